@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "progress.hpp"
+#include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
@@ -152,11 +153,13 @@ void append_rings(const RunRequest& requested, Rings& rings) {
   const std::size_t n = requested.input.rings.size();
   if (n == 0) {
     rings.requests.push_back(requested);
+    rings.requests.back().input = cycle::with_gas_path(requested.input);
     rings.together.push_back(1);
   }
+  const cycle::Case pack = n == 0 ? cycle::Case{} : cycle::with_gas_path(requested.input);
   for (std::size_t i = 0; i < n; ++i) {
     rings.requests.push_back(requested);
-    rings.requests.back().input = requested.input.rings[i];
+    rings.requests.back().input = pack.rings[i];
     rings.requests.back().name += fmt::format(", ring {}", i + 1);
   }
   if (cycle::shares_oil(requested.input)) {

@@ -2,7 +2,8 @@
 
 import numpy
 
-from shipped import RINGS, case, ring, starting_case
+import ringfilm
+from shipped import RINGS, ROOT, case, ring, starting_case
 from chart import LEFT, RIGHT, Panel, Style, every, from_firing, legend, mark_synthetic
 from svg import BLACK, BLUE, GREEN, GREY, ORANGE, RED, WIDTH, Picture
 
@@ -49,6 +50,25 @@ def gas_pressure():
     legend(
         picture, 330, 20, ((Style(BLUE), "trace (SYNTHETIC)"), (Style(ORANGE, "7 3"), "model after Wiebe")), step=200
     )
+    return picture
+
+
+def gas_between_rings():
+    picture = Picture("Pressures of the cylinder and between the rings over the cycle", 366)
+    mark_synthetic(picture)
+    panel = cycle_panel(picture, 74, 230, 0.5, 100)
+    panel.log = "y"
+    panel.title("pressure, absolute [bar], logarithmic")
+    panel.y_axis("", [0.5, 1, 2, 5, 10, 20, 50, 100])
+    panel.crank()
+    pack = ROOT / "cases" / "ring-pack" / "two_rings.toml"
+    gas = ringfilm.gas_path(pack, {"gas_path.ring_motion": "axial"})["curves"]
+    names = {"chamber": Style(BLACK), "land 2": Style(BLUE), "land 3": Style(ORANGE, "7 3"), "crankcase": Style(GREY)}
+    for name, style in names.items():
+        angle, pressure = every(2, *from_firing(gas["crank_angle"], gas["pressure"][name]))
+        panel.curve(angle, [value * 1e-5 for value in pressure], style)
+    words = {"chamber": "chamber", "land 2": "piston land 2", "land 3": "piston land 3", "crankcase": "crankcase"}
+    legend(picture, 80, 40, tuple((style, words[name]) for name, style in names.items()), step=150)
     return picture
 
 
@@ -326,6 +346,7 @@ def assumptions():
 PICTURES = {
     "piston-motion": piston_motion,
     "gas-pressure": gas_pressure,
+    "gas-between-rings": gas_between_rings,
     "friction-shares": friction_shares,
     "film-and-coefficient": film_and_coefficient,
     "cycle-values": cycle_values,

@@ -12,6 +12,7 @@ void bind_errors(py::module_& module);
 void bind_tables(py::module_& module);
 void bind_case(py::module_& module);
 void bind_result(py::module_& module);
+void bind_gas_path(py::module_& module);
 void bind_batch(py::module_& module);
 void bind_pad(py::module_& module);
 void bind_study(py::module_& module);

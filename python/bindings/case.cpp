@@ -6,6 +6,7 @@
 #include "case_values.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/case/case_file.hpp"
@@ -92,7 +93,8 @@ std::vector<std::string> check(CaseObject& self) {
   if (c.problem == cycle::Problem::kPad) {
     pad::prepare_pad(c);
   } else {
-    for (const Case& one : c.is_pack() ? c.rings : std::vector<Case>{c}) {
+    const Case with_gas = cycle::with_gas_path(c);
+    for (const Case& one : c.is_pack() ? with_gas.rings : std::vector<Case>{with_gas}) {
       for (const cycle::Note& note : cycle::prepare(one).notes) notes.push_back(note.message);
     }
   }
@@ -117,7 +119,7 @@ py::dict assumed(const CaseObject& self) {
 std::vector<std::string> assumptions(CaseObject& self) {
   self.check();
   std::vector<std::string> statements;
-  const Case& c = self.value();
+  const Case c = cycle::with_gas_path(self.value());
   for (const study::LedgerEntry& entry : study::assumptions(c.is_pack() ? c.rings.front() : c)) {
     statements.push_back(entry.statement);
   }

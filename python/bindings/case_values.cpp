@@ -143,7 +143,8 @@ class Restore {
   void operator()(const cycle::OptionalNumberOrFileKind& kind) const {
     const auto all = py::cast<py::tuple>(value_);
     cycle::LandPressure& pressure = kind.ref(case_);
-    pressure = {py::cast<std::optional<double>>(all[0]), py::cast<std::optional<std::string>>(all[1]), std::nullopt};
+    pressure = {py::cast<std::optional<double>>(all[0]), py::cast<std::optional<std::string>>(all[1]), std::nullopt,
+                std::nullopt};
     if (all[2].is_none()) return;
     const auto [angles, values] = py::cast<std::pair<std::vector<double>, std::vector<double>>>(all[2]);
     pressure.trace = cycle::SampledTrace{angles, values};

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_ringfilm, module) {
   bind_pad(module);
   bind_result(module);
   bind_case(module);
+  bind_gas_path(module);
   bind_batch(module);
   bind_study(module);
   bind_life(module);

@@ -27,9 +27,11 @@
 
 // One cycle, a pad, many cycles, studies.
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
@@ -38,6 +40,7 @@
 
 // Files: cases and results.
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/gas_path/gas_path_output.hpp"
 #include "ringfilm/io/pad/pad_netcdf.hpp"
 #include "ringfilm/io/pad/pad_output.hpp"
 #include "ringfilm/io/result/result_csv.hpp"

@@ -35,7 +35,7 @@ RULES = [
     (r"(?<!\bdata )(?<!\bstyle )\bsheets?\b", "two-dimensional (unrolled) film"),
     (r"\bmarch(es|ed|ing)?\b", "time integration; integrate, step"),
     (r"\bfilm parameters?\b", "lambda ratio"),
-    (r"(?<!\bpiston )(?<!\bsecond )\bland\b(?! on\b)", "running surface; core"),
+    (r"(?<!\bpiston )(?<!\bsecond )\bland\b(?! on\b| \d| \\?\")", "running surface; core"),
     (r"\bdrive of wear\b", "Archard wear load"),
     (r"\bmade surfaces?\b", "synthetic surface"),
     (r"\bbearing curves?\b", "material ratio curve"),

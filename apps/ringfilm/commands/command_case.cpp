@@ -6,6 +6,7 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/result/result_json.hpp"
@@ -27,7 +28,8 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
     pad::prepare_pad(input);
     return check;
   }
-  const std::vector<cycle::Case> rings = input.is_pack() ? input.rings : std::vector{input};
+  const cycle::Case with_gas = cycle::with_gas_path(input);
+  const std::vector<cycle::Case> rings = input.is_pack() ? with_gas.rings : std::vector{with_gas};
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check.assumptions.push_back(study::assumptions(rings[i]));
     for (cycle::Note note : cycle::prepare(rings[i]).notes) {
@@ -67,9 +69,10 @@ void print_assumptions(const io::CaseCheck& check) {
 
 }  // namespace
 
-cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings) {
+cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings,
+                               cycle::CasePurpose purpose) {
   std::vector<io::DroppedKey> dropped;
-  cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped);
+  cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped, purpose);
   if (!dropped.empty()) {
     std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
   }

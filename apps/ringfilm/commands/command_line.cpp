@@ -10,6 +10,7 @@
 
 #include "commands/commands.hpp"
 #include "exit_codes.hpp"
+#include "gas_path/command_gas.hpp"
 #include "option_values.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/trimmed.hpp"
@@ -25,6 +26,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   ringfilm check my_engine.toml
   ringfilm run my_engine.toml --output my_engine.nc
   ringfilm run my_engine.toml --set operating.speed='3000 rpm' --json
+  ringfilm gas cases/ring-pack/two_rings.toml --json
   ringfilm report my_engine.nc --output my_engine.html
   ringfilm reproduce styles2014
   ringfilm verify
@@ -55,6 +57,14 @@ each other, steady or in time; --ledger and --error-estimate are for rings.
 error: --set ring.tangential_force='12.5 N' takes the place of ring.elastic_pressure.
 An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
 A study that exists is replaced with --overwrite only.
+)";
+
+constexpr const char* kGasFooter = R"(Examples:
+  ringfilm gas cases/ring-pack/two_rings.toml
+  ringfilm gas cases/ring-pack/two_rings.toml --set gas_path.ring_motion=axial --json
+  ringfilm gas case.toml --set operating.speed='4500 rpm' --csv gas.csv
+
+The gas alone is computed: keys of oil, contact and film may be missing.
 )";
 
 constexpr const char* kCheckFooter = R"(Examples:
@@ -215,6 +225,23 @@ class Commands {
     command.footer(kRunFooter);
   }
 
+  void add_gas() {
+    auto& command = add("gas", "Compute the gas between the rings of a pack: pressures, blow-by, ring motion", [this] {
+      const std::string case_path = gas_words_.case_path();
+      if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
+      gas({case_path, gas_words_.overrides(), csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable});
+    });
+    gas_words_.add_to(command);
+    command
+        .add_option("--csv", csv_,
+                    "write pressures, flows and ring positions over crank angle as CSV, SI units; without a name: "
+                    "that of the case in this folder")
+        ->expected(0, 1)
+        ->type_name("X.csv");
+    command.add_flag("--json", json_, "print the values as JSON instead of the table");
+    command.footer(kGasFooter);
+  }
+
   void add_check() {
     auto& command =
         add("check", "Read a case of a ring or a pad, report everything that is wrong with it, run nothing", [this] {
@@ -333,7 +360,7 @@ class Commands {
 
   CLI::App& program_;
   Actions actions_;
-  CaseArguments run_words_, check_words_;
+  CaseArguments run_words_, check_words_, gas_words_;
   std::optional<std::string> output_, csv_, jobs_, vts_shape_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
   NewOptions new_;
@@ -443,6 +470,7 @@ Request read_command_line(int argc, const char* const* argv) {
   program.footer(kProgramFooter);
   const auto commands = std::make_shared<Commands>(program);
   commands->add_run();
+  commands->add_gas();
   commands->add_check();
   commands->add_report();
   commands->add_reproduce();

@@ -17,7 +17,8 @@ enum class ErrorRequest { kNone, kEstimated };
 
 /// The case of a command with what it states on the command line; prints on standard error which keys of the case that
 /// makes unused.
-cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings);
+cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings,
+                               cycle::CasePurpose purpose = cycle::CasePurpose::kFilm);
 
 struct RunOptions {
   std::string case_path;

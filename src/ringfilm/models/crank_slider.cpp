@@ -18,4 +18,12 @@ double CrankSlider::velocity(double phi, double omega) const {
   return -crank_radius * omega * s * (1 + std::cos(phi) / std::sqrt(rod_ratio * rod_ratio - s * s));
 }
 
+double CrankSlider::acceleration(double phi, double omega) const {
+  const double rod_ratio = connecting_rod_length / crank_radius;
+  const double s = std::sin(phi), c = std::cos(phi);
+  const double root = std::sqrt(rod_ratio * rod_ratio - s * s);
+  const double of_rod = (c * c - s * s) / root + s * s * c * c / (root * root * root);
+  return -crank_radius * omega * omega * (c + of_rod);
+}
+
 }  // namespace ringfilm::models

@@ -14,6 +14,9 @@ struct CrankSlider {
   /// U_p [m/s] at the engine speed omega [rad/s].
   double velocity(double phi, double omega) const;
 
+  /// Acceleration of the piston at the engine speed omega, positive towards TDC, eq-piston-acceleration [m/s2].
+  double acceleration(double phi, double omega) const;
+
   /// Distance between the dead centres [m].
   double stroke() const { return 2 * crank_radius; }
 };

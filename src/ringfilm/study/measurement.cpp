@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+#include "ringfilm/models/gas/gas_flow.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
 
 namespace ringfilm::study {
@@ -19,6 +22,17 @@ const std::vector<cycle::Quantity> kOfWholeRun = {
      "eq-discrete-balance"},
     {"cycle_mass_residual", "1", "1", "mean inflow less mean outflow over a cycle, relative to the mean flow", "r_c",
      "eq-discrete-balance"},
+};
+
+/// Of the gas between the rings.
+const std::vector<cycle::Quantity> kOfGas = {
+    {"blow_by_per_cycle", "kg", "mg", "net mass of gas into the crankcase in a cycle", "m_b", "eq-blow-by"},
+    {"gas_mass_defect", "1", "1", "balance of the gas over a cycle, relative to what passes", "d_m", "eq-blow-by"},
+    {"critical_pressure_ratio", "1", "1", "pressure ratio below which an orifice is choked", "r_c",
+     "eq-critical-ratio"},
+    {"region_peak_pressure", "Pa", "bar", "highest pressure of a region", "p", "eq-gas-region"},
+    {"region_mean_pressure", "Pa", "bar", "mean pressure of a region over the cycle", "p", "eq-gas-region"},
+    {"ring_event_angle", "degree", "degree", "crank angle of a change of flank contact", "phi", "eq-ring-acceleration"},
 };
 
 /// `rupture_positions.2` and the like.
@@ -89,6 +103,23 @@ Measurement of_ring(const cycle::CycleResult& result) {
   return measurement;
 }
 
+Measurement of_gas(const cycle::Case& c) {
+  const gas_path::GasPathResult result = gas_path::solve_gas_path(cycle::gas_pack(c));
+  Measurement measurement;
+  auto& values = measurement.values;
+  values["blow_by_per_cycle"] = {result.blow_by};
+  values["gas_mass_defect"] = {result.mass_defect};
+  values["critical_pressure_ratio"] = {models::critical_pressure_ratio(c.gas_path.heat_capacity_ratio)};
+  for (std::size_t i = 0; i < result.regions.size(); ++i) {
+    values[numbered("region_peak_pressure", i)] = {result.regions[i].peak_pressure};
+    values[numbered("region_mean_pressure", i)] = {result.regions[i].mean_pressure};
+  }
+  for (std::size_t i = 0; i < result.events.size(); ++i) {
+    values[numbered("ring_event_angle", i)] = {result.events[i].crank_angle_deg};
+  }
+  return measurement;
+}
+
 template <typename Quantities>
 void add_all(const Quantities& quantities, std::vector<cycle::Quantity>& all) {
   for (const cycle::Quantity& quantity : quantities) all.push_back(quantity);
@@ -103,6 +134,7 @@ const std::vector<cycle::Quantity>& measured_quantities() {
     add_all(pad::width_quantities(), all);
     add_all(pad::front_quantities(), all);
     add_all(kOfWholeRun, all);
+    add_all(kOfGas, all);
     add_all(cycle::cycle_quantities(), all);
     add_all(cycle::curve_quantities(), all);
     return all;
@@ -118,6 +150,11 @@ std::optional<cycle::Quantity> find_measured(const std::string& name) {
   return std::nullopt;
 }
 
+bool is_of_gas(const std::string& name) {
+  return std::any_of(kOfGas.begin(), kOfGas.end(),
+                     [&](const cycle::Quantity& one) { return one.name == name.substr(0, name.find('.')); });
+}
+
 std::optional<cycle::Quantity> find_curve(const std::string& name) {
   for (const cycle::Quantity& quantity : cycle::curve_quantities()) {
     if (quantity.name == name) return quantity;
@@ -127,7 +164,8 @@ std::optional<cycle::Quantity> find_curve(const std::string& name) {
 
 Measurement measure(const cycle::Case& c) {
   if (c.problem == cycle::Problem::kPad) return of_pad(pad::solve_pad(c));
-  return of_ring(cycle::simulate(cycle::prepare(c)));
+  if (c.purpose == cycle::CasePurpose::kGasPath) return of_gas(c);
+  return of_ring(cycle::simulate(cycle::prepare(cycle::with_gas_path(c))));
 }
 
 double value(const Measurement& measurement, const Probe& probe) {

@@ -19,12 +19,16 @@ struct Measurement {
 
 /// Which number of a run.
 struct Probe {
-  std::string quantity;        ///< one of measured_quantities(), or "<list of fronts>.1", ".2", ... from x = 0 on
+  std::string quantity;  ///< one of measured_quantities(), or "<list>.1", ".2", ... of fronts from x = 0 on, of regions
+                         ///< of gas from the chamber on, of events by crank angle
   std::optional<double> time;  ///< [s]; nothing: the last instant
 };
 
 /// Every quantity that a measurement of a pad or a ring can hold, lists of fronts without their number.
 const std::vector<cycle::Quantity>& measured_quantities();
+
+/// Is it a quantity of the gas between the rings, of a case read for the gas alone?
+bool is_of_gas(const std::string& name);
 
 /// The curve of a ring over crank angle of that name; nothing if there is none. A pad may have a number of that name.
 std::optional<cycle::Quantity> find_curve(const std::string& name);

@@ -112,7 +112,40 @@ struct LandPressure {
   std::optional<std::string> file;                  ///< CSV like that of the cylinder, as named
   std::optional<base::Shared<SampledTrace>> trace;  ///< [Pa] as that file gives it
 
-  bool is_stated() const { return constant || file; }  ///< by a constant or by a file
+  std::optional<base::Shared<SampledTrace>> computed;  ///< by the gas path: absolute [Pa], 0 = firing TDC
+
+  bool is_stated() const { return constant || file || computed; }  ///< by a constant, by a file, or computed
+};
+
+/// The keys under `gas_path`: how the gas passes the rings. The defaults are typical and assumed.
+struct GasPath {
+  GasPathModel model = GasPathModel::kGiven;     ///< pressures between the rings as stated, or by volumes and orifices
+  RingMotion ring_motion = RingMotion::kSeated;  ///< rings on their lower flanks, or moved along the bore's axis
+  double discharge_coefficient = 0.65;           ///< C, of the end gaps [-]
+  double gas_constant = 287;                     ///< R, of air [J/(kg K)]
+  double heat_capacity_ratio = 1.33;             ///< gamma, of burned gas [-]
+  double viscosity = 2.7e-5;                     ///< mu, of air at 500 K [Pa s]
+  double chamber_temperature = 600;              ///< of the gas that enters from the chamber [K]
+  double crankcase_temperature = 360;            ///< of the gas in the crankcase [K]
+  double choking_smoothing = 1e-3;               ///< distance from a pressure ratio of 1 that is bridged [-]
+  double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
+
+  bool is_computed() const { return model == GasPathModel::kOrificeVolume; }  ///< the pressures between the rings
+};
+
+/// What the gas meets at a ring: keys under `ring`, used where GasPath::is_computed().
+struct RingGasPath {
+  RingKind kind = RingKind::kCompression;
+  std::optional<double> gap_area;           ///< of the end gap; absent: end_gap times land_clearance [m2]
+  std::optional<double> groove_volume;      ///< of the gas behind and above the ring [m3]
+  double groove_temperature = 473.15;       ///< of that gas; typical, assumed [K]
+  double volume_below = 0;                  ///< of the piston land below; 0: it is the region below it [m3]
+  double temperature_below = 423.15;        ///< of the gas there; typical, assumed [K]
+  std::optional<double> side_clearance;     ///< of the ring in its groove, along the bore's axis [m]
+  std::optional<double> land_clearance;     ///< radial, between piston lands and bore [m]
+  std::optional<double> mass;               ///< of the ring [kg]
+  std::optional<double> density;            ///< or of what it is made of [kg/m3]
+  double bore_friction_coefficient = 0.05;  ///< of the ring on the bore; typical, assumed [-]
 };
 
 /// Where a face came from; recorded, and not used by any model.
@@ -166,13 +199,17 @@ struct Ring {
   std::optional<double> elastic_pressure;  ///< p_e, on the bore by the ring's own tension [Pa]
   std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
   std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
-  std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap [m]
+  std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap, and with gas_path [m]
   LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
   LandPressure pressure_below;             ///< of the piston land below; not stated: that of the crankcase
-  std::optional<double> land_below;        ///< height of the piston land down to the next ring [m]
-  // film.dimension = "unrolled"
+  /// In the groove, computed by the gas path: absolute [Pa], 0 = firing TDC. Absent: Gas::pressure_behind_ring.
+  std::optional<base::Shared<SampledTrace>> pressure_behind;
+  bool has_computed_gas = false;     ///< was the gas path of the pack computed for this ring?
+  std::optional<double> land_below;  ///< height of the piston land down to the next ring [m]
+  // film.dimension = "unrolled"; the end gap also where the gas path is computed
   std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
+  RingGasPath gas_path;           ///< what the gas meets at the ring
   RingFace face;                  ///< shape of the face across its width
   Coating coating;                ///< absent unless its modulus is stated
 };
@@ -421,12 +458,14 @@ struct InputFile {
 /// All keys of a case. Members that a problem or a model does not use stay as they are.
 struct Case {
   Problem problem = Problem::kCycle;               ///< a pad where any of its keys is stated
+  CasePurpose purpose = CasePurpose::kFilm;        ///< what it was read for
   std::string title;                               ///< for people; names pages and figures
   Conditions conditions = Conditions::kOfTheCase;  ///< from which defaults the rest starts
   Engine engine;                                   ///< bore and crank
   Operating operating;                             ///< speed and oil temperature
   Thermal thermal;                                 ///< temperatures of ring and liner, if the film has them
   Gas gas;                                         ///< pressure above, below and behind the ring
+  GasPath gas_path;                                ///< how the gas passes the rings
   Ring ring;                                       ///< size, tension, face, coating, gap
   Liner liner;                                     ///< what the bore is made of
   Contact contact;                                 ///< roughness of the pair and boundary friction

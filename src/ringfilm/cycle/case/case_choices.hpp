@@ -1,6 +1,7 @@
 #pragma once
 #include "ringfilm/film/edge.hpp"
 #include "ringfilm/film/factors/roughness.hpp"
+#include "ringfilm/gas_path/pack.hpp"
 #include "ringfilm/models/contact/summit_contact.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
@@ -12,6 +13,12 @@ namespace ringfilm::cycle {
 enum class Problem {
   kCycle,  ///< a ring over the four strokes
   kPad     ///< a film of stated shape
+};
+
+/// What a case is read for.
+enum class CasePurpose {
+  kFilm,    ///< a cycle or a pad
+  kGasPath  ///< the gas of the ring pack alone: keys of film, oil and contact may be missing
 };
 
 /// `pad.direction`: which way the flat surface moves.
@@ -52,6 +59,15 @@ enum class TraceOrigin {
   kComputed,   ///< by a model of the engine
   kSynthetic   ///< made up; marked SYNTHETIC wherever it appears
 };
+
+/// `gas_path.model`: where the pressures between the rings come from.
+enum class GasPathModel {
+  kGiven,         ///< as stated: ring.pressure_above, ring.pressure_below
+  kOrificeVolume  ///< volumes, orifices and channels between chamber and crankcase
+};
+
+using gas_path::RingKind;    ///< `ring.kind`
+using gas_path::RingMotion;  ///< `gas_path.ring_motion`
 
 /// `ring.face.form` and `pad.face.form`: how the height of the face is given.
 enum class FaceForm {

@@ -100,6 +100,7 @@ std::vector<Field> all_fields() {
   append_thermal_fields(fields);
   append_gas_fields(fields);
   append_ring_fields(fields);
+  append_gas_path_fields(fields);
   append_contact_fields(fields);
   append_measured_fields(fields);
   append_lubricant_fields(fields);
@@ -155,6 +156,34 @@ bool is_for_record(const Field& field) {
   static const std::set<std::string> alone = {"title", "lubricant.name", "gas.trace_origin", "ring.name"};
   return alone.contains(field.key) || field.key.rfind("output.", 0) == 0 ||
          field.key.find(".measured.") != std::string::npos;
+}
+
+bool is_of_gas_path(const Field& field) {
+  static const std::set<std::string> others = {"title",
+                                               "operating.speed",
+                                               "ring.kind",
+                                               "ring.gap_area",
+                                               "ring.end_gap",
+                                               "ring.volume_below",
+                                               "ring.mass",
+                                               "ring.temperature_below",
+                                               "ring.density",
+                                               "ring.groove_volume",
+                                               "ring.face_width",
+                                               "ring.groove_temperature",
+                                               "ring.free_gap",
+                                               "ring.side_clearance",
+                                               "ring.name",
+                                               "ring.land_clearance",
+                                               "ring.pressure_above",
+                                               "ring.elastic_pressure",
+                                               "ring.pressure_below",
+                                               "ring.tangential_force",
+                                               "ring.radial_thickness",
+                                               "ring.bore_friction_coefficient"};
+  const auto lies_in = [&](const char* section) { return field.key.rfind(section, 0) == 0; };
+  if (field.key == "gas.pressure_behind_ring") return false;
+  return lies_in("engine.") || lies_in("gas.") || lies_in("gas_path.") || others.contains(field.key);
 }
 
 bool is_required(const Field& field, const Case& c) {

@@ -183,4 +183,13 @@ struct RuleBreach {
 };
 std::vector<RuleBreach> broken_rules(const Case& c);
 
+/// Does the gas of the ring pack alone use the key?
+bool is_of_gas_path(const Field& field);
+
+/// The rules of a case of which the gas of the ring pack alone is computed.
+std::vector<RuleBreach> broken_gas_rules(const Case& c);
+
+/// Rules that join the rings of a pack; keys are those of the pack, "ring.2.kind".
+std::vector<RuleBreach> broken_pack_rules(const Case& pack);
+
 }  // namespace ringfilm::cycle

@@ -4,6 +4,7 @@
 #include "ringfilm/base/joined.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/case_rules_gas_path.hpp"
 #include "ringfilm/cycle/case/case_rules_measured.hpp"
 #include "ringfilm/cycle/case/case_rules_oil.hpp"
 #include "ringfilm/cycle/case/case_rules_pad.hpp"
@@ -165,13 +166,14 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                       usual_tension()});
 }
 
-RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
+RuleBreach tension_stated_twice(const Ring& ring, bool is_thickness_of_tension, const std::string& remedy) {
   std::vector<std::vector<std::string>> ways;
   if (ring.elastic_pressure) ways.push_back({"ring.elastic_pressure"});
   if (ring.tangential_force) ways.push_back({"ring.tangential_force"});
-  if (ring.free_gap && ring.radial_thickness) {
+  const bool thickness = is_thickness_of_tension && ring.radial_thickness;
+  if (ring.free_gap && thickness) {
     ways.push_back({"ring.free_gap", "ring.radial_thickness"});
-  } else if (ring.free_gap || ring.radial_thickness) {
+  } else if (ring.free_gap || thickness) {
     ways.push_back({ring.free_gap ? "ring.free_gap" : "ring.radial_thickness"});
   }
   std::vector<std::string> keys;
@@ -182,14 +184,15 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
 
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
-  const bool gap = ring.free_gap || ring.radial_thickness;
+  const bool of_tension = !c.gas_path.is_computed();  // the gas path uses the thickness as well
+  const bool gap = ring.free_gap || (of_tension && ring.radial_thickness);
   const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
   const std::string ways =
       "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
   if (stated == 0) {
     breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
-    breaches.push_back(tension_stated_twice(ring, ways));
+    breaches.push_back(tension_stated_twice(ring, of_tension, ways));
   } else if (gap && !ring.free_gap) {
     breaches.push_back({"ring.free_gap", "ring.radial_thickness is stated without ring.free_gap", ways});
   } else if (gap && !ring.radial_thickness) {
@@ -266,7 +269,33 @@ void check_contact_law(const Case& c, Breaches& breaches) {
   }
 }
 
+/// Rules of engine and gas: what the gas path alone uses, too.
+void check_engine_and_gas(const Case& c, Breaches& breaches) {
+  check_engine(c, breaches);
+  if (c.gas.model == GasModel::kWiebe) {
+    check_wiebe(c.gas, breaches);
+  } else {
+    check_trace(c, breaches);
+  }
+  check_whole_cycle("gas.crankcase_pressure", c.gas.crankcase_trace, breaches);
+}
+
 }  // namespace
+
+std::vector<RuleBreach> broken_gas_rules(const Case& c) {
+  Breaches breaches;
+  check_engine_and_gas(c, breaches);
+  if (!c.gas_path.is_computed()) {
+    breaches.push_back({"gas_path.model", "gas_path.model is not \"orifice-volume\": there is no gas to compute",
+                        "write model = \"orifice-volume\" in [gas_path]", kMissingKey});
+    return breaches;
+  }
+  append_gas_path_breaches(c, breaches);
+  if (c.gas_path.ring_motion == RingMotion::kAxial && c.ring.gas_path.kind == RingKind::kCompression) {
+    if (c.ring.face_width > 0) check_tension(c, breaches);
+  }
+  return breaches;
+}
 
 std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.problem == Problem::kPad) return broken_pad_rules(c);
@@ -274,14 +303,9 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   check_cavitation_pressure(c.film, breaches);
   append_gas_edge_breaches(c, breaches);
   append_flow_factor_breaches(c, breaches);
-  check_engine(c, breaches);
+  check_engine_and_gas(c, breaches);
+  if (c.gas_path.is_computed()) append_gas_path_breaches(c, breaches);
   append_thermal_breaches(c, breaches);
-  if (c.gas.model == GasModel::kWiebe) {
-    check_wiebe(c.gas, breaches);
-  } else {
-    check_trace(c, breaches);
-  }
-  check_whole_cycle("gas.crankcase_pressure", c.gas.crankcase_trace, breaches);
   check_whole_cycle("ring.pressure_above", c.ring.pressure_above.trace, breaches);
   check_whole_cycle("ring.pressure_below", c.ring.pressure_below.trace, breaches);
   check_tension(c, breaches);

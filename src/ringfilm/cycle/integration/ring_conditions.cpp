@@ -63,7 +63,9 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   at.inputs.left = turned ? crankcase : chamber;
   at.inputs.right = turned ? chamber : crankcase;
   at.inputs.p_cavitation = std::min({c.film.cavitation_pressure, above, below});
-  at.inputs.load = (ring.elastic_pressure + pressure_behind_ring(c.gas, above, below)) * c.ring.face_width;
+  const double behind =
+      ring.lands.behind ? ring.lands.behind->pressure(angle) : pressure_behind_ring(c.gas, above, below);
+  at.inputs.load = (ring.elastic_pressure + behind) * c.ring.face_width;
   at.inputs.time_step = time_step;
   at.film_temperature = ring.oil.temperature;
   if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(setup.engine.crank.position(radians(angle)));

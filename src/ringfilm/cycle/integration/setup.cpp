@@ -37,17 +37,6 @@ models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
                                     *c.gas.exhaust_pressure);
 }
 
-models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
-
-models::CyclePressure cylinder_pressure(const Case& c) {
-  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
-  const Gas& g = c.gas;
-  return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
-                                 g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
-                                 g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
-                                 g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});
-}
-
 models::RingFace ring_face(const Case& c) {
   const RingFace& f = c.ring.face;
   return f.form == FaceForm::kPoints ? models::RingFace::points(f.x, f.height, c.ring.face_width)
@@ -56,7 +45,9 @@ models::RingFace ring_face(const Case& c) {
 
 /// On the face [Pa].
 double largest_mean_pressure(const Case& c, const LandPressures& lands) {
-  return elastic_pressure(c) + pressure_behind_ring(c.gas, lands.above.peak(), lands.below.peak());
+  const double behind =
+      lands.behind ? lands.behind->peak() : pressure_behind_ring(c.gas, lands.above.peak(), lands.below.peak());
+  return elastic_pressure(c) + behind;
 }
 
 void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
@@ -84,18 +75,24 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
                    1});
 }
 
+models::CyclePressure computed_pressure(const SampledTrace& trace) { return {trace.crank_angle_deg, trace.value}; }
+
 models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
+  if (land.computed) return computed_pressure(**land.computed);
   return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
 }
 
 LandPressures land_pressures(const Case& c) {
-  const auto crankcase = [&] {
-    return c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
-                                 : models::CyclePressure(c.gas.crankcase_pressure);
-  };
+  if (c.gas_path.is_computed() && !c.ring.has_computed_gas) {
+    throw InputError("the gas between the rings is computed for a whole ring pack, and this is a ring by itself",
+                     "run the pack, or state gas_path.model = \"given\" with ring.pressure_above and "
+                     "ring.pressure_below, for which ringfilm gas --csv writes traces");
+  }
   const LandPressure &above = c.ring.pressure_above, &below = c.ring.pressure_below;
-  return {above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
-          below.is_stated() ? land_pressure(c, below) : crankcase()};
+  LandPressures lands{above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
+                      below.is_stated() ? land_pressure(c, below) : crankcase_pressure(c)};
+  if (c.ring.pressure_behind) lands.behind = computed_pressure(**c.ring.pressure_behind);
+  return lands;
 }
 
 Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
@@ -116,6 +113,22 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
 }
 
 }  // namespace
+
+models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
+
+models::CyclePressure cylinder_pressure(const Case& c) {
+  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
+  const Gas& g = c.gas;
+  return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
+                                 g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
+                                 g.exhaust_pressure.value_or(Gas::kWiebeExhaustPressure), g.exhaust_valve_opening_deg,
+                                 g.exhaust_valve_closing_deg, g.intake_valve_opening_deg, g.intake_valve_closing_deg});
+}
+
+models::CyclePressure crankcase_pressure(const Case& c) {
+  return c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
+                               : models::CyclePressure(c.gas.crankcase_pressure);
+}
 
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {
   if (!thermal.is_stated()) return std::nullopt;

@@ -31,8 +31,9 @@ struct EngineSetup {
 
 /// Gas pressures at the edges of a ring's face, absolute, 0 = firing TDC.
 struct LandPressures {
-  models::CyclePressure above;  ///< of the top ring that of the cylinder [Pa]
-  models::CyclePressure below;  ///< of the last ring that of the crankcase [Pa]
+  models::CyclePressure above;                                 ///< of the top ring that of the cylinder [Pa]
+  models::CyclePressure below;                                 ///< of the last ring that of the crankcase [Pa]
+  std::optional<models::CyclePressure> behind = std::nullopt;  ///< in the groove, where the gas path is computed [Pa]
 };
 
 /// The oil of a ring's film, at the temperatures that it has along the stroke.
@@ -77,6 +78,15 @@ std::string usual_tension();
 
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);
+
+/// Crank of the case.
+models::CrankSlider crank_slider(const Case& c);
+
+/// Cylinder pressure of the case, of its trace or its Wiebe cycle. Throws InputError where prepare() does.
+models::CyclePressure cylinder_pressure(const Case& c);
+
+/// Pressure in the crankcase of the case, constant or a trace.
+models::CyclePressure crankcase_pressure(const Case& c);
 
 /// Temperatures of the walls; nothing where the case has one temperature of the oil, or none.
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal);

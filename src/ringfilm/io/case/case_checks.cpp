@@ -26,6 +26,11 @@ class Checks {
   }
 
  private:
+  bool is_for_gas_alone() const { return case_.purpose == cycle::CasePurpose::kGasPath; }
+
+  /// Is the key of no concern to what the case is read for?
+  bool is_out_of_scope(const Field& field) const { return is_for_gas_alone() && !cycle::is_of_gas_path(field); }
+
   bool is_faulty(const std::string& key) const {
     return std::any_of(stated_.faulty.begin(), stated_.faulty.end(), [&key](const std::string& faulty) {
       return key == faulty || (faulty.back() == '.' && key.rfind(faulty, 0) == 0);
@@ -67,6 +72,8 @@ class Checks {
   }
 
   void check_missing(const Field& field) {
+    // What the gas asks of a ring depends on its kind and motion: broken_gas_rules.
+    if (is_out_of_scope(field) || (is_for_gas_alone() && cycle::is_of_ring(field.key))) return;
     if (!cycle::is_required(field, case_) || stated_.given.contains(field.key) || is_faulty(field.key)) return;
     missing_.insert(field.key);
     // Conditions that are not known might have set it.
@@ -96,7 +103,7 @@ class Checks {
     check_mixed();
     for (const auto& [key, entry] : stated_.given) {
       const Field& field = *cycle::find_field(key);
-      if (!cycle::belongs(field, case_)) continue;
+      if (!cycle::belongs(field, case_) || is_out_of_scope(field)) continue;
       if (!use_is_known(field) || cycle::is_active(field, case_) || stated_.from_oil_file.contains(key)) continue;
       faults_.push_back({entry.key_mark, key + " is not used in this case",
                          "it is used where " + field.active_when + places_of_conditions(field) +
@@ -131,7 +138,8 @@ class Checks {
   }
 
   void check_rules() {
-    for (const cycle::RuleBreach& breach : cycle::broken_rules(case_)) {
+    for (const cycle::RuleBreach& breach :
+         is_for_gas_alone() ? cycle::broken_gas_rules(case_) : cycle::broken_rules(case_)) {
       if (!can_be_judged(breach)) continue;
       const auto found = stated_.given.find(breach.key);
       const SourceMark mark =

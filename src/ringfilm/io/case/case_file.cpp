@@ -20,7 +20,8 @@ using cycle::Case;
 
 class CaseReader {
  public:
-  CaseReader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
+  CaseReader(CaseTree tree, const Units& units, CasePurpose purpose = CasePurpose::kFilm)
+      : tree_(std::move(tree)), units_(units), purpose_(purpose) {}
 
   /// @param faults receives all that is wrong
   Case read(std::vector<Fault>& faults) {
@@ -42,6 +43,7 @@ class CaseReader {
  private:
   void read_values() {
     case_ = cycle::blank_case(problem());
+    case_.purpose = purpose_;
     case_.files = tree_.files;
     case_.notes = tree_.notes;
     // First, since all other keys replace what the conditions set.
@@ -120,6 +122,7 @@ class CaseReader {
 
   CaseTree tree_;
   const Units& units_;
+  CasePurpose purpose_;
   Case case_;
   std::map<std::string, const TomlEntry*> given_;
 };
@@ -153,19 +156,35 @@ bool drop_unused(PackTrees& pack, const std::vector<Case>& without_overrides, bo
   return n_removed > 0;
 }
 
-Case case_of(PackTrees pack, const Units& units) {
+/// What is wrong with the rings of a pack together, each at its place in the file.
+std::vector<Fault> pack_faults(const Case& pack, const std::vector<std::map<std::string, SourceMark>>& places) {
+  std::vector<Fault> faults;
+  for (const cycle::RuleBreach& breach : cycle::broken_pack_rules(pack)) {
+    const auto of_ring = cycle::ring_key(breach.key);
+    const auto& of = places.at(of_ring ? of_ring->ring - 1 : 0);
+    const auto found = of.find(of_ring ? of_ring->key : breach.key);
+    faults.push_back({found == of.end() ? SourceMark{} : found->second, breach.message, breach.remedy});
+  }
+  return faults;
+}
+
+Case case_of(PackTrees pack, const Units& units, CasePurpose purpose = CasePurpose::kFilm) {
   std::vector<Fault> faults = std::move(pack.faults);
   std::vector<Case> cases;
+  std::vector<std::map<std::string, SourceMark>> places(pack.trees.size());
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
     std::vector<Fault> of_ring;
-    cases.push_back(CaseReader(std::move(pack.trees[i]), units).read(of_ring));
+    for (const TomlEntry& entry : pack.trees[i].entries) places[i][entry.key] = entry.value.mark;
+    cases.push_back(CaseReader(std::move(pack.trees[i]), units, purpose).read(of_ring));
     for (Fault& fault : of_ring) {
       if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
     }
     append_new(faults, std::move(of_ring), same);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
-  return pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());
+  Case all = pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());
+  if (faults = pack_faults(all, places); !faults.empty()) throw InputError(std::move(faults));
+  return all;
 }
 
 }  // namespace
@@ -188,12 +207,13 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
   return read_case(path, overrides, Units());
 }
 
-cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
-  return case_of(pack_trees(read_case_tree(path, overrides)), units);
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                      CasePurpose purpose) {
+  return case_of(pack_trees(read_case_tree(path, overrides)), units, purpose);
 }
 
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
-                               std::vector<DroppedKey>& dropped) {
+                               std::vector<DroppedKey>& dropped, CasePurpose purpose) {
   PackTrees pack = pack_trees(read_case_tree(path, overrides, &dropped));
   if (!overrides.empty()) {
     // Whether a trace covers the cycle decides on keys of the gas, and data files on no others.
@@ -209,7 +229,7 @@ cycle::Case read_case_dropping(const std::string& path, const std::vector<Overri
       // A key that was removed may have been the reason for another.
     }
   }
-  return case_of(std::move(pack), units);
+  return case_of(std::move(pack), units, purpose);
 }
 
 std::string listed(const std::vector<DroppedKey>& dropped) {

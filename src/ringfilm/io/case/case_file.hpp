@@ -22,18 +22,21 @@ struct DroppedKey {
   SourceMark mark;  ///< of the key
 };
 
+using cycle::CasePurpose;
+
 /// Reads a case with its includes, oil file, traces and points; overrides come last and replace.
 /// Throws one InputError with every fault found in all files. File names are relative to the file that names them,
 /// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
 /// The same for who reads many cases, which building the units anew for each would slow down.
-cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units);
+cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                      CasePurpose purpose = CasePurpose::kFilm);
 
 /// The same where overrides may make keys of the files unused: those are dropped from the case and put into `dropped`.
 /// A key that the files alone leave unused, or an override that is unused itself, is an error.
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
-                               std::vector<DroppedKey>& dropped);
+                               std::vector<DroppedKey>& dropped, CasePurpose purpose = CasePurpose::kFilm);
 
 /// "ring.elastic_pressure (my.toml:31), ...", for messages.
 std::string listed(const std::vector<DroppedKey>& dropped);

@@ -92,9 +92,9 @@ class Setter {
   }
   void operator()(const cycle::OptionalNumberOrFileKind& kind) {
     if (value_.kind == Kind::kText && !value_.text.empty() && !is_quantity(value_.text)) {
-      if (is_text()) kind.ref(case_) = {std::nullopt, located(), std::nullopt};
+      if (is_text()) kind.ref(case_) = {std::nullopt, located(), std::nullopt, std::nullopt};
     } else if (const auto x = quantity(value_, field_.unit, field_.example)) {
-      kind.ref(case_) = {*x, std::nullopt, std::nullopt};
+      kind.ref(case_) = {*x, std::nullopt, std::nullopt, std::nullopt};
     }
   }
   void operator()(const cycle::UnitNameKind& kind) {

@@ -229,8 +229,10 @@ class VerificationReader {
     if (!faults_.empty()) throw InputError(std::move(faults_));
     for (auto& [name, c] : verification_.runs) {
       const auto named = named_.find(name);
-      c = named == named_.end() ? read_case((folder_ / name).string(), {}, units_)
-                                : read_case((folder_ / named->second.path).string(), named->second.overrides, units_);
+      const CasePurpose purpose = of_gas_.contains(name) ? CasePurpose::kGasPath : CasePurpose::kFilm;
+      const bool is_file = named == named_.end();
+      c = read_case((folder_ / (is_file ? name : named->second.path)).string(),
+                    is_file ? std::vector<Override>{} : named->second.overrides, units_, purpose);
     }
     check_times();
     if (!faults_.empty()) throw InputError(std::move(faults_));
@@ -288,6 +290,7 @@ class VerificationReader {
     table.read(check);
     check.run = run(table, table.text("case"));
     check.probe = table.probe();
+    if (study::is_of_gas(check.probe.quantity)) of_gas_.insert(check.run);
     note_time(table, check.run, check.probe);
     const std::string unit = table.unit_of(check.probe.quantity);
     check.expected = table.number("expected", unit);
@@ -477,6 +480,7 @@ class VerificationReader {
 
   fs::path folder_;
   std::map<std::string, NamedRun> named_;
+  std::set<std::string> of_gas_;  ///< runs of which the gas alone is computed
   std::vector<AskedTime> times_;
   const Units& units_;
   std::vector<Fault> faults_;

@@ -167,6 +167,15 @@ Assumption pressure_behind_ring(const Case& c) {
                     other_numbers("gas.pressure_behind_ring", c, share, kPlain, {other_than(share, 1.0, 0.9)}));
 }
 
+/// How the gas comes between the rings.
+Assumption gas_path(const Case& c) {
+  return assumption("gas-path",
+                    text("the gas between the rings is that of volumes at constant temperatures, end gaps and side "
+                         "clearances; rings \"%s\"",
+                         chosen("gas_path.ring_motion", c).c_str()),
+                    "volumes, temperatures, clearances and end gaps are rarely known, and the film lets no gas pass");
+}
+
 Assumption pressure_under_ring(const Case& c) {
   const char* topic = "pressure-under-ring";
   const char* consequence = "the second land holds gas at a pressure between chamber and crankcase";
@@ -392,23 +401,25 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
   };
 }
 
+std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
+  const Case& c = setup.input;
+  return {
+      oil_temperature(c),     composite_modulus(setup), elastic_pressure(setup), orientation(c),       cavitation(c),
+      cavitation_pressure(c), contact_integrals(c),     lambda_ratio(c),         roughness_measure(c), oil_laws(c)};
+}
+
 }  // namespace
 
 std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
   const Case& c = setup.input;
-  std::vector<Assumption> all = {flooded_inlet(setup),
-                                 pressure_behind_ring(c),
-                                 pressure_under_ring(c),
-                                 oil_temperature(c),
-                                 composite_modulus(setup),
-                                 elastic_pressure(setup),
-                                 orientation(c),
-                                 cavitation(c),
-                                 cavitation_pressure(c),
-                                 contact_integrals(c),
-                                 lambda_ratio(c),
-                                 roughness_measure(c),
-                                 oil_laws(c)};
+  std::vector<Assumption> all = {flooded_inlet(setup)};
+  if (c.gas_path.is_computed()) {
+    all.push_back(gas_path(c));
+  } else {
+    all.push_back(pressure_behind_ring(c));
+    all.push_back(pressure_under_ring(c));
+  }
+  for (Assumption& one : choices_of_film(setup)) all.push_back(std::move(one));
   if (c.gas.model == cycle::GasModel::kTrace && c.gas.trace_origin == cycle::TraceOrigin::kSynthetic) {
     all.insert(all.begin(), assumption("synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured",
                                        "load, film and boundary friction around firing TDC follow it"));

@@ -11,7 +11,9 @@ constexpr When kFourModuliOrFreeGap{
     [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
     "contact.composite_modulus is not stated, or the tension comes from ring.free_gap"};
 
-constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
+constexpr When kGap{[](const Case& c) { return c.is_unrolled() || c.gas_path.is_computed(); },
+                    "film.dimension = \"unrolled\", or gas_path.model = \"orifice-volume\""};
+constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); }, "gas_path.model = \"given\""};
 constexpr When kGapped{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
                        "ring.end_gap is stated"};
 constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
@@ -52,14 +54,15 @@ void append_ring_fields(std::vector<Field>& fields) {
                "\"10.5 mm\""}),
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
                 above(0, 0.2), Need::kOptional, {},
-                {"radial thickness of the ring, t; with ring.free_gap one of the three ways", "\"3.5 mm\""}),
+                {"radial thickness of the ring, t; with ring.free_gap one of the three ways, and for gas_path",
+                 "\"3.5 mm\""}),
           field("ring.pressure_above", OptionalNumberOrFileKind{member<&Case::ring, &Ring::pressure_above>},
-                {"Pa", "bar"}, above(0, 1e8), Need::kOptional, {},
+                {"Pa", "bar"}, above(0, 1e8), Need::kOptional, kGivenPressures,
                 {"gas pressure above the ring, absolute, or a CSV file like that of the cylinder; if omitted, that of "
                  "the cylinder, in a pack that below the ring above",
                  "\"land_2.csv\""}),
           field("ring.pressure_below", OptionalNumberOrFileKind{member<&Case::ring, &Ring::pressure_below>},
-                {"Pa", "bar"}, above(0, 1e8), Need::kOptional, {},
+                {"Pa", "bar"}, above(0, 1e8), Need::kOptional, kGivenPressures,
                 {"gas pressure below the ring, absolute, or a CSV file like that of the cylinder; if omitted, that of "
                  "the crankcase",
                  "\"1.4 bar\""}),
@@ -68,7 +71,7 @@ void append_ring_fields(std::vector<Field>& fields) {
                 {"in a pack, height of the piston land down to the next ring; if omitted, the face width, with a note",
                  "\"3.5 mm\""}),
           field("ring.end_gap", OptionalNumberKind{member<&Case::ring, &Ring::end_gap>}, kLength, above(0, 1),
-                Need::kOptional, kUnrolled,
+                Need::kOptional, kGap,
                 {"gap between the ends of the ring in the bore, g; if omitted, the ring is closed", "\"0.3 mm\""}),
           field("ring.gap_position", NumberKind{member<&Case::ring, &Ring::gap_position_deg>}, {"degree", "degree"},
                 between(-360, 360), Need::kDefault, kGapped,

@@ -98,6 +98,7 @@ std::vector<Field> face_fields(const FaceText& text) {
 
 void append_thermal_fields(std::vector<Field>& fields);
 void append_gas_fields(std::vector<Field>& fields);
+void append_gas_path_fields(std::vector<Field>& fields);  ///< after those of the ring
 void append_ring_fields(std::vector<Field>& fields);
 void append_contact_fields(std::vector<Field>& fields);
 void append_measured_fields(std::vector<Field>& fields);

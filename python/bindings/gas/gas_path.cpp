@@ -1,0 +1,84 @@
+#include <map>
+#include <optional>
+
+#include "arguments.hpp"
+#include "array_view.hpp"
+#include "case_object.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/gas_path/gas_path_output.hpp"
+
+namespace ringfilm::python {
+namespace {
+
+/// Throws InputError with what is wrong with the gas of a case that was changed in memory.
+void check_gas(const cycle::Case& c) {
+  std::vector<Fault> faults;
+  const auto add = [&faults](const std::vector<cycle::RuleBreach>& breaches) {
+    for (const cycle::RuleBreach& breach : breaches) faults.push_back({{}, breach.message, breach.remedy});
+  };
+  for (const cycle::Case& ring : c.is_pack() ? c.rings : std::vector{c}) add(cycle::broken_gas_rules(ring));
+  add(cycle::broken_pack_rules(c));
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+using Settings = std::map<std::string, std::string>;
+
+cycle::Case case_for_gas(const py::object& given, const std::optional<Settings>& overrides) {
+  if (!py::isinstance<CaseObject>(given)) {
+    std::vector<io::Override> stated;
+    for (const auto& [key, value] : overrides.value_or(Settings{})) stated.push_back({key, value});
+    std::vector<io::DroppedKey> dropped;
+    return io::read_case_dropping(path_of("case", given), stated, io::Units(), dropped, io::CasePurpose::kGasPath);
+  }
+  if (overrides) throw py::type_error("overrides go with the path of a case file; set the keys of a ringfilm.Case");
+  const cycle::Case& c = py::cast<const CaseObject&>(given).value();
+  check_gas(c);
+  return c;
+}
+
+py::array_t<double> column(const std::vector<std::vector<double>>& rows, std::size_t i) {
+  py::array_t<double> values(static_cast<py::ssize_t>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) values.mutable_at(static_cast<py::ssize_t>(k)) = rows[k][i];
+  return values;
+}
+
+py::dict gas_record(const py::object& given, const std::optional<Settings>& overrides) {
+  const cycle::Case c = case_for_gas(given, overrides);
+  io::GasPathDocument document;
+  {
+    const py::gil_scoped_release others_go_on;
+    document = io::gas_path_document(c);
+  }
+  py::dict record = py::module_::import("json").attr("loads")(io::gas_path_json(document));
+  const gas_path::GasPathResult& result = document.result;
+  py::dict pressure, flow, position;
+  for (std::size_t i = 0; i < result.regions.size(); ++i) {
+    pressure[py::str(result.regions[i].name)] = column(result.pressure, i);
+  }
+  for (std::size_t i = 0; i < result.paths.size(); ++i) {
+    flow[py::str(path_name(result.paths[i]))] = column(result.flow, i);
+  }
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    if (result.motion[i].has_groove) position[py::int_(i + 1)] = column(result.position, i);
+  }
+  py::array_t<double> angle(static_cast<py::ssize_t>(result.pressure.size()));
+  for (py::ssize_t k = 0; k < angle.size(); ++k) angle.mutable_at(k) = static_cast<double>(k);
+  record["curves"] = py::dict(py::arg("crank_angle") = angle, py::arg("pressure") = pressure, py::arg("flow") = flow,
+                              py::arg("position") = position);
+  return record;
+}
+
+}  // namespace
+
+void bind_gas_path(py::module_& module) {
+  module.def("gas_path", &gas_record, py::arg("case"), py::arg("overrides") = py::none(),
+             R"(The gas between the rings of a pack over a cycle, a dict as `ringfilm gas --json` prints it.
+
+`case` is a ringfilm.Case, or the path of a case file, in which keys of oil, contact and film may be missing; with a
+path `overrides` replace keys as --set does, {key: text}. The key `curves` of the record holds arrays over
+`crank_angle` [degree]: `pressure` by region [Pa], `flow` by path [kg/s], `position` of each ring above its lower flank
+by its number [m].)");
+}
+
+}  // namespace ringfilm::python

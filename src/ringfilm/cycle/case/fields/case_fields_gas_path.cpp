@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "ringfilm/cycle/case/fields/case_fields_table.hpp"
+
+namespace ringfilm::cycle::table {
+namespace {
+
+constexpr When kComputedGas{[](const Case& c) { return c.gas_path.is_computed(); },
+                            "gas_path.model = \"orifice-volume\""};
+constexpr When kRingInGroove{
+    [](const Case& c) { return c.gas_path.is_computed() && c.ring.gas_path.kind == RingKind::kCompression; },
+    "gas_path.model = \"orifice-volume\" and ring.kind = \"compression\""};
+
+constexpr Unit kTemperature{"K", "K"};
+constexpr Unit kVolume{"m3", "mm3"};
+
+/// Gas between the coldest start and a flame.
+Range gas_temperature() { return between(150, 3000); }
+
+std::vector<Field> common_fields() {
+  return {
+      field("gas_path.model", choice<&Case::gas_path, &GasPath::model>({"given", "orifice-volume"}), kNoUnit, {},
+            Need::kDefault, {},
+            {"gas pressures between the rings as stated (ring.pressure_below), or computed from volumes, end gaps and "
+             "side clearances",
+             "\"orifice-volume\""}),
+      field("gas_path.ring_motion", choice<&Case::gas_path, &GasPath::ring_motion>({"seated", "axial"}), kNoUnit, {},
+            Need::kDefault, kComputedGas,
+            {"rings on their lower flanks, or moved in their grooves by gas, inertia and friction on the bore",
+             "\"axial\""}),
+      field("gas_path.discharge_coefficient", NumberKind{member<&Case::gas_path, &GasPath::discharge_coefficient>},
+            kPlainNumber, above(0, 1), Need::kDefault, kComputedGas,
+            {"discharge coefficient of the end gaps, C; typical, assumed", "0.65"}),
+      field("gas_path.gas_constant", NumberKind{member<&Case::gas_path, &GasPath::gas_constant>},
+            {"J/(kg K)", "J/(kg K)"}, between(50, 5000), Need::kDefault, kComputedGas,
+            {"specific gas constant, R; that of air", "\"287 J/(kg K)\""}),
+      field("gas_path.heat_capacity_ratio", NumberKind{member<&Case::gas_path, &GasPath::heat_capacity_ratio>},
+            kPlainNumber, between(1.01, 2), Need::kDefault, kComputedGas,
+            {"ratio of the heat capacities, gamma; typical of burned gas, assumed", "1.33"}),
+      field("gas_path.viscosity", NumberKind{member<&Case::gas_path, &GasPath::viscosity>}, {"Pa s", "Pa s"},
+            between(1e-6, 1e-3), Need::kDefault, kComputedGas,
+            {"viscosity of the gas in the side clearances, mu; of air at 500 K, assumed", "\"2.7e-5 Pa s\""}),
+      field("gas_path.chamber_temperature", NumberKind{member<&Case::gas_path, &GasPath::chamber_temperature>},
+            kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
+            {"temperature of the gas that enters from the combustion chamber; typical, assumed", "\"600 K\""}),
+      field("gas_path.crankcase_temperature", NumberKind{member<&Case::gas_path, &GasPath::crankcase_temperature>},
+            kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
+            {"temperature of the gas in the crankcase; typical, assumed", "\"360 K\""}),
+      field("gas_path.choking_smoothing", NumberKind{member<&Case::gas_path, &GasPath::choking_smoothing>},
+            kPlainNumber, between(1e-6, 0.1), Need::kDefault, kComputedGas,
+            {"above a pressure ratio of 1 less this number the flow of an orifice is a straight line", "1e-3"}),
+      field("gas_path.sliding_smoothing_speed", NumberKind{member<&Case::gas_path, &GasPath::sliding_smoothing_speed>},
+            {"m/s", "m/s"}, above(0, 10), Need::kDefault, kComputedGas,
+            {"speed of the piston over which the friction of the rings on the bore changes its sign, U_0; used with "
+             "gas_path.ring_motion = \"axial\"",
+             "\"0.05 m/s\""}),
+  };
+}
+
+std::vector<Field> ring_fields() {
+  return {
+      field("ring.kind", choice<&Case::ring, &Ring::gas_path, &RingGasPath::kind>({"compression", "oil"}), kNoUnit, {},
+            Need::kDefault, kComputedGas,
+            {"compression ring, or oil ring, which is an end gap alone to the gas", "\"compression\""}),
+      field("ring.gap_area", OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::gap_area>},
+            {"m2", "mm2"}, between(0, 1e-4), Need::kOptional, kComputedGas,
+            {"area of the end gap, as the gas passes it; if omitted, ring.end_gap times ring.land_clearance",
+             "\"0.08 mm2\""}),
+      field("ring.volume_below", NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::volume_below>}, kVolume,
+            between(0, 1e-3), Need::kDefault, kComputedGas,
+            {"volume of the piston land below, with its clearance; 0: it is the region below it", "\"500 mm3\""}),
+      field("ring.temperature_below", NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::temperature_below>},
+            kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
+            {"temperature of the gas on the piston land below; typical, assumed", "\"423.15 K\""}),
+      field("ring.groove_volume", OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::groove_volume>},
+            kVolume, between(0, 1e-3), Need::kOptional, kRingInGroove,
+            {"volume of the gas in the groove of the ring", "\"300 mm3\""}),
+      field("ring.groove_temperature",
+            NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::groove_temperature>}, kTemperature,
+            gas_temperature(), Need::kDefault, kRingInGroove,
+            {"temperature of the gas in the groove; typical, assumed", "\"473.15 K\""}),
+      field("ring.side_clearance",
+            OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::side_clearance>}, {"m", "um"},
+            above(0, 2e-3), Need::kOptional, kRingInGroove,
+            {"clearance of the ring in its groove along the bore's axis", "\"50 um\""}),
+      field("ring.land_clearance",
+            OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::land_clearance>}, {"m", "mm"},
+            above(0, 0.02), Need::kOptional, kComputedGas,
+            {"radial clearance between the piston lands and the bore", "\"0.2 mm\""}),
+      field("ring.mass", OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::mass>}, {"kg", "g"},
+            above(0, 10), Need::kOptional, kRingInGroove,
+            {"mass of the ring; with gas_path.ring_motion = \"axial\" this or ring.density", "\"8 g\""}),
+      field("ring.density", OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::density>},
+            {"kg/m3", "kg/m3"}, between(500, 25000), Need::kOptional, kRingInGroove,
+            {"density of the ring, of which its mass is made: times face width, radial thickness and circumference",
+             "\"7200 kg/m3\""}),
+      field("ring.bore_friction_coefficient",
+            NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::bore_friction_coefficient>}, kPlainNumber,
+            between(0, 1), Need::kDefault, kRingInGroove,
+            {"friction of the ring on the bore, as its motion in the groove feels it; typical, assumed", "0.05"}),
+  };
+}
+
+}  // namespace
+
+void append_gas_path_fields(std::vector<Field>& fields) {
+  const auto place = [&fields](const char* key) {
+    return std::find_if(fields.begin(), fields.end(), [key](const Field& one) { return one.key == key; });
+  };
+  std::vector<Field> of_ring = ring_fields(), common = common_fields();
+  fields.insert(place("ring.face.form"), of_ring.begin(), of_ring.end());
+  fields.insert(place("ring.name"), common.begin(), common.end());
+}
+
+}  // namespace ringfilm::cycle::table

@@ -1,0 +1,139 @@
+#include "ringfilm/cycle/gas_of_pack.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Below that the straight line of an orifice is as steep as a step to the integration [-].
+constexpr double kLeastSmoothing = 1e-6;
+
+double ring_mass(const Case& c) {
+  const RingGasPath& gas = c.ring.gas_path;
+  if (gas.mass) return *gas.mass;
+  const double t = c.ring.radial_thickness.value();
+  return gas.density.value() * c.ring.face_width * t * std::numbers::pi * (c.engine.bore - t);
+}
+
+gas_path::Ring gas_ring(const Case& c) {
+  const Ring& ring = c.ring;
+  const RingGasPath& gas = ring.gas_path;
+  gas_path::Ring of;
+  of.kind = gas.kind;
+  of.gap_area = gas.gap_area ? *gas.gap_area : ring.end_gap.value() * gas.land_clearance.value();
+  of.volume_below = gas.volume_below;
+  of.temperature_below = gas.temperature_below;
+  if (of.kind == RingKind::kOil) return of;
+  of.groove_volume = gas.groove_volume.value();
+  of.groove_temperature = gas.groove_temperature;
+  of.side_clearance = gas.side_clearance.value();
+  of.land_clearance = gas.land_clearance.value();
+  of.radial_thickness = ring.radial_thickness.value();
+  if (c.gas_path.ring_motion == RingMotion::kSeated) return of;
+  of.face_width = ring.face_width;
+  of.elastic_pressure = elastic_pressure(c);
+  of.mass = ring_mass(c);
+  of.bore_friction_coefficient = gas.bore_friction_coefficient;
+  return of;
+}
+
+/// The pressure of a region, degree by degree.
+base::Shared<SampledTrace> region_trace(const gas_path::GasPathResult& result, std::size_t region) {
+  SampledTrace trace;
+  for (std::size_t k = 0; k < result.pressure.size(); ++k) {
+    trace.crank_angle_deg.push_back(static_cast<double>(k));
+    trace.value.push_back(result.pressure[k][region]);
+  }
+  return trace;
+}
+
+/// Chamber and crankcase stay those of the case.
+void set_pressures(Ring& ring, const gas_path::GasPathResult& result, const gas_path::RingBorders& at) {
+  if (at.above > 0) ring.pressure_above.computed = region_trace(result, at.above);
+  if (at.below + 1 < result.regions.size()) ring.pressure_below.computed = region_trace(result, at.below);
+  if (ring.gas_path.kind == RingKind::kCompression) ring.pressure_behind = region_trace(result, at.groove);
+  ring.has_computed_gas = true;
+}
+
+std::string joined_numbers(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (const std::size_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
+  return text;
+}
+
+}  // namespace
+
+gas_path::Pack gas_pack(const Case& c) {
+  const GasPath& path = c.gas_path;
+  gas_path::Pack pack;
+  pack.bore = c.engine.bore;
+  pack.crank = crank_slider(c);
+  pack.speed = c.operating.speed;
+  pack.chamber = cylinder_pressure(c);
+  pack.crankcase = crankcase_pressure(c);
+  pack.chamber_temperature = path.chamber_temperature;
+  pack.crankcase_temperature = path.crankcase_temperature;
+  pack.gas = {path.gas_constant, path.heat_capacity_ratio, path.viscosity, path.discharge_coefficient,
+              std::max(path.choking_smoothing, kLeastSmoothing)};
+  pack.ring_motion = path.ring_motion;
+  pack.sliding_smoothing_speed = path.sliding_smoothing_speed;
+  if (!c.is_pack()) pack.rings.push_back(gas_ring(c));
+  for (const Case& ring : c.rings) pack.rings.push_back(gas_ring(ring));
+  return pack;
+}
+
+Case with_gas_path(Case c) {
+  if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return c;
+  const gas_path::Pack pack = gas_pack(c);
+  const gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
+  const gas_path::Network network(pack);
+  set_pressures(c.ring, result, network.borders(0));
+  for (std::size_t i = 0; i < c.rings.size(); ++i) set_pressures(c.rings[i].ring, result, network.borders(i));
+  std::vector<std::string>& notes = c.is_pack() ? c.rings.front().notes : c.notes;
+  constexpr double kLitresPerMinute = 6e4;
+  notes.push_back("the gas between the rings is computed: blow-by " + number_text(result.blow_by * 1e6) +
+                  " mg per cycle, " + number_text(blow_by_flow(result, pack.gas.gas_constant) * kLitresPerMinute) +
+                  " l/min at 1.01325 bar and 25 degC");
+  for (const Note& note : gas_path_notes(c, pack, result)) {
+    const bool is_of_trace = note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic";
+    if (!is_of_trace) notes.push_back(note.message);
+  }
+  return c;
+}
+
+std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
+  std::vector<Note> notes;
+  append_gas_notes(c, pack.chamber, notes);
+  const auto is_oil_ring = [](const gas_path::Ring& ring) { return ring.kind == RingKind::kOil; };
+  if (std::none_of(pack.rings.begin(), pack.rings.end(), is_oil_ring)) {
+    notes.push_back({"oil-ring-missing", "the pack has no oil ring: the crankcase is below its last ring", 1});
+  }
+  std::vector<std::size_t> fluttering;
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    if (result.motion[i].flutters) fluttering.push_back(i + 1);
+  }
+  if (!fluttering.empty()) {
+    notes.push_back({"ring-flutter",
+                     "a ring leaves its lower flank more than once in a stroke: ring " + joined_numbers(fluttering),
+                     static_cast<int>(fluttering.size())});
+  }
+  if (!result.repeats) {
+    notes.push_back({"gas-path-not-periodic",
+                     "the gas between the rings does not repeat from cycle to cycle: after " +
+                         std::to_string(result.cycles) + " cycles a pressure changes by a share of " +
+                         number_text(result.periodicity),
+                     1});
+  }
+  sort_notes(notes);
+  return notes;
+}
+
+}  // namespace ringfilm::cycle

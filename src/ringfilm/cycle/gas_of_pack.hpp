@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/gas_path/result.hpp"
+
+namespace ringfilm::cycle {
+
+/// The gas path of a checked case, of a ring pack or of one ring. Throws InputError where its traces cannot be used.
+gas_path::Pack gas_pack(const Case& c);
+
+/// The case with the gas path of its pack computed, where gas_path.model asks for it: each ring has the pressures of
+/// the piston lands at its edges and that of its groove behind it, and the first a note on the blow-by. Others as they
+/// are. Throws ConvergenceError where the gas is not found.
+Case with_gas_path(Case c);
+
+/// Notes on the gas of a pack: those of its cylinder pressure, rings that flutter, cycles that do not repeat.
+std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result);
+
+}  // namespace ringfilm::cycle

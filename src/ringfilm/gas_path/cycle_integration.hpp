@@ -1,0 +1,66 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/gas_path/pack_system.hpp"
+#include "ringfilm/gas_path/radau.hpp"
+#include "ringfilm/gas_path/result.hpp"
+
+namespace ringfilm::gas_path {
+
+/// Integrates gas and rings over a cycle: from degree to degree of crank angle with steps that the error controls,
+/// changes of flank contact located.
+class CycleIntegration {
+ public:
+  /// Where a cycle begins: at the end of the intake stroke, where no ring moves [degree].
+  static constexpr double kBeginDeg = 540;
+
+  CycleIntegration(const Network& network, PackState begin);
+
+  /// One cycle, from kBeginDeg to a cycle later. Throws ConvergenceError where no step is short enough.
+  void integrate();
+
+  const PackState& state() const { return state_; }
+  void set_pressures(const std::vector<double>& pressure) { state_.pressure = pressure; }  ///< [bar]
+
+  /// All that the last cycle left; blow-by, defect and peaks of the regions are there, periodicity is not.
+  GasPathResult result() const;
+
+  /// Derivatives of the pressures at the end of the last cycle by those at its begin, row by row; without the changes
+  /// that the rings' motion makes.
+  const std::vector<double>& sensitivity() const { return sensitivity_; }
+
+ private:
+  /// A change of contact that ends a step early.
+  struct Found {
+    std::size_t ring;
+    FlankEvent event;
+    double share;  ///< of the step
+  };
+
+  void begin_cycle();
+  void record_degree(int degree);
+  void advance_to(double end_deg);
+  double attempt(double h);
+  void leave_flanks();
+  std::vector<Found> first_events(double h);
+  double event_value(std::size_t ring, FlankEvent event, double share, double h);
+  double locate(std::size_t ring, FlankEvent event, double low, double high, double h);
+  double shorten_to(std::vector<Found>& found, double h);
+  void commit(double h);
+  void conclude(const Found& found);
+  void update_peaks(double h);
+  void reshape_sensitivity(const std::vector<std::size_t>& free_before);
+
+  const Network& network_;
+  PackSystem system_;
+  RadauStep step_;
+  PackState state_;
+  double angle_ = kBeginDeg, next_step_ = 0;
+  std::vector<double> y_, scale_, at_, pressure_, flow_, sensitivity_;
+  // of the cycle
+  GasPathResult result_;
+  std::vector<double> passed_;  ///< gross mass along each path [kg]
+  double stored_before_ = 0;    ///< in the regions between chamber and crankcase [kg]
+};
+
+}  // namespace ringfilm::gas_path

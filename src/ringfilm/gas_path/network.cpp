@@ -1,0 +1,106 @@
+#include "ringfilm/gas_path/network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ringfilm::gas_path {
+namespace {
+
+Region region(const std::string& name, double volume, double temperature, double gas_constant) {
+  return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature)};
+}
+
+std::string numbered(const char* name, std::size_t number) { return name + std::to_string(number); }
+
+/// The channel between the flanks of a ring and of its groove.
+models::GasChannel side_channel(const Pack& pack, const Ring& ring) {
+  const double outer = pack.bore - 2 * ring.land_clearance, inner = pack.bore - 2 * ring.radial_thickness;
+  return {std::numbers::pi * (outer + inner) / 2, (outer - inner) / 2, pack.gas.viscosity, pack.gas.gas_constant,
+          ring.groove_temperature};
+}
+
+double disc(double diameter) { return std::numbers::pi / 4 * diameter * diameter; }
+
+}  // namespace
+
+std::string path_name(const Path& path) {
+  const std::size_t number = path.ring + 1;
+  switch (path.kind) {
+    case PathKind::kEndGap:
+      return numbered("end gap ", number);
+    case PathKind::kAboveRing:
+      return numbered("above ring ", number);
+    case PathKind::kBelowRing:
+      return numbered("below ring ", number);
+  }
+  return "";
+}
+
+Network::Network(const Pack& pack)
+    : pack_(pack), law_(pack.gas.heat_capacity_ratio, pack.gas.choking_smoothing), borders_(pack.rings.size()) {
+  const double R = pack.gas.gas_constant;
+  const std::size_t n = pack.rings.size();
+  regions_.push_back({"chamber", pack.chamber_temperature, 0});
+  std::vector<std::size_t> groove(n), below(n);  // of each ring; 0: the piston land below has no volume
+  for (std::size_t i = 0; i < n; ++i) {
+    const Ring& ring = pack.rings[i];
+    if (ring.kind == RingKind::kCompression) {
+      groove[i] = regions_.size();
+      regions_.push_back(region(numbered("groove ", i + 1), ring.groove_volume, ring.groove_temperature, R));
+    }
+    if (ring.volume_below > 0 && i + 1 < n) {
+      below[i] = regions_.size();
+      regions_.push_back(region(numbered("land ", i + 2), ring.volume_below, ring.temperature_below, R));
+    }
+  }
+  const std::size_t crankcase = regions_.size();
+  regions_.push_back({"crankcase", pack.crankcase_temperature, 0});
+  for (std::size_t i = n; i-- > 0;) {
+    if (below[i] == 0) below[i] = i + 1 < n ? below[i + 1] : crankcase;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    borders_[i].groove = groove[i];
+    channels_.push_back(side_channel(pack, pack.rings[i]));
+    add_ring(i, i == 0 ? 0 : below[i - 1], below[i]);
+  }
+}
+
+void Network::add_ring(std::size_t ring, std::size_t above, std::size_t below) {
+  borders_[ring].above = above;
+  borders_[ring].below = below;
+  if (above != below) paths_.push_back({PathKind::kEndGap, ring, above, below});
+  if (!has_groove(ring)) return;
+  paths_.push_back({PathKind::kAboveRing, ring, above, borders_[ring].groove});
+  if (pack_.ring_motion == RingMotion::kAxial) {
+    paths_.push_back({PathKind::kBelowRing, ring, borders_[ring].groove, below});
+  }
+}
+
+double Network::flow(const Path& path, double p_from, double p_to, double position) const {
+  const Ring& ring = pack_.rings[path.ring];
+  if (path.kind == PathKind::kEndGap) {
+    return orifice_flow(law_, pack_.gas.discharge_coefficient * ring.gap_area, pack_.gas.gas_constant,
+                        {p_from, regions_[path.from].temperature}, {p_to, regions_[path.to].temperature});
+  }
+  const models::GasChannel& channel = channels_[path.ring];
+  if (pack_.ring_motion == RingMotion::kSeated) return channel.flow(ring.side_clearance, p_from, p_to);
+  const double clearance = path.kind == PathKind::kAboveRing ? ring.side_clearance - position : position;
+  return channel.limited_flow(law_, clearance, p_from, p_to);
+}
+
+double Network::acceleration(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
+                             double p_crankcase) const {
+  const Ring& ring = pack_.rings[index];
+  const double outer = pack_.bore - 2 * ring.land_clearance, inner = pack_.bore - 2 * ring.radial_thickness;
+  const double edge = disc(pack_.bore) - disc(outer), flank = disc(outer) - disc(inner);
+  const double gas = edge * (p_below - p_above) + flank * (models::mean_channel_pressure(p_groove, p_below) -
+                                                           models::mean_channel_pressure(p_above, p_groove));
+  const double sliding = pack_.crank.velocity(crank_angle, pack_.speed) / pack_.sliding_smoothing_speed;
+  const double on_bore =
+      std::numbers::pi * pack_.bore * ring.face_width * (ring.elastic_pressure + p_groove - p_crankcase);
+  const double friction = -ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
+  return (gas + friction) / ring.mass - pack_.crank.acceleration(crank_angle, pack_.speed);
+}
+
+}  // namespace ringfilm::gas_path

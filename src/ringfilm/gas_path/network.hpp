@@ -1,0 +1,75 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ringfilm/gas_path/pack.hpp"
+#include "ringfilm/models/gas/gas_flow.hpp"
+
+namespace ringfilm::gas_path {
+
+/// A space of gas at one pressure.
+struct Region {
+  std::string name;        ///< "chamber", "groove 1", "land 2", ..., "crankcase"
+  double temperature = 0;  ///< [K]
+  double capacity = 0;     ///< mass of gas over its pressure; of chamber and crankcase 0, for they are given [kg/Pa]
+};
+
+/// Where gas passes a ring.
+enum class PathKind {
+  kEndGap,     ///< of the ring
+  kAboveRing,  ///< side clearance between the upper flanks of groove and ring
+  kBelowRing   ///< that between the lower flanks
+};
+
+/// A connection of two regions; flow is positive from `from` to `to`.
+struct Path {
+  PathKind kind{};
+  std::size_t ring = 0;          ///< index in Pack::rings
+  std::size_t from = 0, to = 0;  ///< indices of regions
+};
+
+/// Of "end gap 1", "above ring 1", "below ring 1".
+std::string path_name(const Path& path);
+
+/// What borders a compression ring in its groove: indices of regions.
+struct RingBorders {
+  std::size_t above = 0, groove = 0, below = 0;
+};
+
+/// Regions and paths of a pack, from the chamber to the crankcase, and the laws of what flows along the paths and moves
+/// the rings.
+class Network {
+ public:
+  explicit Network(const Pack& pack);
+
+  const Pack& pack() const { return pack_; }
+  const std::vector<Region>& regions() const { return regions_; }  ///< the chamber first, the crankcase last
+  const std::vector<Path>& paths() const { return paths_; }
+  std::size_t n_regions() const { return regions_.size(); }
+  /// Of the ring of that index; it must be a compression ring.
+  const RingBorders& borders(std::size_t ring) const { return borders_[ring]; }
+  bool has_groove(std::size_t ring) const { return pack_.rings[ring].kind == RingKind::kCompression; }
+
+  /// Mass flow along that path [kg/s]. @param p_from @param p_to [Pa]
+  /// @param position of the ring above its lower flank [m]
+  double flow(const Path& path, double p_from, double p_to, double position) const;
+
+  /// Acceleration of a ring relative to its groove, where nothing supports it, eq-ring-acceleration [m/s2].
+  /// @param ring of RingMotion::kAxial @param crank_angle 0 = firing TDC [rad] @param p_above @param p_groove
+  /// @param p_below @param p_crankcase pressures [Pa]
+  double acceleration(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                      double p_crankcase) const;
+
+ private:
+  void add_ring(std::size_t ring, std::size_t above, std::size_t below);
+
+  const Pack& pack_;
+  models::OrificeLaw law_;
+  std::vector<Region> regions_;
+  std::vector<Path> paths_;
+  std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
+  std::vector<models::GasChannel> channels_;  ///< likewise
+};
+
+}  // namespace ringfilm::gas_path

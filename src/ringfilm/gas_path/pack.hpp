@@ -1,0 +1,67 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/models/crank_slider.hpp"
+#include "ringfilm/models/gas/gas.hpp"
+
+/// The gas path of a ring pack (docs/theory/gas-path.md): volumes at stated temperatures between the rings, end gaps
+/// and side clearances between them, and the axial motion of the rings in their grooves.
+namespace ringfilm::gas_path {
+
+/// What a ring of the pack is to the gas.
+enum class RingKind {
+  kCompression,  ///< an end gap, and a groove with a side clearance
+  kOil           ///< an end gap alone
+};
+
+/// `gas_path.ring_motion`: where the rings are in their grooves.
+enum class RingMotion {
+  kSeated,  ///< on their lower flanks
+  kAxial    ///< where gas, inertia and friction move them
+};
+
+/// A ring as the gas meets it. Of an oil ring only the first four members count.
+struct Ring {
+  RingKind kind = RingKind::kCompression;
+  double gap_area = 0;                   ///< of the end gap, as the gas passes it [m2]
+  double volume_below = 0;               ///< of the piston land below; 0: it is the region below it [m3]
+  double temperature_below = 0;          ///< of the gas there [K]
+  double groove_volume = 0;              ///< behind and above the ring, filled with gas [m3]
+  double groove_temperature = 0;         ///< of the gas there [K]
+  double side_clearance = 0;             ///< of the ring in its groove, along the bore's axis [m]
+  double land_clearance = 0;             ///< radial, between piston lands and bore [m]
+  double radial_thickness = 0;           ///< of the ring [m]
+  double face_width = 0;                 ///< b; RingMotion::kAxial [m]
+  double elastic_pressure = 0;           ///< p_e, of the ring on the bore; likewise [Pa]
+  double mass = 0;                       ///< likewise [kg]
+  double bore_friction_coefficient = 0;  ///< likewise [-]
+};
+
+/// The gas and how it flows.
+struct Gas {
+  double gas_constant = 0;           ///< R [J/(kg K)]
+  double heat_capacity_ratio = 0;    ///< gamma [-]
+  double viscosity = 0;              ///< mu [Pa s]
+  double discharge_coefficient = 0;  ///< C, of the end gaps [-]
+  double choking_smoothing = 0;      ///< see models::OrificeLaw [-]
+};
+
+/// A pack of rings between combustion chamber and crankcase.
+struct Pack {
+  double bore = 0;                       ///< [m]
+  models::CrankSlider crank{};           ///< that moves the piston
+  double speed = 0;                      ///< of the crankshaft [rad/s]
+  models::CyclePressure chamber{1e5};    ///< pressure in the combustion chamber
+  models::CyclePressure crankcase{1e5};  ///< pressure in the crankcase
+  double chamber_temperature = 0;        ///< of the gas there [K]
+  double crankcase_temperature = 0;      ///< likewise [K]
+  Gas gas;
+  RingMotion ring_motion = RingMotion::kSeated;
+  double sliding_smoothing_speed = 0;  ///< U_0; RingMotion::kAxial [m/s]
+  std::vector<Ring> rings;             ///< from the chamber to the crankcase
+};
+
+/// A groove or piston land of less volume is taken to have this one [m3].
+inline constexpr double kLeastVolume = 1e-11;
+
+}  // namespace ringfilm::gas_path

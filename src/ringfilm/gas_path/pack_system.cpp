@@ -1,0 +1,147 @@
+#include "ringfilm/gas_path/pack_system.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+namespace ringfilm::gas_path {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180;
+/// Relative change of an unknown by which slopes are found; they guide the iteration alone.
+constexpr double kProbe = 1e-6;
+/// No iterate of a pressure goes below [Pa].
+constexpr double kLeastPressure = 1.0;
+
+}  // namespace
+
+PackSystem::PackSystem(const Network& network)
+    : network_(network),
+      n_inner_(network.n_regions() - 2),
+      seconds_per_degree_(kRadians / network.pack().speed),
+      place_(network.pack().rings.size(), kNotFree),
+      fixed_position_(network.pack().rings.size(), 0),
+      pressure_(network.n_regions()) {}
+
+void PackSystem::set_contacts(const PackState& state) {
+  free_.clear();
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    place_[i] = kNotFree;
+    fixed_position_[i] = state.position[i];
+    if (state.contact[i] != Contact::kFree) continue;
+    place_[i] = place(free_.size());
+    free_.push_back(i);
+  }
+}
+
+void PackSystem::unknowns(const PackState& state, std::vector<double>& y) const {
+  y = state.pressure;
+  for (const std::size_t ring : free_) {
+    y.push_back(state.position[ring]);
+    y.push_back(state.velocity[ring]);
+  }
+}
+
+void PackSystem::take(std::span<const double> y, PackState& state) const {
+  std::copy(y.begin(), y.begin() + n_inner_, state.pressure.begin());
+  for (const std::size_t ring : free_) {
+    state.position[ring] = y[place_[ring]];
+    state.velocity[ring] = y[place_[ring] + 1];
+  }
+}
+
+double PackSystem::position(std::size_t ring, std::span<const double> y) const {
+  return place_[ring] == kNotFree ? fixed_position_[ring] : y[place_[ring]];
+}
+
+void PackSystem::fill_pressures(double angle, std::span<const double> y, std::span<double> pressure) const {
+  pressure.front() = network_.pack().chamber.pressure(angle);
+  pressure.back() = network_.pack().crankcase.pressure(angle);
+  for (std::size_t i = 0; i < n_inner_; ++i) pressure[i + 1] = std::max(kPressureUnit * y[i], kLeastPressure);
+}
+
+double PackSystem::flow(const Path& path, double p_from, double p_to, double position) const {
+  return network_.flow(path, p_from, p_to, position * network_.pack().rings[path.ring].side_clearance);
+}
+
+void PackSystem::flows(double angle, std::span<const double> y, std::span<double> pressure,
+                       std::span<double> flow_of) const {
+  fill_pressures(angle, y, pressure);
+  const auto& paths = network_.paths();
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], position(paths[k].ring, y));
+  }
+}
+
+double PackSystem::acceleration_of(std::size_t ring, double angle, std::span<const double> pressure) const {
+  const RingBorders& at = network_.borders(ring);
+  const double unit = seconds_per_degree_ * seconds_per_degree_ / network_.pack().rings[ring].side_clearance;
+  return unit * network_.acceleration(ring, angle * kRadians, pressure[at.above], pressure[at.groove],
+                                      pressure[at.below], pressure.back());
+}
+
+double PackSystem::acceleration(std::size_t ring, double angle, std::span<const double> y) {
+  fill_pressures(angle, y, pressure_);
+  return acceleration_of(ring, angle, pressure_);
+}
+
+void PackSystem::rates(double angle, std::span<const double> y, std::span<double> f) {
+  fill_pressures(angle, y, pressure_);
+  std::fill(f.begin(), f.end(), 0.0);
+  for (const Path& path : network_.paths()) {
+    const double m = flow(path, pressure_[path.from], pressure_[path.to], position(path.ring, y));
+    if (path.from > 0) f[path.from - 1] -= m;
+    if (path.to <= n_inner_) f[path.to - 1] += m;
+  }
+  for (std::size_t i = 0; i < n_inner_; ++i) {
+    f[i] *= seconds_per_degree_ / (network_.regions()[i + 1].capacity * kPressureUnit);
+  }
+  for (const std::size_t ring : free_) {
+    f[place_[ring]] = y[place_[ring] + 1];
+    f[place_[ring] + 1] = acceleration_of(ring, angle, pressure_);
+  }
+}
+
+PackSystem::FlowSlopes PackSystem::slopes(const Path& path, double at) const {
+  const double p_from = pressure_[path.from], p_to = pressure_[path.to], m = flow(path, p_from, p_to, at);
+  const double d_from = kProbe * p_from, d_to = kProbe * p_to;
+  FlowSlopes slope{(flow(path, p_from + d_from, p_to, at) - m) / d_from,
+                   (flow(path, p_from, p_to + d_to, at) - m) / d_to, 0};
+  const bool moves = path.kind != PathKind::kEndGap && place_[path.ring] != kNotFree;
+  if (moves) slope.position = (flow(path, p_from, p_to, at + kProbe) - m) / kProbe;
+  return slope;
+}
+
+void PackSystem::add_to_jacobian(const Path& path, const FlowSlopes& slope, std::span<double> J) const {
+  const std::size_t n = size();
+  for (const auto& [region, sign] : {std::pair{path.from, -1.0}, std::pair{path.to, 1.0}}) {
+    if (region == 0 || region > n_inner_) continue;
+    const double unit = sign * seconds_per_degree_ / network_.regions()[region].capacity;
+    double* const row = J.data() + (region - 1) * n;
+    if (path.from > 0) row[path.from - 1] += unit * slope.from;
+    if (path.to <= n_inner_) row[path.to - 1] += unit * slope.to;
+    if (slope.position != 0) row[place_[path.ring]] += unit * slope.position / kPressureUnit;
+  }
+}
+
+void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<double> J) {
+  const RingBorders& at = network_.borders(ring);
+  const std::size_t n = size(), row = place_[ring];
+  J[row * n + row + 1] = 1;
+  const double a = acceleration_of(ring, angle, pressure_);
+  for (const std::size_t region : {at.above, at.groove, at.below}) {
+    if (region == 0 || region > n_inner_) continue;
+    const double p = pressure_[region], d = kProbe * p;
+    pressure_[region] += d;
+    J[(row + 1) * n + region - 1] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;
+    pressure_[region] = p;
+  }
+}
+
+void PackSystem::jacobian(double angle, std::span<const double> y, std::span<double> J) {
+  fill_pressures(angle, y, pressure_);
+  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, position(path.ring, y)), J);
+  for (const std::size_t ring : free_) add_ring_to_jacobian(ring, angle, J);
+}
+
+}  // namespace ringfilm::gas_path

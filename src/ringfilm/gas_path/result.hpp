@@ -1,0 +1,64 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "ringfilm/gas_path/network.hpp"
+
+namespace ringfilm::gas_path {
+
+/// What a ring does at a flank of its groove.
+enum class FlankEvent { kLeavesLower, kLandsUpper, kLeavesUpper, kLandsLower };
+
+/// "leaves-lower", "lands-upper", "leaves-upper", "lands-lower"
+const char* event_name(FlankEvent event);
+
+/// A change of flank contact.
+struct RingEvent {
+  std::size_t ring = 0;        ///< from 1, the one next to the chamber
+  double crank_angle_deg = 0;  ///< 0 to 720 [degree]
+  FlankEvent event{};
+};
+
+/// A region over the cycle.
+struct RegionValues {
+  std::string name;
+  double peak_pressure = 0;            ///< highest, absolute [Pa]
+  double peak_pressure_angle_deg = 0;  ///< 0 to 720 [degree]
+  double mean_pressure = 0;            ///< over time [Pa]
+};
+
+/// How often a ring changes the flank that it lies on.
+struct RingMotionValues {
+  bool has_groove = false;     ///< a compression ring; the others do not move
+  std::size_t departures = 0;  ///< from its lower flank in a cycle
+  bool flutters = false;       ///< leaves its lower flank more than once in a stroke
+};
+
+/// The gas over one cycle that repeats itself.
+struct GasPathResult {
+  std::vector<RegionValues> regions;  ///< the chamber first, the crankcase last
+  std::vector<Path> paths;            ///< in the order of `flow`
+  // at each degree of crank angle, 0 to 719
+  std::vector<std::vector<double>> pressure;  ///< of each region [Pa]
+  std::vector<std::vector<double>> flow;      ///< along each path [kg/s]
+  std::vector<std::vector<double>> position;  ///< of each ring above its lower flank [m]
+  std::vector<RingEvent> events;              ///< by crank angle; RingMotion::kAxial
+  std::vector<RingMotionValues> motion;       ///< of each ring; likewise
+  std::vector<double> transported;            ///< net mass along each path in the cycle [kg]
+  double blow_by = 0;                         ///< net mass that enters the crankcase in the cycle [kg]
+  double duration = 0;                        ///< of the cycle [s]
+  double mass_defect =
+      0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
+  double periodicity = 0;  ///< largest relative change of a pressure from one cycle to the next [-]
+  bool repeats = false;    ///< do the pressures repeat from cycle to cycle?
+  int cycles = 0;          ///< that were integrated
+};
+
+/// The gas of the crankcase at 25 degC and standard atmosphere, in which blow-by is stated.
+inline constexpr double kBlowByTemperature = 298.15;  ///< [K]
+
+/// Blow-by as a volume flow at kBlowByTemperature and base::kAtmosphere [m3/s]. @param gas_constant [J/(kg K)]
+double blow_by_flow(const GasPathResult& result, double gas_constant);
+
+}  // namespace ringfilm::gas_path

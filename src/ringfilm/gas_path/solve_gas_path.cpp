@@ -1,0 +1,126 @@
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ringfilm/gas_path/cycle_integration.hpp"
+
+namespace ringfilm::gas_path {
+namespace {
+
+/// Relative change of a pressure from cycle to cycle below which it repeats.
+constexpr double kRepeats = 1e-8;
+/// Where rings move, changes below that are taken once no more cycle makes them smaller.
+constexpr double kRepeatsInMotion = 1e-6;
+constexpr int kMostCycles = 50;
+/// Share of a pressure that Newton's method on the cycle leaves alone where nothing determines it, squared.
+constexpr double kIndeterminate = 1e-20;
+
+/// Newton's method changes a pressure by this share at the most, upwards; half of it downwards.
+constexpr double kLongestJump = 4.0;
+
+double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
+  double largest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    largest = std::max(largest, std::abs(after[i] - before[i]) / std::max(before[i], after[i]));
+  }
+  return largest;
+}
+
+/// Begin of the next cycle by Newton's method: (1 - S) step = end - begin in the sense of least squares, since gas that
+/// is shut in may have any pressure.
+std::vector<double> newton_begin(const std::vector<double>& begin, const std::vector<double>& end,
+                                 const std::vector<double>& sensitivity, double lowest, double highest) {
+  const std::size_t n = begin.size();
+  std::vector<double> normal(n * n, 0.0), step(n, 0.0);
+  const auto of_map = [&](std::size_t i, std::size_t k) { return (i == k ? 1.0 : 0.0) - sensitivity[i * n + k]; };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t j = 0; j < n; ++j) normal[i * n + k] += of_map(j, i) * of_map(j, k);
+      step[i] += of_map(k, i) * (end[k] - begin[k]);
+    }
+    normal[i * n + i] += kIndeterminate;
+  }
+  LuFactors factors;
+  if (!factors.factorize(normal, n)) return end;
+  factors.solve(step);
+  std::vector<double> next(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double longest = kLongestJump * begin[i];
+    next[i] = std::clamp(begin[i] + std::clamp(step[i], -longest / 2, longest), lowest, highest);
+  }
+  return next;
+}
+
+/// Rings on their lower flanks, gas at the pressure of the crankcase.
+PackState first_state(const Network& network) {
+  const std::size_t n = network.pack().rings.size();
+  const double p = network.pack().crankcase.pressure(CycleIntegration::kBeginDeg) / PackSystem::kPressureUnit;
+  return {std::vector<double>(network.n_regions() - 2, p), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0),
+          std::vector<Contact>(n, Contact::kLowerFlank)};
+}
+
+double lowest_pressure(const models::CyclePressure& pressure) {
+  double lowest = pressure.pressure(0);
+  for (int angle = 1; angle < 720; ++angle) lowest = std::min(lowest, pressure.pressure(angle));
+  return lowest;
+}
+
+/// Strokes in which each ring leaves its lower flank more than once, and how often it does in the cycle.
+std::vector<RingMotionValues> motion_values(const std::vector<RingEvent>& events, const std::vector<Ring>& rings) {
+  std::vector<RingMotionValues> values(rings.size());
+  for (std::size_t i = 0; i < rings.size(); ++i) values[i].has_groove = rings[i].kind == RingKind::kCompression;
+  std::vector<int> last_stroke(rings.size(), -1);
+  for (const RingEvent& event : events) {
+    if (event.event != FlankEvent::kLeavesLower) continue;
+    const int stroke = static_cast<int>(event.crank_angle_deg / 180);
+    RingMotionValues& ring = values[event.ring - 1];
+    ring.flutters = ring.flutters || last_stroke[event.ring - 1] == stroke;
+    last_stroke[event.ring - 1] = stroke;
+    ++ring.departures;
+  }
+  return values;
+}
+
+}  // namespace
+
+GasPathResult solve_gas_path(const Pack& pack) {
+  const Network network(pack);
+  CycleIntegration cycle(network, first_state(network));
+  const double unit = PackSystem::kPressureUnit;
+  const double lowest = std::min(lowest_pressure(pack.chamber), lowest_pressure(pack.crankcase)) / unit;
+  const double highest = std::max(pack.chamber.peak(), pack.crankcase.peak()) / unit;
+  double change = 0, change_before = 0;
+  bool repeats = false, has_jumped = false;
+  int n = 0, n_to_follow = 0, n_to_wait = 1;
+  while (!repeats && n < kMostCycles) {
+    const PackState begin = cycle.state();
+    cycle.integrate();
+    ++n;
+    const PackState& end = cycle.state();
+    change = largest_change(begin.pressure, end.pressure);
+    const bool same_contact = begin.contact == end.contact;
+    repeats = same_contact && (change <= kRepeats || (change <= kRepeatsInMotion && n > 8));
+    // The sensitivity leaves changes of contact out: where it leads astray, more and more cycles follow one
+    // another before it is asked again.
+    if (has_jumped && change > 0.5 * change_before) {
+      n_to_follow = n_to_wait;
+      n_to_wait *= 2;
+    }
+    has_jumped = !repeats && same_contact && n_to_follow == 0 && !begin.pressure.empty();
+    n_to_follow = std::max(0, n_to_follow - 1);
+    if (has_jumped) {
+      cycle.set_pressures(newton_begin(begin.pressure, end.pressure, cycle.sensitivity(), lowest, highest));
+    }
+    change_before = change;
+  }
+  GasPathResult result = cycle.result();
+  result.periodicity = change;
+  result.repeats = repeats;
+  result.cycles = n;
+  result.motion = motion_values(result.events, pack.rings);
+  return result;
+}
+
+}  // namespace ringfilm::gas_path

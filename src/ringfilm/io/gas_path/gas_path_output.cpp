@@ -1,0 +1,131 @@
+#include "ringfilm/io/gas_path/gas_path_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+#include "ringfilm/io/case/case_file.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
+
+/// Is it a key that the gas uses, of one ring or of a ring of a pack?
+bool is_gas_entry(const CaseEntry& entry) {
+  const auto of_ring = cycle::ring_key(entry.key);
+  const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : entry.key);
+  if (field == nullptr || !cycle::is_of_gas_path(*field)) return false;
+  // What only the film requires has no value where the case does not state it.
+  return !(entry.assumed && field->need == cycle::Need::kRequired);
+}
+
+ordered_json gas_notes_array(const GasPathDocument& document) {
+  ordered_json notes = ordered_json::array();
+  for (const std::string& message : document.input_notes) notes.push_back({{"topic", "input"}, {"message", message}});
+  for (const auto& [topic, message, count] : document.notes) {
+    notes.push_back({{"topic", topic}, {"message", message}, {"count", count}});
+  }
+  return notes;
+}
+
+std::string column_name(const std::string& what, std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return what + "_" + name;
+}
+
+}  // namespace
+
+GasPathDocument gas_path_document(const cycle::Case& c) {
+  const gas_path::Pack pack = cycle::gas_pack(c);
+  GasPathDocument document;
+  document.result = gas_path::solve_gas_path(pack);
+  document.title = c.title;
+  for (CaseEntry& entry : case_entries(c)) {
+    if (is_gas_entry(entry)) document.inputs.push_back(std::move(entry));
+  }
+  document.files = c.files;
+  document.input_notes = c.notes;
+  document.notes = cycle::gas_path_notes(c, pack, document.result);
+  document.provenance = this_program();
+  document.blow_by_flow = blow_by_flow(document.result, pack.gas.gas_constant);
+  return document;
+}
+
+std::string gas_path_json(const GasPathDocument& document) {
+  const gas_path::GasPathResult& result = document.result;
+  ordered_json object = {{"title", document.title},
+                         {"blow_by_per_cycle", result.blow_by},
+                         {"blow_by_flow", document.blow_by_flow * kLitresPerMinute},
+                         {"mass_defect", result.mass_defect},
+                         {"regions", ordered_json::array()},
+                         {"ring_events", ordered_json::array()},
+                         {"ring_motion", ordered_json::array()},
+                         {"paths", ordered_json::array()}};
+  for (const gas_path::RegionValues& region : result.regions) {
+    object["regions"].push_back({{"name", region.name},
+                                 {"peak_pressure", region.peak_pressure},
+                                 {"peak_pressure_angle", region.peak_pressure_angle_deg},
+                                 {"mean_pressure", region.mean_pressure}});
+  }
+  for (const gas_path::RingEvent& event : result.events) {
+    object["ring_events"].push_back(
+        {{"ring", event.ring}, {"crank_angle", event.crank_angle_deg}, {"event", event_name(event.event)}});
+  }
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    if (!result.motion[i].has_groove) continue;
+    object["ring_motion"].push_back({{"ring", i + 1},
+                                     {"departures_from_lower_flank", result.motion[i].departures},
+                                     {"flutters", result.motion[i].flutters}});
+  }
+  for (std::size_t k = 0; k < result.paths.size(); ++k) {
+    object["paths"].push_back({{"name", path_name(result.paths[k])}, {"mass_per_cycle", result.transported[k]}});
+  }
+  object["cycles_integrated"] = result.cycles;
+  object["periodicity_error"] = result.periodicity;
+  object["periodic"] = result.repeats;
+  object["units"] = {{"blow_by_per_cycle", "kg"}, {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
+                     {"peak_pressure", "Pa"},     {"peak_pressure_angle", "degree"},
+                     {"mean_pressure", "Pa"},     {"crank_angle", "degree"},
+                     {"mass_per_cycle", "kg"},    {"mass_defect", "1"}};
+  object["notes"] = gas_notes_array(document);
+  ordered_json assumed = ordered_json::object();
+  for (const CaseEntry& entry : document.inputs) {
+    if (entry.assumed) assumed[entry.key] = entry.shown;
+  }
+  object["assumed"] = assumed;
+  object["program"] = document.provenance.program;
+  object["commit"] = document.provenance.commit;
+  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string gas_path_csv(const GasPathDocument& document) {
+  const gas_path::GasPathResult& result = document.result;
+  std::string csv = "crank_angle [degree]";
+  for (const auto& region : result.regions) csv += "," + column_name("pressure", region.name) + " [Pa]";
+  for (const auto& path : result.paths) csv += "," + column_name("flow", path_name(path)) + " [kg/s]";
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    if (result.motion[i].has_groove) csv += fmt::format(",position_ring_{} [m]", i + 1);
+  }
+  csv += '\n';
+  for (std::size_t k = 0; k < result.pressure.size(); ++k) {
+    csv += std::to_string(k);
+    const auto add = [&csv](double value) { csv += fmt::format(",{}", value + 0.0); };  // a zero has no sign
+    for (const double p : result.pressure[k]) add(p);
+    for (const double m : result.flow[k]) add(m);
+    for (std::size_t i = 0; i < result.motion.size(); ++i) {
+      if (result.motion[i].has_groove) add(result.position[k][i]);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+}  // namespace ringfilm::io

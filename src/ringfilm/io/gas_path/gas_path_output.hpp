@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/gas_path/result.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+
+namespace ringfilm::io {
+
+/// The gas of a ring pack over a cycle, with what it was computed from.
+struct GasPathDocument {
+  std::string title;                     ///< Case::title
+  std::vector<CaseEntry> inputs;         ///< keys that the gas uses, with the values in use
+  std::vector<cycle::InputFile> files;   ///< everything that was read, with its digest
+  std::vector<std::string> input_notes;  ///< Case::notes
+  std::vector<cycle::Note> notes;        ///< on the result
+  Provenance provenance;                 ///< what computed it
+  double blow_by_flow = 0;               ///< at 25 degC and standard atmosphere [m3/s]
+  gas_path::GasPathResult result;
+};
+
+/// Computes the gas of a case that was read for CasePurpose::kGasPath or as a whole. Throws InputError where its traces
+/// cannot be used, ConvergenceError where the integration stops.
+GasPathDocument gas_path_document(const cycle::Case& c);
+
+/// Values of the cycle as JSON: pressures in Pa, masses in kg, angles in degrees, blow-by flow in l/min.
+std::string gas_path_json(const GasPathDocument& document);
+
+/// At each degree of crank angle the pressure of each region, the flow along each path and the position of each ring.
+std::string gas_path_csv(const GasPathDocument& document);
+
+}  // namespace ringfilm::io

@@ -1,0 +1,159 @@
+"""The gas between the rings: `ringfilm gas PACK.toml --json --csv`, its numbers, its refusals, and the coupled run."""
+
+import csv
+import json
+import unittest
+
+import program
+
+HEAD = """\
+title = "a pack"
+[engine]
+bore = "89 mm"
+stroke = "79.5 mm"
+connecting_rod_length = "138.1 mm"
+[operating]
+speed = "1500 rpm"
+[gas]
+model = "trace"
+cylinder_pressure = "trace.csv"
+pressure_reference = "absolute"
+angle_zero = "firing-tdc"
+[gas_path]
+model = "orifice-volume"
+gas_constant = "287 J/(kg K)"
+viscosity = "2.5e-5 Pa s"
+chamber_temperature = "600 K"
+"""
+GROOVE = """\
+groove_volume = "300 mm3"
+groove_temperature = "500 K"
+side_clearance = "50 um"
+land_clearance = "0.2 mm"
+radial_thickness = "3.5 mm"
+mass = "8 g"
+"""
+TOP = (
+    """\
+[[ring]]
+kind = "compression"
+face_width = "1.2 mm"
+elastic_pressure = "0.2 MPa"
+gap_area = "0.08 mm2"
+volume_below = "0.5 cm3"
+temperature_below = "450 K"
+"""
+    + GROOVE
+)
+SECOND = (
+    """\
+[[ring]]
+face_width = "1.5 mm"
+elastic_pressure = "0.2 MPa"
+end_gap = "0.4 mm"
+volume_below = "300 mm3"
+"""
+    + GROOVE
+)
+OIL = '[[ring]]\nkind = "oil"\ngap_area = "0.3 mm2"\n'
+FACE = """\
+[[ring]]
+kind = "oil"
+gap_area = "0.3 mm2"
+face_width = "0.4 mm"
+elastic_pressure = "1 MPa"
+[ring.face]
+form = "parabola"
+crown_height = "2 um"
+"""
+
+
+class GasTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write(HEAD + TOP + SECOND + OIL)
+
+    def write(self, text):
+        (self.folder / "pack.toml").write_text(text)
+
+    def json_of(self, *words):
+        return json.loads(self.run_well("gas", "pack.toml", "--json", *words))
+
+    def test_prints_blow_by_regions_and_mass_defect(self):
+        found = self.json_of()
+        names = [region["name"] for region in found["regions"]]
+        self.assertEqual(names, ["chamber", "groove 1", "land 2", "groove 2", "land 3", "crankcase"])
+        self.assertGreater(found["blow_by_per_cycle"], 1e-7)
+        density = 101325 / (287 * 298.15)
+        litres = found["blow_by_per_cycle"] / 0.08 / density * 6e4
+        self.assertAlmostEqual(found["blow_by_flow"] / litres, 1, delta=1e-12)
+        self.assertLess(found["mass_defect"], 1e-12)
+        self.assertEqual(found["ring_events"], [])
+        self.assertIn("gas_path.crankcase_temperature", found["assumed"])
+        self.assertNotIn("lubricant.density", found["assumed"])
+
+    def test_axial_motion_reports_events(self):
+        events = self.json_of("--set", "gas_path.ring_motion=axial")["ring_events"]
+        self.assertEqual({event["event"].split("-")[0] for event in events}, {"leaves", "lands"})
+        self.assertEqual([event["crank_angle"] for event in events], sorted(e["crank_angle"] for e in events))
+
+    def test_csv_has_each_degree(self):
+        self.run_well("gas", "pack.toml", "--csv", "gas.csv")
+        with open(self.folder / "gas.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["crank_angle [degree]"] for row in rows], [str(k) for k in range(720)])
+        out = sum(float(row["flow_end_gap_3 [kg/s]"]) for row in rows) * 0.08 / 720
+        self.assertAlmostEqual(out / self.json_of()["blow_by_per_cycle"], 1, delta=1e-3)
+        self.assertIn("position_ring_2 [m]", rows[0])
+        self.assertNotIn("position_ring_3 [m]", rows[0])
+
+    def test_pack_without_oil_ring_is_noted(self):
+        self.write(HEAD + TOP + SECOND.replace('volume_below = "300 mm3"\n', ""))
+        self.assertIn("oil-ring-missing", [note["topic"] for note in self.json_of()["notes"]])
+
+    def test_bad_input_is_refused_with_its_line(self):
+        whole = HEAD + TOP + SECOND + OIL
+        for old, new, words in (
+            ('groove_volume = "300 mm3"', 'groove_volume = "-1 mm3"', "is out of range"),
+            ('gap_area = "0.08 mm2"', 'gap_area = "-0.08 mm2"', "is out of range"),
+            ('chamber_temperature = "600 K"', 'chamber_temperature = "-5 K"', "is out of range"),
+            ('end_gap = "0.4 mm"', 'end_gap = "400 mm"', "is wider than the circumference of the bore"),
+            ('gap_area = "0.08 mm2"', 'gap_area = "80 mm2"', "a gap wider than the circumference"),
+            ('land_clearance = "0.2 mm"', 'land_clearance = "4 mm"', "the ring has no flank in its groove"),
+            (TOP, OIL + TOP, "rings out of order: ring 1 is an oil ring"),
+            (OIL, "", "is a volume below the last ring"),
+        ):
+            self.write(whole.replace(old, new, 1))
+            done = self.run_program("gas", "pack.toml")
+            self.assert_refused(done, words)
+            self.assertRegex(done.stderr, r"pack\.toml:\d+:\d+: ", words)
+
+    def test_missing_keys_are_named_with_their_ring(self):
+        self.write(HEAD + TOP.replace('side_clearance = "50 um"\n', "") + OIL)
+        done = self.run_program("gas", "pack.toml")
+        self.assert_refused(done, "ring 1: the key ring.side_clearance is missing")
+        self.write(HEAD.replace('model = "orifice-volume"\n', "") + OIL)
+        self.assert_refused(self.run_program("gas", "pack.toml"), "there is no gas to compute")
+
+    def test_the_run_of_a_pack_takes_the_computed_pressures(self):
+        common = program.CASE.replace("[ring]", "[lost]").split("[lost]")[0]
+        film = "[contact]" + program.CASE.split("[contact]")[1]
+        path = HEAD[HEAD.index("[gas_path]") :]
+        face = '[ring.face]\nform = "parabola"\ncrown_height = "15 um"\n'
+        second = SECOND.replace('volume_below = "300 mm3"\n', 'volume_below = "0.3 cm3"\n')
+        self.write(common + path + film + TOP + face + second + face + FACE)
+        rings = json.loads(self.run_well("run", "pack.toml", "--json"))["rings"]
+        self.assertEqual(len(rings), 3)
+        self.assertIn("blow-by", " ".join(note["message"] for note in rings[0]["notes"]))
+        topics = self.run_well("check", "pack.toml")
+        self.assertIn("gas-path: the gas between the rings", topics.replace("\n  ", " "))
+        # The first ring carries what the gas in its groove presses, which is nearly that of the chamber.
+        single = common + "[ring]\n" + program.CASE.split("[ring]\n")[1]
+        (self.folder / "single.toml").write_text(single)
+        alone = json.loads(self.run_well("run", "single.toml", "--json"))
+        self.assertAlmostEqual(rings[0]["min_film_thickness"] / alone["min_film_thickness"], 1, delta=0.05)
+        self.assertNotEqual(rings[0]["fmep"], alone["fmep"])
+
+
+if __name__ == "__main__":
+    unittest.main()

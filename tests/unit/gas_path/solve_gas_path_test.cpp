@@ -1,0 +1,118 @@
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "pack_cases.hpp"
+
+namespace ringfilm::gas_path {
+namespace {
+
+std::vector<std::string> region_names(const GasPathResult& result) {
+  std::vector<std::string> names;
+  for (const RegionValues& region : result.regions) names.push_back(region.name);
+  return names;
+}
+
+double largest_flow(const GasPathResult& result, std::size_t path) {
+  double largest = 0;
+  for (const auto& flow : result.flow) largest = std::max(largest, flow[path]);
+  return largest;
+}
+
+TEST(GasPath, RegionsAreNamedFromTheChamberToTheCrankcase) {
+  const auto result = solve_gas_path(two_ring_pack());
+  EXPECT_EQ(region_names(result),
+            (std::vector<std::string>{"chamber", "groove 1", "land 2", "groove 2", "land 3", "crankcase"}));
+}
+
+TEST(GasPath, ALandOfNoVolumeIsTheRegionBelowIt) {
+  Pack pack = two_ring_pack();
+  pack.rings[1].volume_below = 0;
+  pack.rings.pop_back();
+  const auto result = solve_gas_path(pack);
+  EXPECT_EQ(region_names(result), (std::vector<std::string>{"chamber", "groove 1", "land 2", "groove 2", "crankcase"}));
+  EXPECT_GT(result.blow_by, 0);
+}
+
+TEST(GasPath, MassOfACycleBalances) {
+  for (const RingMotion motion : {RingMotion::kSeated, RingMotion::kAxial}) {
+    Pack pack = two_ring_pack();
+    pack.ring_motion = motion;
+    const auto result = solve_gas_path(pack);
+    EXPECT_TRUE(result.repeats);
+    EXPECT_LT(result.mass_defect, 1e-12);
+    // What enters through the gap of ring 1 and around it leaves below the oil ring.
+    double in = 0;
+    for (std::size_t k = 0; k < result.paths.size(); ++k) {
+      if (result.paths[k].from == 0) in += result.transported[k];
+    }
+    EXPECT_NEAR(in, result.blow_by, 1e-6 * result.blow_by);
+  }
+}
+
+TEST(GasPath, BlowByGrowsWithTheGapOfTheTopRing) {
+  double before = 0;
+  for (const double area : {0.0, 4e-8, 8e-8, 16e-8}) {
+    Pack pack = two_ring_pack();
+    pack.rings.front().gap_area = area;
+    const double blow_by = solve_gas_path(pack).blow_by;
+    EXPECT_GE(blow_by, before);
+    before = blow_by;
+  }
+}
+
+TEST(GasPath, NoGasPassesWhereNoGapIsOpen) {
+  Pack pack = two_ring_pack();
+  for (Ring& ring : pack.rings) ring.gap_area = 0;
+  const auto result = solve_gas_path(pack);
+  EXPECT_EQ(result.blow_by, 0);
+  EXPECT_NEAR(result.regions[2].peak_pressure, 101325, 1e-3);
+  EXPECT_LT(result.mass_defect, 1e-12);
+}
+
+TEST(GasPath, TheTopRingChangesItsFlankTwiceACycleAtLowSpeed) {
+  Pack pack = two_ring_pack();
+  pack.ring_motion = RingMotion::kAxial;
+  const auto result = solve_gas_path(pack);
+  std::vector<std::string> events;
+  for (const RingEvent& event : result.events) {
+    if (event.ring == 1) events.push_back(event_name(event.event));
+  }
+  ASSERT_GE(events.size(), 4u);
+  EXPECT_EQ(result.motion[0].departures, 1u);
+  for (std::size_t k = 0; k < 720; ++k) {
+    for (const double z : result.position[k]) {
+      EXPECT_GE(z, -1e-12);
+      EXPECT_LE(z, 5e-5 * (1 + 1e-6));
+    }
+  }
+  EXPECT_GT(largest_flow(result, 2), 0);  // below ring 1, while it is off its lower flank
+}
+
+TEST(GasPath, RandomPacksStayPositiveAndKeepTheirMass) {
+  std::mt19937 random(20);
+  const auto between = [&random](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+  };
+  for (int n = 0; n < 60; ++n) {
+    Pack pack = two_ring_pack();
+    pack.ring_motion = n % 2 == 0 ? RingMotion::kSeated : RingMotion::kAxial;
+    pack.speed = between(300, 9000) * std::numbers::pi / 30;
+    for (Ring& ring : pack.rings) {
+      ring.gap_area = n % 7 == 0 ? 0 : between(0, 1e-6);
+      ring.volume_below = n % 5 == 0 ? 0 : between(0, 1e-5);
+      ring.groove_volume = n % 3 == 0 ? 0 : between(0, 1e-5);
+      ring.mass = between(1e-3, 5e-2);
+    }
+    const auto result = solve_gas_path(pack);
+    EXPECT_LT(result.mass_defect, 1e-12) << n;
+    for (const auto& pressures : result.pressure) EXPECT_GT(*std::ranges::min_element(pressures), 0) << n;
+  }
+}
+
+}  // namespace
+}  // namespace ringfilm::gas_path
