@@ -8,10 +8,12 @@
 /// What a case may choose among: the values of keys that are a name.
 namespace ringfilm::cycle {
 
-/// An engine cycle, or a pad: a pad where any key of `pad` is stated.
+/// An engine cycle, a pad where any key of `pad` is stated, or the static closure of a ring in its bore alone, where
+/// keys of `conform` and none of a cycle are.
 enum class Problem {
-  kCycle,  ///< a ring over the four strokes
-  kPad     ///< a film of stated shape
+  kCycle,   ///< a ring over the four strokes
+  kPad,     ///< a film of stated shape
+  kClosure  ///< a ring that bends in a bore, without film
 };
 
 /// `pad.direction`: which way the flat surface moves.

@@ -94,6 +94,12 @@ struct ConstantOrTemperatureValuesKind {
 struct DistanceTemperaturesKind {
   Ref<std::vector<LinerTemperature>> ref;
 };
+/// An array of { order = 2, amplitude = "15 um", phase = "0 degree" }; along the stroke each with a height, too.
+struct FourierTermsKind {
+  Ref<std::vector<FourierTerm>> ref;
+  int lowest_order;
+  enum class Place { kOneSection, kAlongStroke } place;
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
@@ -101,8 +107,8 @@ struct FieldAnglesKind {};
 
 using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
                           OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
-                          TemperatureValuesKind, ConstantOrTemperatureValuesKind, DistanceTemperaturesKind, AnglesKind,
-                          FieldAnglesKind>;
+                          TemperatureValuesKind, ConstantOrTemperatureValuesKind, DistanceTemperaturesKind,
+                          FourierTermsKind, AnglesKind, FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
 enum class Need {

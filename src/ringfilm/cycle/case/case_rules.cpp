@@ -4,6 +4,7 @@
 #include "ringfilm/base/joined.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/case_rules_closure.hpp"
 #include "ringfilm/cycle/case/case_rules_measured.hpp"
 #include "ringfilm/cycle/case/case_rules_oil.hpp"
 #include "ringfilm/cycle/case/case_rules_pad.hpp"
@@ -182,7 +183,7 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
 
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
-  const bool gap = ring.free_gap || ring.radial_thickness;
+  const bool gap = ring.free_gap || (ring.radial_thickness && !c.has_closure());
   const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
   const std::string ways =
       "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
@@ -271,6 +272,11 @@ void check_contact_law(const Case& c, Breaches& breaches) {
 std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.problem == Problem::kPad) return broken_pad_rules(c);
   Breaches breaches;
+  if (c.problem == Problem::kClosure) {
+    check_tension(c, breaches);
+    append_closure_breaches(c, breaches);
+    return breaches;
+  }
   check_cavitation_pressure(c.film, breaches);
   append_gas_edge_breaches(c, breaches);
   append_flow_factor_breaches(c, breaches);
@@ -292,6 +298,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);
+  if (c.has_closure()) append_closure_breaches(c, breaches);
   if (breaches.empty()) append_hths_breaches(c.lubricant, breaches);
   return breaches;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "ringfilm/base/append_new.hpp"
@@ -20,7 +21,9 @@ using cycle::Case;
 
 class CaseReader {
  public:
-  CaseReader(CaseTree tree, const Units& units) : tree_(std::move(tree)), units_(units) {}
+  /// @param asked the problem; absent: what the keys make it
+  CaseReader(CaseTree tree, const Units& units, const std::optional<cycle::Problem>& asked = {})
+      : tree_(std::move(tree)), units_(units), asked_(asked) {}
 
   /// @param faults receives all that is wrong
   Case read(std::vector<Fault>& faults) {
@@ -41,7 +44,7 @@ class CaseReader {
 
  private:
   void read_values() {
-    case_ = cycle::blank_case(problem());
+    case_ = cycle::blank_case(asked_ ? *asked_ : problem());
     case_.files = tree_.files;
     case_.notes = tree_.notes;
     // First, since all other keys replace what the conditions set.
@@ -57,13 +60,23 @@ class CaseReader {
     cycle::keep_own_temperature(case_);
   }
 
-  /// A pad where any of its keys is stated, be it with a slip.
+  /// A pad where any of its keys is stated, be it with a slip; a static closure where keys of it and none of a cycle
+  /// are.
   cycle::Problem problem() const {
-    const auto of_pad = [](const std::string& key) { return key.rfind("pad.", 0) == 0; };
-    const bool stated = std::any_of(tree_.entries.begin(), tree_.entries.end(),
-                                    [&](const TomlEntry& entry) { return of_pad(entry.key); });
-    return stated || std::any_of(tree_.faulty.begin(), tree_.faulty.end(), of_pad) ? cycle::Problem::kPad
-                                                                                   : cycle::Problem::kCycle;
+    const auto of_section = [](const std::string& key, const char* section) { return key.rfind(section, 0) == 0; };
+    const auto any_stated = [&](const auto& is_one) {
+      return std::any_of(tree_.entries.begin(), tree_.entries.end(),
+                         [&](const TomlEntry& entry) { return is_one(entry.key); }) ||
+             std::any_of(tree_.faulty.begin(), tree_.faulty.end(), is_one);
+    };
+    if (any_stated([&](const std::string& key) { return of_section(key, "pad."); })) return cycle::Problem::kPad;
+    const Case closure = cycle::blank_case(cycle::Problem::kClosure);
+    const bool of_cycle = any_stated([&](const std::string& key) {
+      const cycle::Field* field = cycle::find_field(key);
+      return field == nullptr || !cycle::belongs(*field, closure);
+    });
+    const bool of_closure = any_stated([&](const std::string& key) { return of_section(key, "conform."); });
+    return of_closure && !of_cycle ? cycle::Problem::kClosure : cycle::Problem::kCycle;
   }
 
   void read_value(const TomlEntry& entry) {
@@ -120,6 +133,7 @@ class CaseReader {
 
   CaseTree tree_;
   const Units& units_;
+  std::optional<cycle::Problem> asked_;
   Case case_;
   std::map<std::string, const TomlEntry*> given_;
 };
@@ -153,12 +167,12 @@ bool drop_unused(PackTrees& pack, const std::vector<Case>& without_overrides, bo
   return n_removed > 0;
 }
 
-Case case_of(PackTrees pack, const Units& units) {
+Case case_of(PackTrees pack, const Units& units, const std::optional<cycle::Problem>& problem = {}) {
   std::vector<Fault> faults = std::move(pack.faults);
   std::vector<Case> cases;
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
     std::vector<Fault> of_ring;
-    cases.push_back(CaseReader(std::move(pack.trees[i]), units).read(of_ring));
+    cases.push_back(CaseReader(std::move(pack.trees[i]), units, problem).read(of_ring));
     for (Fault& fault : of_ring) {
       if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
     }
@@ -190,6 +204,39 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units) {
   return case_of(pack_trees(read_case_tree(path, overrides)), units);
+}
+
+namespace {
+
+/// Leaves the keys that the static closure uses.
+void keep_closure(CaseTree& tree) {
+  const Case closure = cycle::blank_case(cycle::Problem::kClosure);
+  const auto is_other = [&](const std::string& key) {
+    const cycle::Field* field = cycle::find_field(key);
+    return field != nullptr && !cycle::belongs(*field, closure);
+  };
+  for (const TomlEntry& entry : tree.entries) {
+    if (entry.key.rfind("pad.", 0) != 0) continue;
+    throw InputError({Fault{entry.value.key_mark, "a case with [pad] has no ring that could close",
+                            "name the case of a ring, with engine.bore, [ring] and [liner]"}});
+  }
+  std::erase_if(tree.entries, [&](const TomlEntry& entry) { return is_other(entry.key); });
+  std::erase_if(tree.faulty, is_other);
+  tree.from_oil_file.clear();
+}
+
+PackTrees closure_trees(const std::string& path, const std::vector<Override>& overrides,
+                        std::vector<DroppedKey>* dropped) {
+  PackTrees pack = pack_trees(read_case_tree(path, overrides, dropped));
+  for (CaseTree& tree : pack.trees) keep_closure(tree);
+  return pack;
+}
+
+}  // namespace
+
+cycle::Case read_closure_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                              std::vector<DroppedKey>& dropped) {
+  return case_of(closure_trees(path, overrides, &dropped), units, cycle::Problem::kClosure);
 }
 
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
