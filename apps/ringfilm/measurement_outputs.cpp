@@ -36,6 +36,7 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
   add("--output", outputs.netcdf, io::Sink::kFile, OutputKind::kNetcdf);
   add("--html", outputs.page, io::Sink::kFileOrDevice, OutputKind::kPage);
   add("--fragment", outputs.fragment, io::Sink::kFileOrDevice, OutputKind::kToml);
+  add("--csv", outputs.csv, io::Sink::kFileOrDevice, OutputKind::kCsv);
   add("--heights", outputs.heights, io::Sink::kFile, std::nullopt);
 }
 
@@ -57,11 +58,11 @@ io::NamedLists lists_of(const io::Measurement& measurement, const std::string& t
 }
 
 void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers,
-             const io::NamedLists& lists) {
+             const io::NamedLists& lists, const io::NamedRows& rows) {
   const io::Units units;
   const io::Provenance provenance = io::this_program();
   std::string text;
-  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance, lists);
+  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance, lists, rows);
   if (outputs.summary == SummaryForm::kTable) text = io::measurement_text(measurement, units);
   if (outputs.netcdf) io::write_measurement(*outputs.netcdf, measurement, provenance);
   if (outputs.page) {
@@ -70,7 +71,7 @@ void deliver(const io::Measurement& measurement, const MeasurementOutputs& outpu
   if (outputs.fragment) io::write_atomically(*outputs.fragment, measurement.fragment);
   std::cout << text;
   if (outputs.summary != SummaryForm::kTable) return;
-  for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment, outputs.heights}) {
+  for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment, outputs.csv, outputs.heights}) {
     if (path) std::cout << "wrote " << *path << "\n";
   }
 }

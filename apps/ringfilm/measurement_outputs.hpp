@@ -13,6 +13,7 @@ struct MeasurementOutputs {
   std::optional<std::string> netcdf;    ///< --output
   std::optional<std::string> page;      ///< --html
   std::optional<std::string> fragment;  ///< --fragment: TOML for a case
+  std::optional<std::string> csv;       ///< --csv: of a static closure, which its command writes
   std::optional<std::string> heights;   ///< --heights: of a surface, which its command writes
   SummaryForm summary = SummaryForm::kTable;
 };
@@ -28,8 +29,8 @@ io::NamedNumbers numbers_of(const io::Measurement& measurement);
 io::NamedLists lists_of(const io::Measurement& measurement, const std::string& table);
 
 /// Writes what was asked for and prints the document. Throws OutputError.
-/// @param numbers that are at the top of the JSON @param lists likewise
+/// @param numbers that are at the top of the JSON @param lists likewise @param rows likewise
 void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers,
-             const io::NamedLists& lists = {});
+             const io::NamedLists& lists = {}, const io::NamedRows& rows = {});
 
 }  // namespace ringfilm::app

@@ -6,7 +6,7 @@ import ringfilm
 from shipped import RINGS, ROOT, case, oil, ring, starting_case
 from chart import LEFT, RIGHT, Panel, Style, legend
 from cycle_charts import LINES
-from svg import BLACK, BLUE, GREEN, ORANGE, PURPLE, RED, WIDTH, Picture
+from svg import BLACK, BLUE, GAS, GREEN, GREY, LINER, ORANGE, PURPLE, RED, WIDTH, Picture
 
 ACROSS = WIDTH - LEFT - RIGHT
 HALF = 296
@@ -170,7 +170,58 @@ def face_fit():
     return picture
 
 
+def closure_around(picture, middle, closure, micrometre, clearance_micrometre):
+    """Bore, ring and clearance around one bore; pixels that stand for a micrometre of each."""
+    x_0, y_0, radius = middle, 220, 112
+    angle = numpy.radians(closure["angle"])
+    bore = radius + 1e6 * micrometre * closure["bore"]
+    ring = bore - 1e6 * clearance_micrometre * closure["clearance"]
+
+    def points(r, phi):
+        return [(x_0 + at * numpy.sin(a), y_0 - at * numpy.cos(a)) for at, a in zip(r, phi)]
+
+    circle = numpy.linspace(0, 2 * numpy.pi, 181)
+    picture.polyline(points([radius] * 181, circle), close=True, stroke=GREY, width=0.8, dashes="2 3")
+    picture.polyline(points(bore, angle) + points(ring, angle)[::-1], close=True, stroke="none", fill=GAS)
+    for first, last in closure["contact_arcs"]:
+        inside = (closure["angle"] >= first) & (closure["angle"] <= last)
+        picture.polyline(points(bore[inside], angle[inside]), stroke=LINER, width=9)
+    picture.polyline(points(bore, angle), stroke=BLACK, width=1.2)
+    picture.polyline(points(ring, angle), stroke=BLUE, width=1.6)
+    for at, force in closure["point_forces"]:
+        a = numpy.radians(at)
+        r = numpy.interp(at, closure["angle"], bore)
+        begin, end = r + 6 + 4 * force, r + 3
+        picture.line(*points([begin], [a])[0], *points([end], [a])[0], stroke=RED, width=1.6)
+    picture.text(x_0, y_0 - 8, f"largest clearance {1e6 * closure['max_clearance']:.2f} µm", anchor="middle")
+    picture.text(x_0, y_0 + 12, f"open area {1e6 * closure['open_area']:.3f} mm^{{2}}", anchor="middle")
+    for row, (length, words) in enumerate(
+        ((10 * micrometre, "10 µm of the bore"), (clearance_micrometre, "1 µm of clearance"))
+    ):
+        y = 400 + 22 * row
+        picture.line(x_0 - 90, y - 4, x_0 - 90 + length, y - 4, stroke=BLACK if row == 0 else BLUE, width=3)
+        picture.text(x_0 - 90 + max(length, 40) + 8, y, words)
+
+
+def closure():
+    """The ring in the two bores of cases/distorted-bore."""
+    picture = Picture("Bore, ring and clearance of two distorted bores, magnified", 440)
+    entries = (
+        (Style(BLACK), "bore"),
+        (Style(BLUE), "ring"),
+        (Style(GREY, "2 3"), "round"),
+        (Style(RED), "point force"),
+    )
+    legend(picture, LEFT + 60, 20, entries, [100, 100, 100, 0])
+    for name, middle, micrometre, clearance in (("followed", 200, 1.4, 14), ("not-followed", 570, 3, 7)):
+        closed = ringfilm.conform(str(ROOT / f"cases/distorted-bore/{name}.toml"))
+        picture.text(middle, 52, closed["title"], anchor="middle", bold=True)
+        closure_around(picture, middle, closed, micrometre, clearance)
+    return picture
+
+
 PICTURES = {
+    "closure": closure,
     "faces": faces,
     "oil-viscosity": oil_viscosity,
     "contact-law": contact_law,

@@ -33,7 +33,7 @@ SECTIONS = [
         ],
     ),
     ("Many cases", ["study", "docs/manual/guide/life", "performance"]),
-    ("Other films", ["docs/manual/guide/ring-pack-gas", "unrolled", "pad"]),
+    ("Other films", ["docs/manual/guide/ring-pack-gas", "unrolled", "pad", "docs/manual/guide/conformity"]),
     ("Tutorials", ["docs/tutorials/README", "docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
     (

@@ -34,6 +34,20 @@ std::vector<TemperatureValue> from_pairs(const py::handle& list) {
   return values;
 }
 
+/// Angles in degrees, the rest in SI.
+py::list terms(const std::vector<cycle::FourierTerm>& values) {
+  py::list list;
+  for (const cycle::FourierTerm& term : values) {
+    py::dict one;
+    one["order"] = term.order;
+    one["amplitude"] = term.amplitude;
+    one["phase"] = term.phase_deg;
+    if (term.height) one["height"] = *term.height;
+    list.append(one);
+  }
+  return list;
+}
+
 /// The value of a key in SI.
 class SiValue {
  public:
@@ -62,6 +76,7 @@ class SiValue {
     if (const auto& constant = kind.constant(case_)) return py::float_(*constant);
     return pairs(kind.ref(case_));
   }
+  py::object operator()(const cycle::FourierTermsKind& kind) const { return terms(kind.ref(case_)); }
   py::object operator()(const cycle::StrokeValuesKind& kind) const {
     const auto& points = kind.ref(case_);
     if (points.size() == 1) return py::float_(points.front().value);
@@ -154,6 +169,16 @@ class Restore {
     const auto both = py::cast<py::tuple>(value_);
     kind.constant(case_) = py::cast<std::optional<double>>(both[0]);
     kind.ref(case_) = from_pairs(both[1]);
+  }
+  void operator()(const cycle::FourierTermsKind& kind) const {
+    kind.ref(case_).clear();
+    for (const py::handle item : py::iter(value_)) {
+      const auto one = py::cast<py::dict>(item);
+      cycle::FourierTerm term{py::cast<int>(one["order"]), py::cast<double>(one["amplitude"]),
+                              py::cast<double>(one["phase"]), std::nullopt};
+      if (one.contains("height")) term.height = py::cast<double>(one["height"]);
+      kind.ref(case_).push_back(term);
+    }
   }
   void operator()(const cycle::StrokeValuesKind& kind) const {
     kind.ref(case_).clear();
@@ -273,6 +298,8 @@ class Toml {
     for (const py::handle item : py::iter(value_)) {
       if (std::holds_alternative<cycle::StrokeValuesKind>(field_.kind)) {
         list.items.push_back(distance_and_value(item));
+      } else if (std::holds_alternative<cycle::FourierTermsKind>(field_.kind)) {
+        list.items.push_back(fourier_term(item));
       } else if (has_temperatures) {
         list.items.push_back(temperature_value(item));
       } else if (py::isinstance<py::str>(item)) {
@@ -309,6 +336,25 @@ class Toml {
     if (!py::hasattr(item, "__len__") || py::len(item) != 2) refuse();
     const py::object temperature = item.attr("__getitem__")(0), value = item.attr("__getitem__")(1);
     table.members = {{"temperature", part(temperature, kelvin)}, {"value", part(value, own)}};
+    return table;
+  }
+
+  TomlValue fourier_term(const py::handle& item) const {
+    if (!py::isinstance<py::dict>(item)) refuse();
+    TomlValue table;
+    table.kind = TomlValue::Kind::kTable;
+    for (const auto& [name, value] : py::cast<py::dict>(item)) {
+      const std::string key = text_of("a name in the list", name, "order");
+      if (key == "order") {
+        const double x = plain(value);
+        table.members.push_back(
+            {key, number(x, std::trunc(x) == x ? TomlValue::Kind::kInteger : TomlValue::Kind::kNumber)});
+      } else {
+        const Unit own{field_.unit, field_.display_unit, "\"15 um\""};
+        const Unit angle{"degree", "degree", "\"30 degree\""}, length{"m", "mm", "\"20 mm\""};
+        table.members.push_back({key, part(value, key == "phase" ? angle : key == "height" ? length : own)});
+      }
+    }
     return table;
   }
 

@@ -13,6 +13,7 @@ PYBIND11_MODULE(_ringfilm, module) {
   bind_study(module);
   bind_life(module);
   bind_surface(module);
+  bind_conform(module);
   bind_face(module);
   bind_lateral_force(module);
   bind_laws(module);

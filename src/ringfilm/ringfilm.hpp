@@ -19,6 +19,8 @@
 
 // Laws: oil, contact, crank, gas, ring.
 #include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/conformity/free_shape.hpp"
+#include "ringfilm/models/conformity/ring_closure.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
@@ -27,6 +29,7 @@
 
 // One cycle, a pad, many cycles, studies.
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"

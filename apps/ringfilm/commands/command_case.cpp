@@ -6,6 +6,7 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
@@ -26,6 +27,10 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
   for (const std::string& note : input.notes) check.notes.push_back({"input", note, 1});
   if (input.problem == cycle::Problem::kPad) {
     pad::prepare_pad(input);
+    return check;
+  }
+  if (input.problem == cycle::Problem::kClosure) {
+    cycle::ring_beam(input);
     return check;
   }
   const cycle::Case with_gas = cycle::with_gas_path(input);

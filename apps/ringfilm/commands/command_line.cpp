@@ -33,6 +33,7 @@ constexpr const char* kProgramFooter = R"(Examples:
   ringfilm surface liner.x3p --form cylinder --html liner.html
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --fragment contact.toml
   ringfilm contact --surface ring.x3p --surface liner.x3p --composite-modulus "134.8 GPa" --hardness "2.5 GPa" -o law.nc
+  ringfilm conform cases/distorted-bore/followed.toml --html conform.html
   ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml
   ringfilm lateral-force new.csv --silicon silicon.csv --reference ahimou2007 --fragment shear.toml
   ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
@@ -321,6 +322,7 @@ class Commands {
     command.footer(kVerifyFooter);
   }
 
+  void add_conform() { add_conform_command(program_, actions_); }
   void add_study() { add_study_command(program_, actions_); }
   void add_life() { add_life_command(program_, actions_); }
 
@@ -472,6 +474,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_run();
   commands->add_gas();
   commands->add_check();
+  commands->add_conform();
   commands->add_report();
   commands->add_reproduce();
   commands->add_verify();

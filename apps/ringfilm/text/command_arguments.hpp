@@ -54,6 +54,8 @@ struct MapArguments {
 void add_surface_commands(CLI::App& program, Actions& actions);
 /// `ringfilm contact`.
 void add_contact_command(CLI::App& program, Actions& actions);
+/// `ringfilm conform`.
+void add_conform_command(CLI::App& program, Actions& actions);
 /// `ringfilm face`.
 void add_face_command(CLI::App& program, Actions& actions);
 /// `ringfilm lateral-force`.

@@ -55,6 +55,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"gas-breaks-through", kLimited, kCrankAngles},
       {"supply-beyond-inlet", kLimited, kCase},
       {"ring-distance-assumed", kLimited, kCase},
+      {"bore-taken-as-round", kLimited, kCase},
       {"viscous-heating-high", kLimited, kCrankAngles, "peak_viscous_heating_rise", kHighest},
       {"shear-rate-high", kLimited, kCrankAngles},
       {"gas-path-not-periodic", kLimited, kCase},

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -120,6 +122,19 @@ Measurement of_gas(const cycle::Case& c) {
   return measurement;
 }
 
+Measurement of_closure(const cycle::StaticClosure& closure) {
+  Measurement measurement;
+  for (const auto& quantity : cycle::closure_quantities()) {
+    measurement.values[quantity.name] = {closure.values.*quantity.value};
+  }
+  std::vector<double> edges;
+  for (const models::ContactArc& arc : closure.ring.arcs()) {
+    for (const double edge : {arc.from, arc.to}) edges.push_back(edge * 180 / std::numbers::pi);
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) measurement.values[numbered("arc_edges", i)] = {edges[i]};
+  return measurement;
+}
+
 template <typename Quantities>
 void add_all(const Quantities& quantities, std::vector<cycle::Quantity>& all) {
   for (const cycle::Quantity& quantity : quantities) all.push_back(quantity);
@@ -135,6 +150,9 @@ const std::vector<cycle::Quantity>& measured_quantities() {
     add_all(pad::front_quantities(), all);
     add_all(kOfWholeRun, all);
     add_all(kOfGas, all);
+    add_all(cycle::closure_quantities(), all);
+    all.push_back({"arc_edges", "degree", "degree", "edge of a contact arc, from the middle of the gap", "phi_e",
+                   "eq-closure-complementarity"});
     add_all(cycle::cycle_quantities(), all);
     add_all(cycle::curve_quantities(), all);
     return all;
@@ -164,6 +182,7 @@ std::optional<cycle::Quantity> find_curve(const std::string& name) {
 
 Measurement measure(const cycle::Case& c) {
   if (c.problem == cycle::Problem::kPad) return of_pad(pad::solve_pad(c));
+  if (c.problem == cycle::Problem::kClosure) return of_closure(cycle::static_closure(c));
   if (c.purpose == cycle::CasePurpose::kGasPath) return of_gas(c);
   return of_ring(cycle::simulate(cycle::prepare(cycle::with_gas_path(c))));
 }

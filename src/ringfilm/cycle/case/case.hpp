@@ -189,6 +189,21 @@ struct Coating {
   ContactModulus contact_modulus = ContactModulus::kCoating;  ///< whose modulus the contact spots feel
 };
 
+/// One term of a series around the bore, amplitude cos(order (angle - phase)).
+struct FourierTerm {
+  int order = 0;
+  double amplitude = 0;          ///< [unit of the key]
+  double phase_deg = 0;          ///< of a crest [degree]
+  std::optional<double> height;  ///< along the stroke, where the bore changes with it [m]
+};
+
+/// Deviation of the bore's radius on a grid, angles evenly spaced over one turn.
+struct BoreMap {
+  std::vector<double> height;                  ///< increasing [m]
+  double first_angle_deg = 0;                  ///< of each row [degree]
+  std::vector<std::vector<double>> deviation;  ///< a row of one height each [m]
+};
+
 /// The keys under `ring`.
 struct Ring {
   std::string name;               ///< for people; empty: its number
@@ -210,8 +225,10 @@ struct Ring {
   std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
   RingGasPath gas_path;           ///< what the gas meets at the ring
-  RingFace face;                  ///< shape of the face across its width
-  Coating coating;                ///< absent unless its modulus is stated
+  /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
+  std::vector<FourierTerm> pressure_orders;
+  RingFace face;    ///< shape of the face across its width
+  Coating coating;  ///< absent unless its modulus is stated
 };
 
 /// The keys under `liner`.
@@ -222,6 +239,20 @@ struct Liner {
   double thermal_conductivity = 55;  ///< [W/(m K)]
   double density = 7200;             ///< [kg/m3]
   double specific_heat = 490;        ///< [J/(kg K)]
+  // out of roundness, for the static closure: deviations of the radius that add up
+  std::vector<FourierTerm> distortion;          ///< of the cold bore [m]
+  std::vector<FourierTerm> thermal_distortion;  ///< by heat [m]
+  std::optional<std::string> distortion_map;    ///< CSV of the measured bore, as named
+  base::Shared<BoreMap> map;                    ///< of that file
+  int map_orders = 20;                          ///< the highest order that is kept of it
+
+  bool is_round() const { return distortion.empty() && thermal_distortion.empty() && !distortion_map; }
+};
+
+/// The keys under `conform`: the static closure of the ring in its bore.
+struct Conform {
+  double gas_pressure = 0;       ///< behind the ring, above that in front of it [Pa]
+  std::optional<double> height;  ///< along the stroke, of a bore that changes with it [m]
 };
 
 /// How zeta was measured: standard deviations by origin. The last two are common to all samples of one calibration.
@@ -468,6 +499,7 @@ struct Case {
   GasPath gas_path;                                ///< how the gas passes the rings
   Ring ring;                                       ///< size, tension, face, coating, gap
   Liner liner;                                     ///< what the bore is made of
+  Conform conform;                                 ///< the static closure of the ring in its bore
   Contact contact;                                 ///< roughness of the pair and boundary friction
   Lubricant lubricant;                             ///< the oil by its laws, or by a table
   Supply supply;                                   ///< oil on the liner, if the inlet is not flooded
@@ -486,6 +518,11 @@ struct Case {
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
+  /// Is anything stated that only the static closure of the ring uses?
+  bool has_closure() const {
+    return problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
+           conform.gas_pressure > 0 || conform.height;
+  }
   /// Does the film of a pad enter out of gas, with a surface that moves that way?
   bool enters_out_of_gas(Direction direction) const {
     const EdgeFluid inlet = direction == Direction::kPlusX ? film.left_edge : film.right_edge;

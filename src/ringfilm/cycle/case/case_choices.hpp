@@ -9,16 +9,19 @@
 /// What a case may choose among: the values of keys that are a name.
 namespace ringfilm::cycle {
 
-/// An engine cycle, or a pad: a pad where any key of `pad` is stated.
+/// An engine cycle, a pad where any key of `pad` is stated, or the static closure of a ring in its bore alone, where
+/// keys of `conform` and none of a cycle are.
 enum class Problem {
-  kCycle,  ///< a ring over the four strokes
-  kPad     ///< a film of stated shape
+  kCycle,   ///< a ring over the four strokes
+  kPad,     ///< a film of stated shape
+  kClosure  ///< a ring that bends in a bore, without film
 };
 
 /// What a case is read for.
 enum class CasePurpose {
-  kFilm,    ///< a cycle or a pad
-  kGasPath  ///< the gas of the ring pack alone: keys of film, oil and contact may be missing
+  kFilm,     ///< a cycle or a pad
+  kGasPath,  ///< the gas of the ring pack alone: keys of film, oil and contact may be missing
+  kClosure   ///< the static closure of the ring alone
 };
 
 /// `pad.direction`: which way the flat surface moves.

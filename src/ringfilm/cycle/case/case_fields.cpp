@@ -73,6 +73,26 @@ std::optional<Problem> problem_of(const std::string& key) {
   return key.rfind("pad.", 0) == 0 || of_pad.contains(key) ? Problem::kPad : Problem::kCycle;
 }
 
+/// Keys of a ring's case that its static closure uses.
+bool is_of_closure(const std::string& key) {
+  static const std::set<std::string> keys = {
+      "title",
+      "engine.bore",
+      "ring.name",
+      "ring.face_width",
+      "ring.free_gap",
+      "ring.youngs_modulus",
+      "ring.end_gap",
+      "ring.elastic_pressure",
+      "ring.gap_position",
+      "ring.tangential_force",
+      "ring.pressure_orders",
+      "ring.radial_thickness",
+  };
+  return keys.contains(key) || key.rfind("liner.distortion", 0) == 0 || key == "liner.thermal_distortion" ||
+         key.rfind("conform.", 0) == 0;
+}
+
 std::vector<Field> all_fields() {
   std::vector<Field> fields{
       field("title", TextKind{member<&Case::title>}, kNoUnit, {}, Need::kRequiredInCycle, {},
@@ -146,7 +166,10 @@ bool is_implied_in_pack(std::size_t ring, const std::string& key) { return ring 
 
 bool is_of_ring(const std::string& key) { return key.rfind("ring.", 0) == 0 || key.rfind("contact.", 0) == 0; }
 
-bool belongs(const Field& field, const Case& c) { return !field.problem || *field.problem == c.problem; }
+bool belongs(const Field& field, const Case& c) {
+  if (c.problem == Problem::kClosure) return is_of_closure(field.key);
+  return !field.problem || *field.problem == c.problem;
+}
 
 bool is_active(const Field& field, const Case& c) {
   return belongs(field, c) && (field.active == nullptr || field.active(c));

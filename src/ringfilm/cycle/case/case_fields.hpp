@@ -94,15 +94,21 @@ struct ConstantOrTemperatureValuesKind {
 struct StrokeValuesKind {
   Ref<std::vector<StrokeValue>> ref;
 };
+/// An array of { order = 2, amplitude = "15 um", phase = "0 degree" }; along the stroke each with a height, too.
+struct FourierTermsKind {
+  Ref<std::vector<FourierTerm>> ref;
+  int lowest_order;
+  enum class Place { kOneSection, kAlongStroke } place;
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
 struct FieldAnglesKind {};
 
-using Kind =
-    std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
-                 OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
-                 TemperatureValuesKind, ConstantOrTemperatureValuesKind, StrokeValuesKind, AnglesKind, FieldAnglesKind>;
+using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
+                          OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
+                          TemperatureValuesKind, ConstantOrTemperatureValuesKind, StrokeValuesKind, FourierTermsKind,
+                          AnglesKind, FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
 enum class Need {

@@ -4,6 +4,7 @@
 #include "ringfilm/base/joined.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/case_rules_closure.hpp"
 #include "ringfilm/cycle/case/case_rules_gas_path.hpp"
 #include "ringfilm/cycle/case/case_rules_measured.hpp"
 #include "ringfilm/cycle/case/case_rules_oil.hpp"
@@ -166,15 +167,14 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                       usual_tension()});
 }
 
-RuleBreach tension_stated_twice(const Ring& ring, bool is_thickness_of_tension, const std::string& remedy) {
+RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
   std::vector<std::vector<std::string>> ways;
   if (ring.elastic_pressure) ways.push_back({"ring.elastic_pressure"});
   if (ring.tangential_force) ways.push_back({"ring.tangential_force"});
-  const bool thickness = is_thickness_of_tension && ring.radial_thickness;
-  if (ring.free_gap && thickness) {
+  if (ring.free_gap && ring.radial_thickness) {
     ways.push_back({"ring.free_gap", "ring.radial_thickness"});
-  } else if (ring.free_gap || thickness) {
-    ways.push_back({ring.free_gap ? "ring.free_gap" : "ring.radial_thickness"});
+  } else if (ring.free_gap) {
+    ways.push_back({"ring.free_gap"});
   }
   std::vector<std::string> keys;
   for (const auto& way : ways) keys.push_back(way.front());
@@ -184,17 +184,14 @@ RuleBreach tension_stated_twice(const Ring& ring, bool is_thickness_of_tension, 
 
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
-  const bool of_tension = !c.gas_path.is_computed();  // the gas path uses the thickness as well
-  const bool gap = ring.free_gap || (of_tension && ring.radial_thickness);
+  const bool gap = ring.free_gap.has_value();  // the thickness alone is that of a ring that bends
   const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
   const std::string ways =
       "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
   if (stated == 0) {
     breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
-    breaches.push_back(tension_stated_twice(ring, of_tension, ways));
-  } else if (gap && !ring.free_gap) {
-    breaches.push_back({"ring.free_gap", "ring.radial_thickness is stated without ring.free_gap", ways});
+    breaches.push_back(tension_stated_twice(ring, ways));
   } else if (gap && !ring.radial_thickness) {
     breaches.push_back({"ring.radial_thickness", "ring.free_gap is stated without ring.radial_thickness", ways});
   } else {
@@ -300,6 +297,11 @@ std::vector<RuleBreach> broken_gas_rules(const Case& c) {
 std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.problem == Problem::kPad) return broken_pad_rules(c);
   Breaches breaches;
+  if (c.problem == Problem::kClosure) {
+    check_tension(c, breaches);
+    append_closure_breaches(c, breaches);
+    return breaches;
+  }
   check_cavitation_pressure(c.film, breaches);
   append_gas_edge_breaches(c, breaches);
   append_flow_factor_breaches(c, breaches);
@@ -316,6 +318,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);
+  if (c.has_closure()) append_closure_breaches(c, breaches);
   if (breaches.empty()) append_viscosity_breaches(c, breaches);
   return breaches;
 }

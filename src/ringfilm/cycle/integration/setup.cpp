@@ -76,6 +76,14 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 }
 
 models::CyclePressure computed_pressure(const SampledTrace& trace) { return {trace.crank_angle_deg, trace.value}; }
+/// Keys of the static closure in a cycle.
+void append_bore_note(const Case& c, std::vector<Note>& notes) {
+  if (c.liner.is_round() && c.ring.pressure_orders.empty() && !(c.conform.gas_pressure > 0)) return;
+  notes.push_back({"bore-taken-as-round",
+                   "liner.distortion, ring.pressure_orders and [conform] are used by ringfilm conform alone: film and "
+                   "friction are those of a ring that fits a round bore with uniform pressure",
+                   1});
+}
 
 models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
   if (land.computed) return computed_pressure(**land.computed);
@@ -102,6 +110,7 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
   append_contact_notes(c, roughness(c), oil.notes);
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
+  append_bore_note(c, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands));
   sort_notes(oil.notes);
   film::FactorLaws factors = factor_laws(c, roughness(c), oil.setup.thinning);
@@ -171,6 +180,10 @@ film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<fi
 }
 
 Setup prepare(const Case& c) {
+  if (c.problem == Problem::kClosure) {
+    throw InputError("the case states the static closure of a ring alone, not a cycle",
+                     "compute it with ringfilm conform, or state engine, gas, oil and surfaces, too");
+  }
   PreparedOil oil =
       prepared_oil(c.lubricant, wall_temperatures(c.thermal),
                    {c.operating.oil_temperature, c.engine.stroke, c.thermal.is_heated() ? kServedRise : 0});

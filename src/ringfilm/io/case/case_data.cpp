@@ -6,6 +6,7 @@
 #include "ringfilm/io/case/face_file.hpp"
 #include "ringfilm/io/case/oil_file.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/measurement/bore_map_file.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
 
@@ -89,6 +90,15 @@ void append_land_file(const std::string& key, cycle::LandPressure cycle::Ring::*
 std::vector<DataFile> data_files(const Case& c, const Units& units) {
   if (c.problem == cycle::Problem::kPad) return pad_files(c.pad, units);
   std::vector<DataFile> files;
+  if (c.liner.distortion_map) {
+    files.push_back(
+        {"liner.distortion_map", *c.liner.distortion_map, [&units](const NamedFile& file, Case& to) -> ReadData {
+           BoreMapFile bore = read_bore_map(file, units);
+           to.liner.map = std::move(bore.map);
+           return {bore.sha256, bore.notes};
+         }});
+  }
+  if (c.problem == cycle::Problem::kClosure) return files;
   append_gas_files(c.gas, units, files);
   append_land_file("ring.pressure_above", &cycle::Ring::pressure_above, c.ring, units, files);
   append_land_file("ring.pressure_below", &cycle::Ring::pressure_below, c.ring, units, files);

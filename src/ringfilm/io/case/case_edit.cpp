@@ -74,8 +74,9 @@ bool moves_files(const Field& field, const Case& c) {
     return field.key == "pad.length" || field.key == "pad.width" || (field.key.rfind("pad.", 0) == 0 && !is_number);
   }
   if (field.key == "ring.face_width") return c.ring.face.form == cycle::FaceForm::kPoints;
-  return !is_number && (field.key.rfind("gas.", 0) == 0 || field.key.rfind("ring.pressure_", 0) == 0 ||
-                        field.key.rfind("ring.face.", 0) == 0 || field.key == kOil + "table");
+  return !is_number &&
+         (field.key.rfind("gas.", 0) == 0 || field.key.rfind("ring.pressure_", 0) == 0 ||
+          field.key.rfind("ring.face.", 0) == 0 || field.key == kOil + "table" || field.key == "liner.distortion_map");
 }
 
 bool is_data_role(const std::string& role) { return role != "case" && role != "include" && role != kOil + "file"; }

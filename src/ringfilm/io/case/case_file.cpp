@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "ringfilm/base/append_new.hpp"
@@ -42,7 +43,7 @@ class CaseReader {
 
  private:
   void read_values() {
-    case_ = cycle::blank_case(problem());
+    case_ = cycle::blank_case(purpose_ == CasePurpose::kClosure ? cycle::Problem::kClosure : problem());
     case_.purpose = purpose_;
     case_.files = tree_.files;
     case_.notes = tree_.notes;
@@ -59,13 +60,23 @@ class CaseReader {
     cycle::keep_own_temperature(case_);
   }
 
-  /// A pad where any of its keys is stated, be it with a slip.
+  /// A pad where any of its keys is stated, be it with a slip; a static closure where keys of it and none of a cycle
+  /// are.
   cycle::Problem problem() const {
-    const auto of_pad = [](const std::string& key) { return key.rfind("pad.", 0) == 0; };
-    const bool stated = std::any_of(tree_.entries.begin(), tree_.entries.end(),
-                                    [&](const TomlEntry& entry) { return of_pad(entry.key); });
-    return stated || std::any_of(tree_.faulty.begin(), tree_.faulty.end(), of_pad) ? cycle::Problem::kPad
-                                                                                   : cycle::Problem::kCycle;
+    const auto of_section = [](const std::string& key, const char* section) { return key.rfind(section, 0) == 0; };
+    const auto any_stated = [&](const auto& is_one) {
+      return std::any_of(tree_.entries.begin(), tree_.entries.end(),
+                         [&](const TomlEntry& entry) { return is_one(entry.key); }) ||
+             std::any_of(tree_.faulty.begin(), tree_.faulty.end(), is_one);
+    };
+    if (any_stated([&](const std::string& key) { return of_section(key, "pad."); })) return cycle::Problem::kPad;
+    const Case closure = cycle::blank_case(cycle::Problem::kClosure);
+    const bool of_cycle = any_stated([&](const std::string& key) {
+      const cycle::Field* field = cycle::find_field(key);
+      return field == nullptr || !cycle::belongs(*field, closure);
+    });
+    const bool of_closure = any_stated([&](const std::string& key) { return of_section(key, "conform."); });
+    return of_closure && !of_cycle ? cycle::Problem::kClosure : cycle::Problem::kCycle;
   }
 
   void read_value(const TomlEntry& entry) {
@@ -210,6 +221,39 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                       CasePurpose purpose) {
   return case_of(pack_trees(read_case_tree(path, overrides)), units, purpose);
+}
+
+namespace {
+
+/// Leaves the keys that the static closure uses.
+void keep_closure(CaseTree& tree) {
+  const Case closure = cycle::blank_case(cycle::Problem::kClosure);
+  const auto is_other = [&](const std::string& key) {
+    const cycle::Field* field = cycle::find_field(key);
+    return field != nullptr && !cycle::belongs(*field, closure);
+  };
+  for (const TomlEntry& entry : tree.entries) {
+    if (entry.key.rfind("pad.", 0) != 0) continue;
+    throw InputError({Fault{entry.value.key_mark, "a case with [pad] has no ring that could close",
+                            "name the case of a ring, with engine.bore, [ring] and [liner]"}});
+  }
+  std::erase_if(tree.entries, [&](const TomlEntry& entry) { return is_other(entry.key); });
+  std::erase_if(tree.faulty, is_other);
+  tree.from_oil_file.clear();
+}
+
+PackTrees closure_trees(const std::string& path, const std::vector<Override>& overrides,
+                        std::vector<DroppedKey>* dropped) {
+  PackTrees pack = pack_trees(read_case_tree(path, overrides, dropped));
+  for (CaseTree& tree : pack.trees) keep_closure(tree);
+  return pack;
+}
+
+}  // namespace
+
+cycle::Case read_closure_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                              std::vector<DroppedKey>& dropped) {
+  return case_of(closure_trees(path, overrides, &dropped), units, CasePurpose::kClosure);
 }
 
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,

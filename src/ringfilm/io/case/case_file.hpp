@@ -38,6 +38,11 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                                std::vector<DroppedKey>& dropped, CasePurpose purpose = CasePurpose::kFilm);
 
+/// The static closure of the ring of a case (cycle::Problem::kClosure): keys that only film and cycle use may be stated
+/// or missing. Throws InputError, of a pad, too.
+cycle::Case read_closure_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
+                              std::vector<DroppedKey>& dropped);
+
 /// "ring.elastic_pressure (my.toml:31), ...", for messages.
 std::string listed(const std::vector<DroppedKey>& dropped);
 

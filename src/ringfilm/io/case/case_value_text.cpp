@@ -77,6 +77,15 @@ class Writer {
     }
     return parts.empty() ? "" : joined(parts);
   }
+  std::string operator()(const cycle::FourierTermsKind& kind) {
+    std::vector<std::string> parts;
+    for (const cycle::FourierTerm& term : kind.ref(case_)) {
+      parts.push_back(fmt::format("{{ order = {}, amplitude = {}, phase = {}{} }}", term.order, number(term.amplitude),
+                                  write_(term.phase_deg, "degree", "degree"),
+                                  term.height ? ", height = " + write_(*term.height, "m", "mm") : ""));
+    }
+    return parts.empty() ? "" : joined(parts);
+  }
   std::string operator()(const cycle::AnglesKind&) {
     const cycle::Output& output = case_.output;
     return output.crank_angles_deg.empty() ? number(output.crank_angle_step_deg) : angles(output.crank_angles_deg);

@@ -151,6 +151,11 @@ class Setter {
     }
     if (good_) kind.ref(case_) = points;
   }
+  void operator()(const cycle::FourierTermsKind& kind) {
+    std::vector<cycle::FourierTerm> terms;
+    for (const TomlValue& item : list("a list of orders")) terms.push_back(fourier_term(item, kind));
+    if (good_) kind.ref(case_) = terms;
+  }
   void operator()(const cycle::AnglesKind&) {
     if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();
@@ -283,6 +288,50 @@ class Setter {
     if (T && (*T < 150 || *T > 800)) refuse(*temperature, "is out of range", "allowed is -123 degC to 527 degC");
     const auto x = quantity(*value, field_.unit, "\"1 " + field_.display_unit + "\"");
     return T && x ? cycle::TemperatureValue{*T, *x} : cycle::TemperatureValue{};
+  }
+
+  cycle::FourierTerm fourier_term(const TomlValue& item, const cycle::FourierTermsKind& kind) {
+    const std::string remedy = "for example " + field_.example;
+    const bool along_stroke = kind.place == cycle::FourierTermsKind::Place::kAlongStroke;
+    cycle::FourierTerm term;
+    bool has_order = false, has_amplitude = false;
+    for (const auto& [name, member] : item.members) {
+      if (name == "order") {
+        has_order = true;
+        term.order = whole_order(member, kind.lowest_order);
+      } else if (name == "amplitude") {
+        has_amplitude = true;
+        const std::string example = field_.unit == "1" ? "0.25" : "\"15 " + field_.display_unit + "\"";
+        term.amplitude = quantity(member, field_.unit, example).value_or(0);
+      } else if (name == "phase") {
+        term.phase_deg = within_turn(member);
+      } else if (name == "height" && along_stroke) {
+        term.height = plain_quantity(member, "m", "\"20 mm\"");
+      } else {
+        good_ = false;
+        faults_.push_back({member.key_mark, "unknown key " + name + " in " + field_.key, remedy});
+      }
+    }
+    if (!has_order || !has_amplitude) refuse(item, "requires an order and an amplitude", remedy);
+    return term;
+  }
+
+  int whole_order(const TomlValue& value, int lowest) {
+    constexpr int kHighest = 60;
+    if (value.kind == Kind::kInteger && value.number >= lowest && value.number <= kHighest) {
+      return static_cast<int>(value.number);
+    }
+    refuse(value, "is not an order",
+           "a whole number from " + std::to_string(lowest) + " to " + std::to_string(kHighest) + " is required here");
+    return lowest;
+  }
+
+  double within_turn(const TomlValue& value) {
+    const auto angle = plain_quantity(value, "degree", "\"30 degree\"");
+    if (angle && std::abs(*angle) > 360) {
+      refuse(value, "is more than a turn", "angles from -360 to 360 degree are required here");
+    }
+    return angle.value_or(0);
   }
 
   cycle::Case& case_;

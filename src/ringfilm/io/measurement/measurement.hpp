@@ -85,7 +85,7 @@ struct MeasuredTable {
 };
 
 struct Measurement {
-  std::string kind;                     ///< "surface", "pair", "contact", "face", "lateral-force"
+  std::string kind;                     ///< "surface", "pair", "contact", "conformity", "face", "lateral-force"
   std::string title;                    ///< of the page
   std::vector<std::string> sources;     ///< file, format, channel, plausibility: a line each
   std::vector<std::string> statements;  ///< what was done, in its order: form, filters, rules

@@ -102,7 +102,7 @@ ordered_json by_name(const Parts& parts, ToObject to_object) {
 }  // namespace
 
 std::string measurement_json(const Measurement& measurement, const NamedNumbers& numbers, const Provenance& provenance,
-                             const NamedLists& lists) {
+                             const NamedLists& lists, const NamedRows& rows) {
   check_measurement(measurement);
   ordered_json object = {{"kind", measurement.kind}, {"title", measurement.title}};
   const ordered_json parts = {{"values", values_object(measurement.groups)},
@@ -121,6 +121,11 @@ std::string measurement_json(const Measurement& measurement, const NamedNumbers&
   };
   for (const auto& [name, value] : numbers) put(name, number(value));
   for (const auto& [name, values] : lists) put(name, list(values));
+  for (const auto& [name, all] : rows) {
+    ordered_json array = ordered_json::array();
+    for (const std::vector<double>& row : all) array.push_back(list(row));
+    put(name, std::move(array));
+  }
   object.update(parts);
   // A file name in another encoding than UTF-8 must not lose the result.
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

@@ -23,6 +23,7 @@ struct EntryOf {
   Entry operator()(const NumberListKind&) const { return Entry::kScaleOnly; }
   Entry operator()(const TemperatureValuesKind&) const { return Entry::kScaleOnly; }
   Entry operator()(const StrokeValuesKind&) const { return Entry::kAnyNumber; }
+  Entry operator()(const FourierTermsKind&) const { return Entry::kScaleOnly; }
   Entry operator()(const ChoiceKind&) const { return Entry::kText; }
   Entry operator()(const TextKind&) const { return Entry::kText; }
   Entry operator()(const OptionalTextKind&) const { return Entry::kText; }
@@ -68,6 +69,9 @@ class NumberWriter {
   }
   void operator()(const TemperatureValuesKind& kind) {
     for (TemperatureValue& point : kind.ref(case_)) point.value = changed(point.value);
+  }
+  void operator()(const FourierTermsKind& kind) {
+    for (FourierTerm& term : kind.ref(case_)) term.amplitude = changed(term.amplitude);
   }
   void operator()(const StrokeValuesKind& kind) {
     if (factor_.how == FactorMode::kSet) {
@@ -186,6 +190,14 @@ struct ValueText {
   }
   std::string operator()(const ConstantOrTemperatureValuesKind& kind) const {
     return optional(kind.constant(c)) + " " + (*this)(TemperatureValuesKind{kind.ref});
+  }
+  std::string operator()(const FourierTermsKind& kind) const {
+    std::string text;
+    for (const FourierTerm& term : kind.ref(c)) {
+      text += std::to_string(term.order) + " " + exact(term.amplitude) + " " + exact(term.phase_deg) + " " +
+              optional(term.height) + " ";
+    }
+    return text;
   }
   std::string operator()(const StrokeValuesKind& kind) const {
     std::string text;

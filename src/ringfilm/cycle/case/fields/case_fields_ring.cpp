@@ -9,13 +9,22 @@ constexpr When kFourModuli{[](const Case& c) { return !c.contact.composite_modul
                            "contact.composite_modulus is not stated"};
 constexpr When kFourModuliOrFreeGap{
     [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
-    "contact.composite_modulus is not stated, or the tension comes from ring.free_gap"};
+    "contact.composite_modulus is not stated, or ring.radial_thickness is stated"};
 
-constexpr When kGap{[](const Case& c) { return c.is_unrolled() || c.gas_path.is_computed(); },
-                    "film.dimension = \"unrolled\", or gas_path.model = \"orifice-volume\""};
+constexpr When kGap{[](const Case& c) { return c.is_unrolled() || c.gas_path.is_computed() || c.has_closure(); },
+                    "film.dimension = \"unrolled\", or gas_path.model = \"orifice-volume\", or for ringfilm conform, "
+                    "with liner.distortion or [conform]"};
 constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); }, "gas_path.model = \"given\""};
-constexpr When kGapped{[](const Case& c) { return c.is_unrolled() && c.ring.end_gap.has_value(); },
+constexpr When kGapped{[](const Case& c) { return (c.is_unrolled() && c.ring.end_gap.has_value()) || c.has_closure(); },
                        "ring.end_gap is stated"};
+constexpr When kBends{
+    [](const Case& c) { return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed(); },
+    "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or for ringfilm conform"};
+constexpr When kCloses{[](const Case& c) { return c.has_closure(); },
+                       "a bore or a ring is stated for ringfilm conform, as with liner.distortion"};
+constexpr When kDistortionMap{[](const Case& c) { return c.liner.distortion_map.has_value(); },
+                              "liner.distortion_map is stated"};
+using TermPlace = FourierTermsKind::Place;
 constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
                            "film.supply = \"film-on-liner\""};
 constexpr When kCoated{
@@ -53,8 +62,9 @@ void append_ring_fields(std::vector<Field>& fields) {
               {"gap of the free ring less that of the closed one, s; with ring.radial_thickness one of the three ways",
                "\"10.5 mm\""}),
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
-                above(0, 0.2), Need::kOptional, {},
-                {"radial thickness of the ring, t; with ring.free_gap one of the three ways, and for gas_path",
+                above(0, 0.2), Need::kOptional, kBends,
+                {"radial thickness of the ring, t; with ring.free_gap one of the three ways; for gas_path and for "
+                 "ringfilm conform",
                  "\"3.5 mm\""}),
           field("ring.pressure_above", OptionalNumberOrFileKind{member<&Case::ring, &Ring::pressure_above>},
                 {"Pa", "bar"}, above(0, 1e8), Need::kOptional, kGivenPressures,
@@ -77,6 +87,12 @@ void append_ring_fields(std::vector<Field>& fields) {
                 between(-360, 360), Need::kDefault, kGapped,
                 {"where around the bore the middle of the gap is; in a round bore a label of the results alone",
                  "\"0 degree\""}),
+          field("ring.pressure_orders",
+                FourierTermsKind{member<&Case::ring, &Ring::pressure_orders>, 2, TermPlace::kOneSection}, kPlainNumber,
+                between(-10, 10), Need::kOptional, {},
+                {"for ringfilm conform: orders of the pressure of the ring on a round bore, relative to its mean, "
+                 "angles from the gap's middle; if omitted, uniform pressure",
+                 "[{ order = 2, amplitude = 0.25, phase = \"0 degree\" }]"}),
           field(
               "ring.face.form", choice<&Case::ring, &Ring::face, &RingFace::form>({"polynomial", "parabola", "points"}),
               kNoUnit, {}, Need::kRequired, {},
@@ -157,6 +173,32 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("liner.specific_heat", NumberKind{member<&Case::liner, &Liner::specific_heat>},
                 {"J/(kg K)", "J/(kg K)"}, between(50, 5000), Need::kDefault, {},
                 {"specific heat of the liner, c_2; typical of grey cast iron, assumed", "\"490 J/(kg K)\""}),
+          field("liner.distortion",
+                FourierTermsKind{member<&Case::liner, &Liner::distortion>, 0, TermPlace::kAlongStroke}, {"m", "um"},
+                between(-1, 1), Need::kOptional, {},
+                {"for ringfilm conform: orders of the cold bore; the radius grows by the sum of amplitude "
+                 "cos(order (angle - phase)), with a height along the stroke where it changes",
+                 "[{ order = 2, amplitude = \"15 um\", phase = \"0 degree\" }]"}),
+          field("liner.thermal_distortion",
+                FourierTermsKind{member<&Case::liner, &Liner::thermal_distortion>, 0, TermPlace::kAlongStroke},
+                {"m", "um"}, between(-1, 1), Need::kOptional, {},
+                {"for ringfilm conform: the same of the part that heat adds",
+                 "[{ order = 4, amplitude = \"2 um\", phase = \"45 degree\" }]"}),
+          field("liner.distortion_map", OptionalFileKind{member<&Case::liner, &Liner::distortion_map>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"for ringfilm conform: CSV of the measured bore, height [mm],angle [degree],deviation [um] of the "
+                 "radius, whole turns of evenly spaced angles; adds to the orders",
+                 "\"bore.csv\""}),
+          field("liner.distortion_map_orders", CountKind{member<&Case::liner, &Liner::map_orders>}, kPlainNumber,
+                between(1, 60), Need::kDefault, kDistortionMap,
+                {"highest order of the bore that is kept of the map; what is finer is removed", "20"}),
+          field("conform.gas_pressure", NumberKind{member<&Case::conform, &Conform::gas_pressure>}, {"Pa", "bar"},
+                between(0, 1e8), Need::kDefault, kCloses,
+                {"for ringfilm conform: gas pressure behind the ring above that in front of it", "\"3 bar\""}),
+          field("conform.height", OptionalNumberKind{member<&Case::conform, &Conform::height>}, kLength, between(-5, 5),
+                Need::kOptional, {},
+                {"for ringfilm conform: where along the stroke the ring is, in a bore that changes with it",
+                 "\"20 mm\""}),
       });
 }
 

@@ -1,0 +1,122 @@
+#include "ringfilm/cycle/case/case_rules_closure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "ringfilm/base/number_text.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Breaches = std::vector<RuleBreach>;
+
+std::string in_mm(double length) { return number_text(length * 1e3) + " mm"; }
+
+void check_section(const Case& c, Breaches& breaches) {
+  const auto& t = c.ring.radial_thickness;
+  if (!t) {
+    if (c.problem != Problem::kClosure) return;  // a cycle has a round bore
+    breaches.push_back({"ring.radial_thickness",
+                        "the key ring.radial_thickness is missing: how a ring bends follows from it",
+                        "write, for example, radial_thickness = \"3.5 mm\" in [ring]", RuleBreach::By::kMissingKey});
+  } else if (!(*t < c.engine.bore / 4)) {
+    breaches.push_back({"ring.radial_thickness",
+                        "ring.radial_thickness = " + in_mm(*t) + " is not thin in a bore of " + in_mm(c.engine.bore),
+                        "the ring is a thin curved beam: its thickness is below a quarter of the bore, usually 1/25"});
+  }
+}
+
+void check_end_gap(const Case& c, Breaches& breaches) {
+  if (!c.ring.end_gap || !c.ring.radial_thickness) return;
+  const double circumference = std::numbers::pi * (c.engine.bore - *c.ring.radial_thickness);
+  if (*c.ring.end_gap < circumference / 2) return;
+  const bool is_all = *c.ring.end_gap >= circumference;
+  breaches.push_back({"ring.end_gap",
+                      "ring.end_gap = " + in_mm(*c.ring.end_gap) + " is not below " + (is_all ? "" : "half of ") +
+                          "the circumference of the ring at its centroid, " + in_mm(circumference),
+                      "state the gap between the ends of the ring in the bore, for example \"0.3 mm\""});
+}
+
+/// What the terms of one list add to the radius at most, at any one height [m].
+double largest_deviation(const std::vector<FourierTerm>& terms) {
+  double most = 0;
+  for (const FourierTerm& at : terms) {
+    double sum = 0;
+    for (const FourierTerm& term : terms) {
+      if (!term.height || !at.height || *term.height == *at.height) sum += std::abs(term.amplitude);
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+void check_bore(const char* key, const std::vector<FourierTerm>& terms, const Case& c, Breaches& breaches) {
+  const double deviation = largest_deviation(terms);
+  if (deviation < c.engine.bore / 2) return;
+  breaches.push_back({key,
+                      std::string("the amplitudes of ") + key + ", " + in_mm(deviation) +
+                          " together, leave no bore of the radius " + in_mm(c.engine.bore / 2),
+                      "amplitudes are deviations of the radius, for example \"15 um\""});
+}
+
+/// A term without a height holds at all; heights of one list are stated for each term or for none.
+void check_heights(const char* key, const std::vector<FourierTerm>& terms, Breaches& breaches) {
+  const auto with = std::count_if(terms.begin(), terms.end(), [](const auto& term) { return term.height.has_value(); });
+  if (with == 0 || with == static_cast<std::ptrdiff_t>(terms.size())) return;
+  breaches.push_back({key, std::string(key) + " has terms with a height and terms without one",
+                      "state the height of every term, or of none"});
+}
+
+/// Heights between which the bore is known by these sections.
+void check_covered(const char* key, const std::vector<double>& heights, double height, Breaches& breaches) {
+  if (heights.empty()) return;
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  if (height >= *low && height <= *high) return;
+  breaches.push_back({"conform.height",
+                      "conform.height = " + in_mm(height) + " is outside the bore that is known by " + key + ", " +
+                          number_text(*low * 1e3) + " to " + in_mm(*high),
+                      "heights are not extrapolated: state one between these, or more sections of the bore"});
+}
+
+std::vector<double> heights_of(const std::vector<FourierTerm>& terms) {
+  std::vector<double> heights;
+  for (const FourierTerm& term : terms) {
+    if (term.height) heights.push_back(*term.height);
+  }
+  return heights;
+}
+
+void check_place(const Case& c, Breaches& breaches) {
+  const std::vector<double> cold = heights_of(c.liner.distortion), hot = heights_of(c.liner.thermal_distortion);
+  const std::vector<double>& map = c.liner.map->height;
+  const bool varies = !cold.empty() || !hot.empty() || map.size() > 1;
+  if (c.problem == Problem::kClosure && varies && !c.conform.height) {
+    breaches.push_back({"conform.height", "conform.height is missing: the bore changes along the stroke",
+                        "state where the ring is, for example height = \"20 mm\" in [conform]",
+                        RuleBreach::By::kMissingKey});
+  } else if (c.conform.height && !varies && !c.liner.distortion_map) {
+    breaches.push_back({"conform.height", "conform.height is stated, and the bore is the same at all heights",
+                        "take it out, or state heights in liner.distortion or a liner.distortion_map"});
+  }
+  if (!c.conform.height) return;
+  check_covered("liner.distortion", cold, *c.conform.height, breaches);
+  check_covered("liner.thermal_distortion", hot, *c.conform.height, breaches);
+  check_covered("liner.distortion_map", map, *c.conform.height, breaches);
+}
+
+}  // namespace
+
+void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
+  if (!(c.engine.bore > 0)) return;  // refused by its own range
+  check_section(c, breaches);
+  check_end_gap(c, breaches);
+  check_bore("liner.distortion", c.liner.distortion, c, breaches);
+  check_bore("liner.thermal_distortion", c.liner.thermal_distortion, c, breaches);
+  check_heights("liner.distortion", c.liner.distortion, breaches);
+  check_heights("liner.thermal_distortion", c.liner.thermal_distortion, breaches);
+  check_place(c, breaches);
+}
+
+}  // namespace ringfilm::cycle

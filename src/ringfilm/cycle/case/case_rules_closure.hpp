@@ -1,0 +1,10 @@
+#pragma once
+#include "ringfilm/cycle/case/case_fields.hpp"
+
+namespace ringfilm::cycle {
+
+/// Rules of the static closure of a ring in its bore: a section that can bend, a gap that leaves a ring, a bore that is
+/// left by its distortion, heights that are covered.
+void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches);
+
+}  // namespace ringfilm::cycle

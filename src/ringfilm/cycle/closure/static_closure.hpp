@@ -1,0 +1,49 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/models/conformity/ring_closure.hpp"
+
+/// The ring of a case in its bore without film (docs/theory/conformity.md).
+namespace ringfilm::cycle {
+
+/// What a static closure sums up to. Angles count from the middle of the gap in the direction of theta.
+struct ClosureValues {
+  double max_clearance = 0;        ///< between ring and bore [m]
+  double max_clearance_angle = 0;  ///< where it is [degree]
+  double open_area = 0;            ///< clearance times B/2 over the angle, without the end gap [m2]
+  double contact_angle = 0;        ///< of all contact arcs [degree]
+  double mean_wall_force = 0;      ///< all force of the wall over 2 pi [N/rad]
+  double share_in_points = 0;      ///< of the wall's force, in point forces [-]
+  double moment_at_back = 0;       ///< opposite the gap, closing positive [N m]
+  double tangential_force = 0;     ///< F_t = p h B/2 with the mean target pressure p [N]
+  double second_moment = 0;        ///< of the section, I [m4]
+  double free_gap = 0;             ///< opening of the free ring less the end gap, to first order [m]
+  double projection = 0;           ///< term of order 1 that balances the target pressure, over its mean [-]
+  double unbalanced_share = 0;     ///< of wall and gas, over the tangential force [-]
+};
+
+/// A value of a static closure and where `ClosureValues` has it.
+struct ClosureQuantity : Quantity {
+  double ClosureValues::*value;  ///< the member that holds it
+};
+const std::vector<ClosureQuantity>& closure_quantities();  ///< in the order of files and tables
+
+struct StaticClosure {
+  models::RingClosure ring;  ///< angles from the middle of the gap [rad]
+  ClosureValues values;
+  std::vector<std::string> notes;  ///< on models used outside their range
+};
+
+/// Deviation of the bore's radius around the bore at the height of the case, all its parts together [m over rad].
+models::FourierSeries bore_deviation(const Case& c);
+
+/// The ring as a beam.
+models::RingBeam ring_beam(const Case& c);
+
+/// Solves the contact of ring and bore. Of a pack the first ring. Throws InputError, ConvergenceError.
+StaticClosure static_closure(const Case& c);
+
+}  // namespace ringfilm::cycle

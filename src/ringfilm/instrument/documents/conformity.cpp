@@ -1,0 +1,160 @@
+#include "ringfilm/instrument/documents/conformity.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+
+#include "ringfilm/instrument/documents/surface_values.hpp"
+
+namespace ringfilm::instrument {
+namespace {
+
+using std::numbers::pi;
+
+double degrees(double angle) { return angle * 180 / pi; }
+
+/// Whole degrees and both ends of the ring [rad].
+std::vector<double> places(const models::RingClosure& ring) {
+  const double start = ring.ring().start(), end = ring.ring().end();
+  std::vector<double> all{start};
+  for (int i = 0; i <= 360; ++i) {
+    const double phi = i * pi / 180;
+    if (phi > start && phi < end) all.push_back(phi);
+  }
+  all.push_back(end);
+  return all;
+}
+
+void append_arcs(const models::RingClosure& ring, io::Measurement& all) {
+  io::MeasuredTable arcs{kContactArcs, "Contact arcs", {}, {}, {}};
+  add_column(arcs, "from", "start of the arc from the middle of the gap", "phi_a", "degree", "degree");
+  add_column(arcs, "to", "end of the arc", "phi_b", "degree", "degree");
+  for (const models::ContactArc& arc : ring.arcs()) {
+    add_row(arcs, "", std::vector<double>{degrees(arc.from), degrees(arc.to)});
+  }
+  io::MeasuredTable points{kContactPoints, "Contacts in a point", {}, {}, {}};
+  add_column(points, "angle", "angle from the middle of the gap", "phi", "degree", "degree");
+  for (const models::ContactArc& point : ring.points()) add_row(points, "", std::vector<double>{degrees(point.from)});
+  io::MeasuredTable forces{kPointForces, "Point forces of the wall", {}, {}, {}};
+  add_column(forces, "angle", "angle from the middle of the gap", "phi", "degree", "degree");
+  add_column(forces, "force", "force of the wall, inwards", "P", "N", "N");
+  for (const models::PointForce& one : ring.point_forces()) {
+    add_row(forces, "", std::vector<double>{degrees(one.phi), one.force});
+  }
+  for (io::MeasuredTable* table : {&arcs, &points, &forces}) {
+    table->row_labels.clear();
+    all.tables.push_back(std::move(*table));
+  }
+}
+
+io::MeasuredCurve curve_around(const models::RingClosure& ring, const std::string& name, const std::string& title,
+                               const std::string& caption, const io::MeasuredAxis& axis) {
+  io::MeasuredCurve curve;
+  curve.name = name;
+  curve.title = title;
+  curve.caption = caption;
+  curve.x_axis = {"angle", "angle from the middle of the gap", "degree", "degree"};
+  curve.y_axis = axis;
+  for (const double phi : places(ring)) curve.x.push_back(degrees(phi));
+  return curve;
+}
+
+void add_series(const models::RingClosure& ring, const std::string& name, const std::string& label,
+                const std::function<double(double)>& value, io::MeasuredCurve& curve) {
+  io::MeasuredSeries series{name, label, {}};
+  for (const double phi : places(ring)) series.y.push_back(value(phi));
+  curve.series.push_back(std::move(series));
+}
+
+void append_curves(const models::RingClosure& ring, io::Measurement& all) {
+  auto clearance = curve_around(ring, "clearance_around", "Clearance",
+                                "clearance between ring and bore around the bore; zero in contact arcs",
+                                {"clearance", "clearance", "m", "um"});
+  add_series(
+      ring, "clearance", "ring to bore", [&](double phi) { return ring.clearance(phi); }, clearance);
+  auto shape = curve_around(ring, "bore_around", "Bore and ring",
+                            "deviation of the radius from the nominal one: the bore, and the ring that bends in it",
+                            {"deviation", "deviation of the radius", "m", "um"});
+  add_series(
+      ring, "bore", "bore", [&](double phi) { return ring.ring().bore()(phi); }, shape);
+  add_series(
+      ring, "ring", "ring", [&](double phi) { return ring.ring().bore()(phi) - ring.clearance(phi); }, shape);
+  auto force = curve_around(ring, "force_around", "Force of the wall",
+                            "force of the wall from the end of the ring on; it jumps by the point forces",
+                            {"cumulative_force", "force of the wall up to here", "N", "N"});
+  add_series(
+      ring, "cumulative_force", "wall", [&](double phi) { return ring.force_up_to(phi); }, force);
+  auto moment = curve_around(ring, "moment_around", "Bending moment",
+                             "bending moment of the ring in the bore, and in a round one; positive closes the ring",
+                             {"moment", "bending moment", "N m", "N m"});
+  add_series(
+      ring, "moment", "in this bore", [&](double phi) { return ring.moment(phi); }, moment);
+  add_series(
+      ring, "target_moment", "in a round bore", [&](double phi) { return ring.ring().beam().target_moment(phi); },
+      moment);
+  for (io::MeasuredCurve* curve : {&clearance, &shape, &force, &moment}) all.curves.push_back(std::move(*curve));
+}
+
+std::string exact(double value) { return fmt::format("{}", value + 0.0); }
+
+}  // namespace
+
+io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::StaticClosure& closure) {
+  const cycle::Case& c = whole.rings.empty() ? whole : whole.rings.front();
+  io::Measurement all;
+  all.kind = "conformity";
+  all.title = c.title.empty() ? "Ring in its bore" : c.title;
+  for (const cycle::InputFile& file : c.files) all.sources.push_back(file.role + ": " + file.path);
+  const models::RingBeam& beam = closure.ring.ring().beam();
+  all.statements = {
+      "static closure: thin curved beam, rigid wall without friction, small deflections about the closed ring",
+      "angles count from the middle of the gap in the direction of theta",
+      fmt::format("target pressure: its mean and its orders, and {:.3g} % of order 1 that balance it on a ring with an "
+                  "end gap of {:.4g} mm",
+                  100 * beam.projection(), 1e3 * beam.size().end_gap)};
+  all.notes = closure.notes;
+  all.notes.insert(all.notes.begin(), c.notes.begin(), c.notes.end());
+  if (!whole.rings.empty()) all.notes.push_back("of the pack the first ring is computed");
+  io::MeasuredGroup group{"Closure", {}};
+  for (const cycle::ClosureQuantity& one : cycle::closure_quantities()) {
+    group.values.push_back(
+        value_of(one.name, one.long_name, one.symbol, one.unit, one.display_unit, closure.values.*one.value, ""));
+  }
+  all.groups.push_back(std::move(group));
+  all.key_values = {"max_clearance", "open_area", "contact_angle"};
+  append_arcs(closure.ring, all);
+  append_curves(closure.ring, all);
+  return all;
+}
+
+std::vector<ClosureColumn> closure_columns(const cycle::StaticClosure& closure) {
+  const models::RingClosure& ring = closure.ring;
+  std::vector<ClosureColumn> columns = {{"angle", "degree", {}},       {"bore", "m", {}},
+                                        {"clearance", "m", {}},        {"line_force", "N/rad", {}},
+                                        {"cumulative_force", "N", {}}, {"moment", "N m", {}}};
+  for (const double phi : places(ring)) {
+    const double row[] = {degrees(phi),         ring.ring().bore()(phi), ring.clearance(phi),
+                          ring.line_force(phi), ring.force_up_to(phi),   ring.moment(phi)};
+    for (std::size_t k = 0; k < columns.size(); ++k) columns[k].values.push_back(row[k]);
+  }
+  return columns;
+}
+
+std::string conformity_csv(const cycle::StaticClosure& closure) {
+  const std::vector<ClosureColumn> columns = closure_columns(closure);
+  std::string text;
+  for (const ClosureColumn& column : columns) {
+    text += (text.empty() ? "" : ",") + column.name + " [" + column.unit + "]";
+  }
+  text += "\n";
+  for (std::size_t i = 0; i < columns.front().values.size(); ++i) {
+    for (std::size_t k = 0; k < columns.size(); ++k) text += (k > 0 ? "," : "") + exact(columns[k].values[i]);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
+
+namespace ringfilm::io {
+
+/// A measured bore.
+struct BoreMapFile {
+  cycle::BoreMap map;
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads a CSV file with the columns `height [mm],angle [degree],deviation [um]`, all angles of one height and then of
+/// the next; angles are evenly spaced over one turn and the same at all heights, which rise. Throws InputError with
+/// its faults: holes, angles that are not a whole turn, a last angle that repeats the first with another deviation.
+BoreMapFile read_bore_map(const NamedFile& file, const Units& units);
+
+}  // namespace ringfilm::io
