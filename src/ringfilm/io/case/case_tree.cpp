@@ -20,12 +20,13 @@ constexpr std::size_t kDeepestInclude = 8;
 const std::string kOilSection = "lubricant.";
 const char* const kOilFile = "lubricant.file";
 const char* const kOilGrade = "lubricant.grade";
+const char* const kThickness = "ring.radial_thickness";
 
 /// Several ways to state one thing, each with its keys.
 using Ways = std::vector<std::vector<std::string>>;
 /// Of these a case states one way. The first key of a way decides.
 const std::vector<Ways> kWays = {
-    {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.free_gap", "ring.radial_thickness"}},
+    {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.free_gap", kThickness}},
     {{"pad.separation", "pad.oscillation.amplitude", "pad.oscillation.period", "pad.oscillation.phase"},
      {"pad.load"},
      {"pad.separation_history"}},
@@ -359,6 +360,8 @@ class Gatherer {
   /// one of them.
   void drop_other_ways(const std::vector<TomlEntry>& stated) {
     if (dropped_ == nullptr) return;
+    const TomlEntry* const gas = in_force("gas_path.model", stated);
+    const bool is_gas_computed = gas != nullptr && gas->value.text == "orifice-volume";
     for (const TomlEntry& entry : stated) {
       const auto of_ring = cycle::ring_key(entry.key);
       const std::string key = plain_key(entry.key);
@@ -367,6 +370,7 @@ class Gatherer {
         if (std::none_of(ways.begin(), ways.end(), is_this)) continue;
         for (const std::vector<std::string>& way : ways) {
           for (const std::string& other : way) {
+            if (is_gas_computed && other == kThickness) continue;  // the gas path uses it as well
             if (!is_this(way)) drop(of_ring ? cycle::pack_key(of_ring->ring, other) : other);
           }
         }
