@@ -97,6 +97,12 @@ class GasTest(program.ProgramTest):
         self.assertEqual({event["event"].split("-")[0] for event in events}, {"leaves", "lands"})
         self.assertEqual([event["crank_angle"] for event in events], sorted(e["crank_angle"] for e in events))
 
+    def test_another_tension_leaves_the_thickness_to_the_gas(self):
+        done = self.run_program("gas", "pack.toml", "--json", "--set", "ring.1.tangential_force=30 N")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("ring.1.elastic_pressure", done.stderr)
+        self.assertNotIn("ring.1.radial_thickness", done.stderr)
+
     def test_csv_has_each_degree(self):
         self.run_well("gas", "pack.toml", "--csv", "gas.csv")
         with open(self.folder / "gas.csv", encoding="utf-8", newline="") as file:

@@ -53,6 +53,15 @@ TEST(CrankSlider, VelocityIntegratesToTheStroke) {
   EXPECT_NEAR(travelled, kV12.stroke(), 1e-14);  // an analytic integrand: the rule is exact to rounding
 }
 
+TEST(CrankSlider, AccelerationIsTheSlopeOfTheVelocity) {
+  const double step = 1e-5;
+  for (double phi = 0; phi < 4 * pi; phi += 0.1) {
+    const double slope = (kV12.velocity(phi + step, k1500Rpm) - kV12.velocity(phi - step, k1500Rpm)) / (2 * step);
+    EXPECT_NEAR(kV12.acceleration(phi, k1500Rpm), slope * k1500Rpm, 1e-5) << phi;  // of 1000 m/s2
+  }
+  EXPECT_LT(kV12.acceleration(0, k1500Rpm), 0);  // from TDC the piston goes down
+}
+
 TEST(CrankSlider, BecomesASineWithAnEndlessRod) {
   const CrankSlider slider{.crank_radius = 0.04, .connecting_rod_length = 4e7};
   // The next term is r/l = 1e-9 of the first.
