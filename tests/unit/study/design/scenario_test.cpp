@@ -82,12 +82,12 @@ TEST(Scenario, ChoicesComeFirstWhateverTheirPlace) {
                           factor("film.cavitation", Choices{{{"mass-conserving", {}}, {"reynolds-exit", {}}}})});
   study.readings.push_back({{1}, [](cycle::Case& c, std::size_t, const auto&) {
                               for (auto& point : c.lubricant.kinematic_viscosity)
-                                point.value = 1e-5 / (point.temperature - 270);
+                                point.value = 1e-3 / (point.temperature - 270);
                             }});
   const auto made = outcome(study, {3, 0, 1}).c;
   ASSERT_TRUE(made);
   const auto& first = made->lubricant.kinematic_viscosity.front();
-  EXPECT_DOUBLE_EQ(first.value, 3e-5 / (first.temperature - 270));
+  EXPECT_DOUBLE_EQ(first.value, 3e-3 / (first.temperature - 270));
   EXPECT_EQ(made->film.cavitation, cycle::Cavitation::kReynoldsExit);
   EXPECT_EQ(outcome(study, {3, 0, 0}).c->film.cavitation, cycle::Cavitation::kMassConserving);
 }
