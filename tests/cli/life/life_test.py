@@ -1,6 +1,7 @@
 """The life of a ring: `ringfilm life LIFE.toml`, its numbers, its files, its refusals."""
 
 import json
+import math
 import unittest
 
 import program
@@ -152,7 +153,83 @@ class Fit(LifeTest):
             [min(*ends, last["mean_power_loss"]), max(*ends, last["mean_power_loss"])], last["band"]["mean_power_loss"]
         )
 
+    def test_the_coefficient_that_was_used_is_the_geometric_mean(self):
+        wear = self.fit()["wear"]
+        low, high = wear["fit"]["coefficient"]
+        self.assertAlmostEqual(wear["coefficient"] / math.sqrt(low * high), 1, delta=1e-12)
+        (note,) = (note for note in self.fit()["notes"] if note["topic"] == "wear-scenario")
+        self.assertIn("is fitted to the measured faces", note["message"])
+        for name in ("coefficient", "rms", "half_width", "untrusted_margin", "tilt", "largest_worn_area"):
+            self.assertIn(name, self.fit()["units"])
+
+    def test_a_state_that_need_not_have_lost_anything_has_no_coefficient(self):
+        between = '[[state]]\nhours = "2 h"\ncase = "case.toml"\n'
+        (self.folder / "fit.toml").write_text(
+            FIT.replace('[[state]]\nhours = "4 h"', between + '[[state]]\nhours = "4 h"')
+        )
+        rows = self.life("fit.toml")["wear"]["fit"]["rows"]
+        self.assertEqual([row["coefficient"] for row in rows if row["hours"] == 2], [None] * 6)
+        self.assertTrue(all(row["coefficient"] for row in rows if row["hours"] == 4))
+
+    def test_a_face_that_a_scenario_made_gives_its_coefficient(self):
+        """Its edges are worn, so that the lower bounds are below its area: it is found behind them."""
+        flat = program.CASE.replace("15 um", "2 um")
+        (self.folder / "flat.toml").write_text(flat)
+        coefficient = 4e-16
+        archard = ARCHARD.replace("case.toml", "flat.toml").replace("4e-18", repr(coefficient))
+        (self.folder / "archard.toml").write_text(archard)
+        made = self.life("archard.toml")
+        last = made["states"][-1]
+        points = "".join(f"{x * 1e3!r},{h * 1e6!r}\n" for x, h in zip(made["x"], last["face_height"], strict=True))
+        (self.folder / "face.csv").write_text("x [mm],height [um]\n" + points)
+        parabola = 'form = "parabola"\ncrown_height = "2 um"\n'
+        (self.folder / "made.toml").write_text(flat.replace(parabola, 'form = "points"\nfile = "face.csv"\n'))
+        (self.folder / "fit.toml").write_text(FIT.replace("case.toml", "flat.toml").replace("worn.toml", "made.toml"))
+        rows = self.life("fit.toml")["wear"]["fit"]["rows"]
+        self.assertLess(max(row["worn_area"] for row in rows if row["basis"] == "least-wear"), 0.8 * last["worn_area"])
+        for row in (row for row in rows if row["basis"] == "closest-face"):
+            self.assertAlmostEqual(row["coefficient"] / coefficient, 1, delta=0.01)
+            self.assertLess(row["rms"], 0.01e-6)
+
+    def test_the_shipped_fit_gives_the_table_of_the_theory(self):
+        """With half of the cells and crank steps; the nodes within a half width are others then."""
+        shipped = (SHIPPED.parent / "fitted.toml").read_text(encoding="utf-8")
+        shipped = shipped.replace("../styles2014", str(SHIPPED.parents[1] / "styles2014"))
+        coarse = 'set = { "solver.cells" = 60, "solver.crank_step" = "4 degree" }\nspeed'
+        (self.folder / "fit.toml").write_text(shipped.replace("\nspeed", "\n" + coarse))
+        rows = self.life("fit.toml")["wear"]["fit"]["rows"]
+        theory = (program.SOURCES / "docs" / "theory" / "life.md").read_text(encoding="utf-8")
+        table = [
+            [float(cell) for cell in line.split("|")[2:6]]
+            for line in theory.splitlines()
+            if line.startswith(("| least wear", "| closest face"))
+        ]
+        for k, (first_area, first, last_area, last) in enumerate(table):
+            for row, area, coefficient in ((rows[k], first_area, first), (rows[k + len(table)], last_area, last)):
+                with self.subTest(basis=row["basis"], hours=row["hours"], trusted=k):
+                    delta = 0.06 if row["basis"] == "least-wear" else 0.3
+                    self.assertAlmostEqual(row["worn_area"] * 1e9 / area, 1, delta=delta)
+                    self.assertAlmostEqual(row["coefficient"] / coefficient, 1, delta=delta)
+
+    def test_the_coating_of_each_scenario_of_the_band_is_reported(self):
+        text = FIT.replace('"4 h"]', '"4 h", "8 h"]').replace('"fit"', '"fit"\ncoating_thickness = "6 um"')
+        (self.folder / "fit.toml").write_text(text + '[end_of_life]\nlargest_worn_depth = "5.9 um"\n')
+        reported = self.life("fit.toml")
+        self.assertIsNone(reported["wear"]["coating_worn_through_hours"])
+        (note,) = (note["message"] for note in reported["notes"] if note["topic"] == "coating-worn-through")
+        self.assertRegex(note, r"worn through after [4-8]\.?\d* h with the highest fitted coefficient; nothing later")
+        (end,) = reported["end_of_life"]
+        self.assertIsNone(end["hours"])
+        self.assertGreater(end["interpolations"]["highest fitted coefficient"], 4)
+
     def test_refusals(self):
+        self.refused(
+            FIT.replace('"fit"', '"fit"\nrunning_in_time = "2 h"'), "running_in_time means nothing with coefficient"
+        )
+        self.refused(FIT.replace('"fit"', '"fit"\nsurface = "path"'), 'wear.surface = "path" cannot be combined')
+        self.refused(
+            FIT.replace('"case.toml"\nmode', '"worn.toml"\nmode'), "the face of the base case and that of the first"
+        )
         self.refused(
             FIT.replace("[[state]]", 'running_in_coefficient = "1e-17 m2/N"\n[[state]]', 1),
             'wear.running_in_coefficient means nothing with coefficient = "fit"',
@@ -222,6 +299,27 @@ class CommonDatum(LifeTest):
         self.assertNotIn("wear-not-determined", [note["topic"] for note in self.life()["notes"]])
         swapped = text.replace("first.toml", "x").replace("second.toml", "first.toml").replace("x", "second.toml")
         self.refused(swapped + '[path]\ndatum = "common"\n', "has gained 1 um of material")
+
+    def test_limits_on_other_interpolations_use_their_own_depth(self):
+        """The same parabolas; between 0 and 10 h the depth is a share of 1 um, straight between the reported hours."""
+        for name, offset in (("first.toml", 0.0), ("second.toml", 1.0)):
+            face = f'form = "polynomial"\ncoefficients = [40.0, -48.0, {14.4 + offset}]\n'
+            (self.folder / name).write_text(
+                program.CASE.replace(
+                    'form = "parabola"\ncrown_height = "15 um"\n', face + 'length_unit = "mm"\nheight_unit = "um"\n'
+                )
+            )
+        text = LIFE.replace("case.toml", "first.toml").replace("worn.toml", "second.toml")
+        limit = '[path]\ndatum = "common"\n[end_of_life]\nlargest_worn_depth = "0.5 um"\n'
+        (self.folder / "life.toml").write_text(text + limit)
+        reported = self.life()
+        (end,) = reported["end_of_life"]
+        share = math.log(3) / math.log(11)
+        self.assertAlmostEqual(end["hours"], 2 + 8 * (0.5 - share) / (1 - share), delta=1e-6)
+        self.assertAlmostEqual(end["interpolations"]["linear in time"], 2 + 8 * 0.3 / 0.8, delta=1e-6)
+        low, high = reported["states"][1]["band"]["largest_worn_depth"]
+        self.assertAlmostEqual(low, 0.2e-6, delta=1e-12)
+        self.assertGreater(high, share * 1e-6)
 
     def test_the_faces_of_the_paper_have_no_common_datum(self):
         shipped = SHIPPED.read_text(encoding="utf-8").replace("../styles2014", str(SHIPPED.parents[1] / "styles2014"))
