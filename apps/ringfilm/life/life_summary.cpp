@@ -84,7 +84,7 @@ std::string fit_table(const life::CoefficientFit& fit) {
                         row.coefficient ? fmt::format("{:.2g}", *row.coefficient) : "not determined");
   }
   return text +
-         fmt::format("the measured faces allow mean coefficients from {:.2g} to {:.2g} m2/N, a factor of {:.2g}\n",
+         fmt::format("the measured faces allow mean coefficients from {:.2g} to {:.2g} m2/N, a factor of {:.3g}\n",
                      fit.range.low, fit.range.high, fit.range.high / fit.range.low);
 }
 

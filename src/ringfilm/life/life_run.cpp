@@ -53,13 +53,6 @@ std::vector<double> lost_since_first(const Life& life, const Interpolation& path
   return lost;
 }
 
-/// By the trapezoidal rule.
-double area_under(const std::vector<double>& x, const std::vector<double>& y) {
-  double sum = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) sum += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
-  return sum;
-}
-
 /// What faces state about wear: with one datum the wear itself, else lower bounds at measured states.
 void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, LifeState& state) {
   if (life.datum == Datum::kCommon) {
