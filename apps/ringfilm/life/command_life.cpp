@@ -35,7 +35,7 @@ io::LifeFile checked_life(const LifeOptions& options) {
 void check_end(const life::LifeResult& result) {
   if (!result.wear || !result.wear->worn_through) return;
   throw FailedChecks(fmt::format("the coating is worn through after {}; nothing later was computed",
-                                 life::hours_text(*result.wear->worn_through)));
+                                 life::hours_text(result.wear->worn_through->time)));
 }
 
 }  // namespace

@@ -81,10 +81,10 @@ std::string fit_table(const life::CoefficientFit& fit) {
                                        : fmt::format("closest face, +-{:.2g} mm", row.trusted * 1e3);
     text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis, row.worn_area * 1e9,
                         row.rms ? fmt::format("{:.2f}", *row.rms * 1e6) : "",
-                        row.coefficient ? fmt::format("{:.2g}", *row.coefficient) : "none");
+                        row.coefficient ? fmt::format("{:.2g}", *row.coefficient) : "not determined");
   }
   return text +
-         fmt::format("the measured faces allow mean coefficients from {:.2g} to {:.2g} m2/N, a factor of {:.2g}\n",
+         fmt::format("the measured faces allow mean coefficients from {:.2g} to {:.2g} m2/N, a factor of {:.3g}\n",
                      fit.range.low, fit.range.high, fit.range.high / fit.range.low);
 }
 

@@ -32,6 +32,7 @@ class Scenario {
   void integrate();
   void check_wedge(const WornDepths& now);
   WornProfile profile(const WornDepths& depths) const;
+  WearThrough end_of_coating(const WornDepths& depths) const;
   void compare_with_measured(LifeState& state) const;
   std::optional<CoefficientRange> implied_coefficient() const;
   void append_tilt_note();
@@ -54,6 +55,16 @@ WornProfile Scenario::profile(const WornDepths& depths) const {
   WornProfile worn = worn_profile(depths.face, wear_.area(depths.face), life_.wear.coating_thickness);
   worn.liner_depth = depths.liner;
   return worn;
+}
+
+/// With the depth of the coating without the round-off of its interpolation, so that a limit of that depth is met.
+WearThrough Scenario::end_of_coating(const WornDepths& depths) const {
+  const double thickness = life_.wear.coating_thickness.value_or(kAssumedCoating);
+  WearThrough end{depths.time, profile(depths)};
+  end.worn.largest_depth = thickness;
+  end.worn.end_gap_growth = 2 * std::numbers::pi * thickness;
+  if (end.worn.coating_left) end.worn.coating_left = 0;
+  return end;
 }
 
 void Scenario::compare_with_measured(LifeState& state) const {
@@ -118,6 +129,12 @@ void Scenario::append_tilt_note() {
 
 /// Equal jumps are not taken again where they are too long.
 void Scenario::append_jump_note() {
+  if (life_.wear.jumps && result_.wear->effort.lacks_last_stage) {
+    result_.notes.push_back({"jumps-few",
+                             "the jump through the coating has its first stage alone, since a face that deep has no "
+                             "cycle: take more wear.jumps, or leave them out",
+                             1});
+  }
   const double difference = result_.wear->effort.stage_difference, allowed = Wear{}.jump_error;
   if (!life_.wear.jumps || difference <= 1.5 * allowed) return;
   result_.notes.push_back({"jumps-few",
@@ -126,17 +143,22 @@ void Scenario::append_jump_note() {
                            1});
 }
 
+/// @param which scenario, e.g. " with the ring turned over"; empty: the one that is reported
+void append_coating_note(const Life& life, const std::optional<WearThrough>& end, const std::string& which,
+                         LifeResult& result) {
+  if (!end) return;
+  const auto& stated = life.wear.coating_thickness;
+  const double thickness = stated.value_or(kAssumedCoating);
+  result.notes.push_back({"coating-worn-through",
+                          "the coating of " + number_text(thickness * 1e6) + " um" +
+                              (stated ? "" : " (assumed: state wear.coating_thickness)") + " is worn through after " +
+                              hours_text(end->time) + which + "; nothing later was computed",
+                          1});
+}
+
 void Scenario::append_notes() {
   cycle::sort_notes(result_.notes);
-  if (const auto& when = result_.wear->worn_through) {
-    const auto& stated = life_.wear.coating_thickness;
-    const double thickness = stated.value_or(kAssumedCoating);
-    result_.notes.push_back({"coating-worn-through",
-                             "the coating of " + number_text(thickness * 1e6) + " um" +
-                                 (stated ? "" : " (assumed: state wear.coating_thickness)") +
-                                 " is worn through after " + hours_text(*when) + "; nothing later was computed",
-                             1});
-  }
+  append_coating_note(life_, result_.wear->worn_through, "", result_);
   if (const auto& when = result_.wear->wedge_gone) {
     result_.notes.push_back({"wedge-gone",
                              "after " + hours_text(*when) +
@@ -144,9 +166,13 @@ void Scenario::append_notes() {
                                  "wedge is gone there, and wear accelerates",
                              1});
   }
+  const std::string origin = life_.wear.source == CoefficientSource::kFitted
+                                 ? "is fitted to the measured faces with this duty"
+                                 : "is an input of this scenario";
   result_.notes.push_back({"wear-scenario",
-                           "the wear coefficient is an input of this scenario, not a property of the coating: oil "
-                           "temperature, duty and roughness change the implied one by more than a factor of two",
+                           "the wear coefficient " + origin +
+                               ", not a property of the coating: oil temperature, duty and roughness change the "
+                               "implied one by more than a factor of two",
                            1});
   append_tilt_note();
   append_jump_note();
@@ -155,6 +181,7 @@ void Scenario::append_notes() {
 
 void Scenario::integrate() {
   result_.wear.emplace();
+  result_.wear->coefficient = life_.wear.coefficient;
   std::vector<double> times;
   for (const ReportedTime& reported : life_.times) times.push_back(reported.time);
   WearLimits limits;
@@ -167,7 +194,7 @@ void Scenario::integrate() {
       life_.wear, times, wear_.face().n_nodes(), wear_.n_liner(),
       [this](double time, const std::vector<double>& worn) { return wear_.load(time, worn); }, limits);
   result_.wear->effort = history.effort;
-  result_.wear->worn_through = history.worn_through;
+  if (history.worn_through) result_.wear->worn_through = end_of_coating(*history.worn_through);
   result_.liner_position = wear_.liner_position();
   result_.cycles = wear_.cycles();
   for (const WornDepths& depths : history.states) {
@@ -225,6 +252,7 @@ std::string two_digits(double value) {
 void append_path(const std::string& name, LifeResult end, LifeResult& result) {
   result.other_paths.push_back({name, {}});
   result.cycles += end.cycles;
+  result.wear->other_worn_through.push_back(std::move(end.wear->worn_through));
   for (std::size_t i = 0; i < result.states.size(); ++i) {
     LifeState& state = result.states[i];
     const bool is_there = i < end.states.size();
@@ -240,6 +268,7 @@ LifeResult run_fitted(const Life& life, const CycleIntegrators& integrators) {
   LifeResult result = Scenario(with_coefficient(life, std::sqrt(low * high)), integrators).run();
   for (const auto& [name, end] : {std::pair{"lowest fitted coefficient", low}, {"highest fitted coefficient", high}}) {
     append_path(name, Scenario(with_coefficient(life, end), integrators).run_values(), result);
+    append_coating_note(life, result.wear->other_worn_through.back(), std::string(" with the ") + name, result);
   }
   result.cycles += fit.cycles;
   result.notes.push_back({"coefficient-fitted",
@@ -264,6 +293,8 @@ LifeResult run_archard(const Life& life, const CycleIntegrators& integrators) {
     result.states[i].turned = std::move(end.states[i].values);
     result.states[i].turned_worn = std::move(end.states[i].worn);
   }
+  append_coating_note(life, end.wear->worn_through, " with the ring turned over", result);
+  result.wear->turned_worn_through = std::move(end.wear->worn_through);
   return result;
 }
 

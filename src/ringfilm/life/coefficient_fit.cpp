@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/life/duty_wear.hpp"
 #include "ringfilm/life/wear/face_distance.hpp"
@@ -15,15 +16,26 @@ namespace {
 /// What a measured face requires of a scenario: an area, or to be as close as possible.
 struct Target {
   FittedCoefficient row;
-  std::vector<double> face;  ///< of FittedCoefficient::Basis::kClosestFace, at the nodes [m]
+  std::vector<double> face;  ///< of FitBasis::kClosestFace, at the nodes [m]
 };
 
 /// The face after some wear, on the way to all targets.
-struct Waypoint {
+struct PathPoint {
   double clock = 0;  ///< integral of the coefficient over the running time [m2 s/N]
   double area = 0;   ///< [m2]
   std::vector<double> height;
 };
+
+/// Where a path between two faces is closest to a third: its squared distance is a parabola of the share of the way.
+struct Closest {
+  double share = 0, square = 0;  ///< of the way; of the rms distance [m2]
+};
+Closest closest_between(double at_start, double halfway, double at_end) {
+  const double bend = 2 * (at_start - 2 * halfway + at_end), slope = 4 * halfway - 3 * at_start - at_end;
+  double share = at_end < at_start ? 1 : 0;
+  if (bend > 0) share = std::clamp(-0.5 * slope / bend, 0.0, 1.0);
+  return {share, std::max(0.0, at_start + share * (slope + share * bend))};
+}
 
 class Fit {
  public:
@@ -31,16 +43,14 @@ class Fit {
 
   CoefficientFit run() {
     const std::vector<Target> targets = targets_of_faces();
-    double largest = 0;
-    for (const Target& target : targets) largest = std::max(largest, target.row.worn_area);
-    pass_faces_until(largest);
+    follow_faces(targets);
     CoefficientFit fit;
     fit.range = {std::numeric_limits<double>::infinity(), 0};
     fit.largest_area = path_.back().area;
     for (const Target& target : targets) {
       FittedCoefficient row = target.row;
       const std::optional<double> clock = target.face.empty() ? clock_at(row.worn_area) : closest(target, row);
-      if (clock) row.coefficient = *clock / row.time;
+      if (clock && *clock > 0 && row.worn_area > kNegligibleArea) row.coefficient = *clock / row.time;
       fit.rows.push_back(row);
       if (!row.coefficient || row.time != life_.states.back().time) continue;
       fit.range.low = std::min(fit.range.low, *row.coefficient);
@@ -83,8 +93,11 @@ class Fit {
     return targets;
   }
 
-  void pass_faces_until(double largest) {
-    Waypoint start;
+  /// Until the face has lost the largest area of the targets and moves away from all the faces that it shall approach.
+  void follow_faces(const std::vector<Target>& targets) {
+    double largest = 0;
+    for (const Target& target : targets) largest = std::max(largest, target.row.worn_area);
+    PathPoint start;
     start.height = wear_.face().heights(std::vector<double>(wear_.face().n_nodes(), 0.0), 0);
     path_ = {start};
     WearLimits limits;
@@ -93,14 +106,33 @@ class Fit {
       path_.push_back(
           {coefficient_integral(life_.wear, 0, now.time), wear_.area(now.face), wear_.face().heights(now.face, 0)});
     };
-    limits.is_enough = [this, largest] { return path_.back().area >= largest; };
-    integrate_wear(
-        life_.wear, {kLongestTime}, wear_.face().n_nodes(), 0,
-        [this](double time, const std::vector<double>& worn) { return wear_.load(time, worn); }, limits);
+    limits.is_enough = [&] {
+      return path_.back().area >= largest && std::all_of(targets.begin(), targets.end(), [this](const Target& target) {
+               return target.face.empty() || moves_away(target);
+             });
+    };
+    try {
+      integrate_wear(
+          life_.wear, {kLongestTime}, wear_.face().n_nodes(), 0,
+          [this](double time, const std::vector<double>& worn) { return wear_.load(time, worn); }, limits);
+    } catch (const ConvergenceError&) {
+      if (path_.back().area < largest) throw;  // else the path ends where a deeper face has no cycle
+    }
+  }
+
+  double square_distance(const Target& target, const std::vector<double>& height) const {
+    const double rms = rms_distance(wear_.face().x(), height, target.face, target.row.trusted);
+    return rms * rms;
+  }
+
+  bool moves_away(const Target& target) const {
+    const std::size_t n = path_.size();
+    return n > 1 && square_distance(target, path_[n - 1].height) > square_distance(target, path_[n - 2].height);
   }
 
   /// When the face has lost an area; nothing where the path ended before.
   std::optional<double> clock_at(double area) const {
+    if (area <= kNegligibleArea) return std::nullopt;
     for (std::size_t i = 1; i < path_.size(); ++i) {
       if (path_[i].area < area) continue;
       const double share = (area - path_[i - 1].area) / (path_[i].area - path_[i - 1].area);
@@ -109,25 +141,33 @@ class Fit {
     return std::nullopt;
   }
 
-  /// When it is closest to a measured face; nothing where that is before any wear.
+  /// When it is closest to a measured face; nothing where that is before any wear or at the end of the path.
   std::optional<double> closest(const Target& target, FittedCoefficient& row) const {
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < path_.size(); ++i) {
-      const double rms = rms_distance(wear_.face().x(), path_[i].height, target.face, row.trusted);
-      if (rms >= least) continue;
-      least = rms;
-      at = i;
+    if (path_.size() < 2) return std::nullopt;
+    double least = square_distance(target, path_[0].height);
+    double way = 0;  // in jumps
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const PathPoint &from = path_[i - 1], &to = path_[i];
+      std::vector<double> halfway;
+      for (std::size_t k = 0; k < to.height.size(); ++k) halfway.push_back(0.5 * (from.height[k] + to.height[k]));
+      const Closest there = closest_between(square_distance(target, from.height), square_distance(target, halfway),
+                                            square_distance(target, to.height));
+      if (there.square >= least) continue;
+      least = there.square;
+      way = static_cast<double>(i - 1) + there.share;
     }
-    row.rms = least;
-    row.worn_area = path_[at].area;
-    if (at == 0) return std::nullopt;
-    return path_[at].clock;
+    const std::size_t before = std::min(static_cast<std::size_t>(way), path_.size() - 2);
+    const double share = way - static_cast<double>(before);
+    const PathPoint &from = path_[before], &to = path_[before + 1];
+    row.rms = std::sqrt(least);
+    row.worn_area = from.area + share * (to.area - from.area);
+    if (way == static_cast<double>(path_.size() - 1)) return std::nullopt;
+    return from.clock + share * (to.clock - from.clock);
   }
 
   Life life_;
   DutyWear wear_;
-  std::vector<Waypoint> path_;
+  std::vector<PathPoint> path_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace ringfilm::life {
 
 /// Wear coefficients that the measured faces allow, eq-life-fit: with roughness and shear strength of the base case,
 /// the faces that a scenario passes do not depend on its coefficient, which only sets the clock. The duty wears the
-/// face until it has lost what the largest lower bound asks for.
+/// face until it has lost the largest lower bound and has passed the faces that it is compared with.
 CoefficientFit fit_coefficient(const Life& life, const CycleIntegrators& integrators);
 
 }  // namespace ringfilm::life

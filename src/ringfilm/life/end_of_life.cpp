@@ -17,11 +17,13 @@ double worn_value(const std::optional<WornProfile>& worn, const std::string& nam
   return name == "coating_left" ? worn->coating_left.value_or(kUnknown) : worn->end_gap_growth;
 }
 
-/// A state on one of several paths.
+/// A state on one of several paths; `values` are empty where the path ended before.
 struct OnPath {
   const LifeValues& values;
   const std::optional<WornProfile>& worn;
 };
+using StateOnPath = std::function<OnPath(const LifeState&)>;
+
 OnPath on_other_path(const LifeState& state, std::size_t k) {
   return {state.other_paths[k], state.other_worn.empty() ? state.worn : state.other_worn[k]};
 }
@@ -31,6 +33,45 @@ std::optional<std::size_t> life_quantity_index(const std::string& name) {
     if (life_quantities()[i].name == name) return i;
   }
   return std::nullopt;
+}
+
+/// A quantity over the running time of a path.
+struct Series {
+  std::vector<double> times, values;
+
+  void append(double time, double value) {
+    times.push_back(time);
+    values.push_back(value);
+  }
+};
+
+Series cycle_series(const LifeResult& result, const StateOnPath& on_path, std::size_t quantity) {
+  Series series;
+  for (const LifeState& state : result.states) {
+    const LifeValues& values = on_path(state).values;
+    series.append(state.time, values.empty() ? kUnknown : values[quantity]);
+  }
+  return series;
+}
+
+/// What is worn of a scenario is also known at its start and where its coating ends.
+Series worn_series(const Life& life, const LifeResult& result, const StateOnPath& on_path,
+                   const std::optional<WearThrough>& end, const std::string& quantity) {
+  Series series;
+  const bool is_computed = end || (!result.states.empty() && !on_path(result.states.front()).values.empty());
+  if (!is_computed) return series;
+  if (result.wear && (result.states.empty() || result.states.front().time > 0)) {
+    WornProfile unworn;
+    unworn.coating_left = life.wear.coating_thickness;
+    series.append(0, worn_value(unworn, quantity));
+  }
+  for (const LifeState& state : result.states) {
+    const auto& [values, worn] = on_path(state);
+    if (values.empty()) break;
+    series.append(state.time, worn_value(worn, quantity));
+  }
+  if (end) series.append(end->time, worn_value(end->worn, quantity));
+  return series;
 }
 
 }  // namespace
@@ -50,6 +91,8 @@ const std::vector<cycle::Quantity>& limitable_quantities() {
 void append_notes_of_ends(const Life& life, LifeResult& result) {
   for (const EndRule& rule : life.end_rules) {
     const bool is_known = life_quantity_index(rule.quantity).has_value() ||
+                          (result.wear && result.wear->worn_through &&
+                           !std::isnan(worn_value(result.wear->worn_through->worn, rule.quantity))) ||
                           std::any_of(result.states.begin(), result.states.end(), [&](const LifeState& state) {
                             return !std::isnan(worn_value(state.worn, rule.quantity));
                           });
@@ -75,25 +118,23 @@ std::optional<double> reaching_time(const std::vector<double>& times, const std:
 }
 
 std::vector<EndOfLife> ends_of_life(const Life& life, const LifeResult& result) {
-  std::vector<double> times;
-  for (const LifeState& state : result.states) times.push_back(state.time);
+  const WearSummary no_wear;
+  const WearSummary& wear = result.wear ? *result.wear : no_wear;
   std::vector<EndOfLife> ends;
   for (const EndRule& rule : life.end_rules) {
     const auto index = life_quantity_index(rule.quantity);
-    const auto when = [&](const std::function<OnPath(const LifeState&)>& on_path) {
-      std::vector<double> values;
-      for (const LifeState& state : result.states) {
-        const auto [there, worn] = on_path(state);
-        values.push_back(there.empty() ? kUnknown : index ? there[*index] : worn_value(worn, rule.quantity));
-      }
-      return reaching_time(times, values, rule.limit);
+    const auto when = [&](const std::optional<WearThrough>& through, const StateOnPath& on_path) {
+      const Series series =
+          index ? cycle_series(result, on_path, *index) : worn_series(life, result, on_path, through, rule.quantity);
+      return reaching_time(series.times, series.values, rule.limit);
     };
     EndOfLife end;
-    end.time = when([](const LifeState& state) { return OnPath{state.values, state.worn}; });
+    end.time = when(wear.worn_through, [](const LifeState& state) { return OnPath{state.values, state.worn}; });
     for (std::size_t k = 0; k < result.other_paths.size(); ++k) {
-      end.other_paths.push_back(when([k](const LifeState& state) { return on_other_path(state, k); }));
+      end.other_paths.push_back(when(k < wear.other_worn_through.size() ? wear.other_worn_through[k] : std::nullopt,
+                                     [k](const LifeState& state) { return on_other_path(state, k); }));
     }
-    end.turned = when([](const LifeState& state) {
+    end.turned = when(wear.turned_worn_through, [](const LifeState& state) {
       return OnPath{state.turned, state.turned_worn ? state.turned_worn : state.worn};
     });
     ends.push_back(std::move(end));

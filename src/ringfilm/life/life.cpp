@@ -1,8 +1,10 @@
 #include "ringfilm/life/life.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/table.hpp"
 #include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
@@ -86,6 +88,13 @@ void check_wear(const Life& life, std::vector<Fault>& faults) {
     }
   }
   const bool is_fitted = life.wear.source == CoefficientSource::kFitted;
+  if (is_fitted && life.wear.surface == WornSurface::kPath) {
+    faults.push_back(
+        {life.wear.mark,
+         "wear.surface = \"path\" cannot be combined with coefficient = \"fit\": the faces that a scenario "
+         "passes are independent of its coefficient only while roughness and shear strength are constant",
+         "leave wear.surface out, or state wear.coefficient"});
+  }
   if (life.wear.surface == WornSurface::kFrozen && !life.states.empty() && !is_fitted) {
     faults.push_back({life.states.front().mark, "[[state]] means nothing with wear.surface = \"frozen\"",
                       "leave the states out, or take wear.surface = \"path\""});
@@ -110,10 +119,23 @@ void check_gains(const Life& life, std::vector<Fault>& faults) {
 
 /// A coefficient follows only from faces between which something must have been lost.
 void check_fit(const Life& life, std::vector<Fault>& faults) {
-  constexpr double kNothing = 1e-15;  // [m2], 1e-6 um mm
   const MeasuredState &first = life.states.front(), &last = life.states.back();
-  const WearBound bound = least_wear(face_heights(first.input), face_heights(last.input), 0, Tilt::kFree);
-  if (bound.area > kNothing) return;
+  const FaceHeights base = face_heights(life.points.front().input), at_start = face_heights(first.input);
+  double difference = 0;
+  for (std::size_t i = 0; i < base.x.size(); ++i) {
+    const double height = interpolate_linear(at_start.x, at_start.height, base.x[i]);
+    difference = std::max(difference, std::abs(base.height[i] - height));
+  }
+  constexpr double kSameFace = 1e-9;  // [m]
+  if (difference > kSameFace) {
+    faults.push_back({first.mark,
+                      "the face of the base case and that of the first state differ by up to " +
+                          number_text(difference * 1e6) + " um, and a fit wears the one to compare it with the others",
+                      "name the same case in both, with the same ring.face.orientation"});
+    return;
+  }
+  const WearBound bound = least_wear(at_start, face_heights(last.input), 0, Tilt::kFree);
+  if (bound.area > kNegligibleArea) return;
   faults.push_back({last.mark,
                     "between the faces after " + hours_text(first.time) + " and " + hours_text(last.time) +
                         " nothing need have been lost: no wear coefficient can be fitted",

@@ -15,6 +15,8 @@ inline constexpr double kHour = 3600;  ///< [s]
 inline constexpr double kLongestTime = 1e6 * kHour;
 /// Depth at which a scenario of wear ends where nothing states a coating: a usual one of molybdenum [m].
 inline constexpr double kAssumedCoating = 100e-6;
+/// More jumps than a life can need: a coating of 1 mm takes a tenth.
+inline constexpr int kMostJumps = 100'000;
 /// Wear coefficient above which each contact would remove more than all that it touches, 1/(3H), for any metal [m2/N].
 inline constexpr double kLargestCoefficient = 1e-9;
 

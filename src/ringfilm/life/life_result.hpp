@@ -46,7 +46,7 @@ struct LifeState {
   /// Of a measured state: the least wear since the first one, by how much of the edges is trusted. Lower bounds.
   std::vector<WearBound> least_wear;
   std::vector<LifeValues> other_paths;                 ///< on each of LifeResult::other_paths; empty: it ended before
-  std::vector<std::optional<WornProfile>> other_worn;  ///< on each of them, of a scenario
+  std::vector<std::optional<WornProfile>> other_worn;  ///< on each of them, where `worn` is known
   LifeValues turned;                                   ///< of the duty, with the ring turned over; empty: not computed
   std::optional<WornProfile> turned_worn;              ///< of a scenario: what the ring turned over has lost
   /// With only the face, only the roughness or only the shear strength of this state in the first one; empty: none.
@@ -84,7 +84,7 @@ struct FittedCoefficient {
   double trusted = 0;                 ///< margin at each edge that is not trusted, or half width compared [m]
   double worn_area = 0;               ///< that it gives [m2]
   std::optional<double> rms;          ///< of kClosestFace: the distance that is left [m]
-  std::optional<double> coefficient;  ///< nothing: no wear by this duty gives it [m2/N]
+  std::optional<double> coefficient;  ///< nothing: no wear, or none that this duty gives [m2/N]
 };
 
 /// Coefficients that the measured faces allow.
@@ -95,11 +95,20 @@ struct CoefficientFit {
   long cycles = 0;          ///< integrated for it
 };
 
+/// The end of a scenario whose coating is gone.
+struct WearThrough {
+  double time = 0;   ///< [s]
+  WornProfile worn;  ///< as deep as the coating is thick at its deepest place
+};
+
 /// How a scenario of wear was integrated, and how it ended.
 struct WearSummary {
+  double coefficient = 0;  ///< with which the values were computed: of a fit the geometric mean of its range [m2/N]
   WearEffort effort;
-  std::optional<double> worn_through;  ///< when the coating was gone; nothing later was computed [s]
-  std::optional<double> wedge_gone;    ///< when an edge of the face came within the roughness of its lowest point [s]
+  std::optional<WearThrough> worn_through;                     ///< nothing later was computed
+  std::vector<std::optional<WearThrough>> other_worn_through;  ///< on each of LifeResult::other_paths
+  std::optional<WearThrough> turned_worn_through;              ///< with the ring turned over
+  std::optional<double> wedge_gone;  ///< when an edge of the face came within the roughness of its lowest point [s]
   std::optional<CoefficientRange> implied;  ///< by the first and the last measured face; nothing without states
   std::optional<CoefficientFit> fit;        ///< nothing: the coefficient was stated
 };

@@ -30,8 +30,10 @@ void append_orientation_note(const Life& life, LifeResult& result) {
                           1});
 }
 
-/// Depths that faces of one datum have lost since the first of them, at a running time; `x` of all of them.
-std::vector<double> lost_since_first(const Life& life, double time, const std::vector<double>& x) {
+/// Depths that faces of one datum have lost since the first of them, at a running time by an interpolation; `x` of all
+/// of them.
+std::vector<double> lost_since_first(const Life& life, const Interpolation& path, double time,
+                                     const std::vector<double>& x) {
   const auto at = [&](std::size_t i) {
     const FaceHeights face = face_heights(life.states[i].input, cycle::HeightZero::kAsGiven);
     std::vector<double> heights;
@@ -43,7 +45,7 @@ std::vector<double> lost_since_first(const Life& life, double time, const std::v
   const std::size_t earlier = later == 0 ? 0 : later - 1;
   double share = 1;
   if (life.states[later].time > time) {
-    share = path_share(life.path, life.states[earlier].time, life.states[later].time, time);
+    share = path_share(path, life.states[earlier].time, life.states[later].time, time);
   }
   const std::vector<double> first = at(0), from = at(earlier), to = at(later);
   std::vector<double> lost;
@@ -51,18 +53,16 @@ std::vector<double> lost_since_first(const Life& life, double time, const std::v
   return lost;
 }
 
-double trapezoidal(const std::vector<double>& x, const std::vector<double>& y) {
-  double sum = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) sum += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
-  return sum;
-}
-
 /// What faces state about wear: with one datum the wear itself, else lower bounds at measured states.
-void put_wear(const Life& life, LifeState& state) {
+void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, LifeState& state) {
   if (life.datum == Datum::kCommon) {
-    std::vector<double> depth = lost_since_first(life, state.time, state.x);
-    const double area = trapezoidal(state.x, depth);
-    state.worn = worn_profile(std::move(depth), area, life.points.front().input.ring.coating.thickness);
+    const auto lost = [&](const Interpolation& path) {
+      std::vector<double> depth = lost_since_first(life, path, state.time, state.x);
+      const double area = area_under(state.x, depth);
+      return worn_profile(std::move(depth), area, life.points.front().input.ring.coating.thickness);
+    };
+    state.worn = lost(life.path);
+    for (const NamedPath& other : other_paths) state.other_worn.emplace_back(lost(other.path));
     return;
   }
   const FaceHeights first = face_heights(life.states.front().input);
@@ -104,7 +104,7 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
   result.cycles += reported.integrate(integrators.alone);
   result.cycles += others.integrate(integrators.side_by_side);
   for (LifeState& state : result.states) {
-    put_wear(life, state);
+    put_wear(life, result.other_paths, state);
     // At a measured state and after the last one all paths agree.
     for (LifeValues& other : state.other_paths) {
       if (other.empty()) other = state.values;

@@ -1,6 +1,7 @@
 """The life of a ring: `ringfilm life LIFE.toml`, its numbers, its files, its refusals."""
 
 import json
+import math
 import unittest
 
 import program
@@ -74,13 +75,6 @@ class Path(LifeTest):
         self.assertIn('"standing":"interpolated"', page)
         self.assertIn("default-src 'none'", page)
 
-    def test_the_page_of_a_fit_holds_the_measured_faces_and_the_range(self):
-        (self.folder / "fit.toml").write_text(FIT)
-        self.run_well("life", "fit.toml", "--html", "fit.html")
-        page = (self.folder / "fit.html").read_text(encoding="utf-8")
-        for part in ('"measured_faces"', '"closest-face"', "Wear coefficients that the measured faces allow"):
-            self.assertIn(part, page)
-
     def test_the_number_of_threads_changes_nothing(self):
         self.assertEqual(self.life(), self.life("life.toml", "--threads", "1"))
 
@@ -107,59 +101,6 @@ hours = ["0 h", "1 h", "4 h"]
 [wear]
 coefficient = "4e-18 m2/N"
 """
-
-
-FIT = (
-    ARCHARD.replace('"4e-18 m2/N"', '"fit"')
-    + '[[state]]\nhours = "0 h"\ncase = "case.toml"\n[[state]]\nhours = "4 h"\ncase = "worn.toml"\n'
-)
-
-
-class Fit(LifeTest):
-    """Coefficients that measured faces allow."""
-
-    def fit(self):
-        if not hasattr(Fit, "result"):
-            (self.folder / "fit.toml").write_text(FIT)
-            Fit.result = self.life("fit.toml")
-        return Fit.result
-
-    def test_it_is_a_range_and_no_single_number(self):
-        fit = self.fit()["wear"]["fit"]
-        low, high = fit["coefficient"]
-        self.assertLess(low, high)
-        self.assertEqual(
-            {(row["hours"], row["basis"]) for row in fit["rows"]}, {(4, "least-wear"), (4, "closest-face")}
-        )
-        known = [row["coefficient"] for row in fit["rows"] if row["coefficient"]]
-        self.assertEqual((min(known), max(known)), (low, high))
-        self.assertIn("coefficient-fitted", [note["topic"] for note in self.fit()["notes"]])
-
-    def test_a_scenario_with_a_fitted_coefficient_loses_the_area_of_its_row(self):
-        row = next(row for row in self.fit()["wear"]["fit"]["rows"] if row["basis"] == "least-wear")
-        text = ARCHARD.replace("4e-18", repr(row["coefficient"]))
-        (self.folder / "archard.toml").write_text(text)
-        worn = self.life("archard.toml")["states"][-1]["worn_area"]
-        self.assertAlmostEqual(worn / row["worn_area"], 1, delta=0.01)
-
-    def test_the_band_is_that_of_both_ends(self):
-        last = self.fit()["states"][-1]
-        low, high = last["band"]["worn_area"]
-        self.assertLess(low, last["worn_area"])
-        self.assertGreater(high, last["worn_area"])
-        ends = [last["interpolations"][f"{end} fitted coefficient"]["mean_power_loss"] for end in ("lowest", "highest")]
-        self.assertEqual(
-            [min(*ends, last["mean_power_loss"]), max(*ends, last["mean_power_loss"])], last["band"]["mean_power_loss"]
-        )
-
-    def test_refusals(self):
-        self.refused(
-            FIT.replace("[[state]]", 'running_in_coefficient = "1e-17 m2/N"\n[[state]]', 1),
-            'wear.running_in_coefficient means nothing with coefficient = "fit"',
-        )
-        self.refused(FIT.replace("[[state]]", "jumps = 3\n[[state]]", 1), "wear.jumps means nothing")
-        self.refused(FIT.replace("worn.toml", "case.toml"), "nothing need have been lost")
-        self.refused(ARCHARD.replace('"4e-18 m2/N"', '"fit"'), "at least two measured states")
 
 
 class ReportPoints(LifeTest):
@@ -222,6 +163,27 @@ class CommonDatum(LifeTest):
         self.assertNotIn("wear-not-determined", [note["topic"] for note in self.life()["notes"]])
         swapped = text.replace("first.toml", "x").replace("second.toml", "first.toml").replace("x", "second.toml")
         self.refused(swapped + '[path]\ndatum = "common"\n', "has gained 1 um of material")
+
+    def test_limits_on_other_interpolations_use_their_own_depth(self):
+        """The same parabolas; between 0 and 10 h the depth is a share of 1 um, straight between the reported hours."""
+        for name, offset in (("first.toml", 0.0), ("second.toml", 1.0)):
+            face = f'form = "polynomial"\ncoefficients = [40.0, -48.0, {14.4 + offset}]\n'
+            (self.folder / name).write_text(
+                program.CASE.replace(
+                    'form = "parabola"\ncrown_height = "15 um"\n', face + 'length_unit = "mm"\nheight_unit = "um"\n'
+                )
+            )
+        text = LIFE.replace("case.toml", "first.toml").replace("worn.toml", "second.toml")
+        limit = '[path]\ndatum = "common"\n[end_of_life]\nlargest_worn_depth = "0.5 um"\n'
+        (self.folder / "life.toml").write_text(text + limit)
+        reported = self.life()
+        (end,) = reported["end_of_life"]
+        share = math.log(3) / math.log(11)
+        self.assertAlmostEqual(end["hours"], 2 + 8 * (0.5 - share) / (1 - share), delta=1e-6)
+        self.assertAlmostEqual(end["interpolations"]["linear in time"], 2 + 8 * 0.3 / 0.8, delta=1e-6)
+        low, high = reported["states"][1]["band"]["largest_worn_depth"]
+        self.assertAlmostEqual(low, 0.2e-6, delta=1e-12)
+        self.assertGreater(high, share * 1e-6)
 
     def test_the_faces_of_the_paper_have_no_common_datum(self):
         shipped = SHIPPED.read_text(encoding="utf-8").replace("../styles2014", str(SHIPPED.parents[1] / "styles2014"))
@@ -304,6 +266,17 @@ class Archard(LifeTest):
         reported = json.loads(done.stdout)
         self.assertLess(len(reported["states"]), 3)
         self.assertGreater(reported["wear"]["coating_worn_through_hours"], 0)
+
+    def test_limits_of_depth_are_met_before_the_first_reported_hour(self):
+        text = ARCHARD.replace('["0 h", "1 h", "4 h"]', '["4 h"]') + 'coating_thickness = "0.1 um"\n'
+        (self.folder / "archard.toml").write_text(text + '[end_of_life]\nlargest_worn_depth = "0.05 um"\n')
+        done = self.run_program("life", "archard.toml", "--json")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        reported = json.loads(done.stdout)
+        self.assertEqual(reported["states"], [])
+        through, (end,) = reported["wear"]["coating_worn_through_hours"], reported["end_of_life"]
+        self.assertAlmostEqual(end["hours"] / through, 0.5, delta=1e-9)
+        self.assertIsNone(end["turned"])
 
     def test_a_coefficient_that_runs_away_ends_with_the_hour(self):
         text = ARCHARD.replace("4e-18", "4e-12").replace('["0 h", "1 h", "4 h"]', '["0 h", "0.01 h"]')

@@ -92,6 +92,27 @@ TEST(Life, FacesBetweenWhichNothingNeedBeLostFitNoCoefficient) {
   EXPECT_EQ(refusal(life), "");
 }
 
+Life fitted() {
+  Life life = two_states();
+  life.mode = Mode::kArchard;
+  life.wear.source = CoefficientSource::kFitted;
+  life.states[1].input.ring.face.coefficients[0] *= 0.9;
+  return life;
+}
+
+TEST(Life, AFitOfASurfaceThatFollowsThePathIsRefused) {
+  Life life = fitted();
+  EXPECT_EQ(refusal(life), "");
+  life.wear.surface = WornSurface::kPath;
+  EXPECT_THAT(refusal(life), HasSubstr("wear.surface = \"path\" cannot be combined with coefficient = \"fit\""));
+}
+
+TEST(Life, AFitStartsFromTheFaceOfTheBaseCase) {
+  Life life = fitted();
+  life.points[0].input.ring.face.coefficients[0] *= 0.95;
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:3:1: the face of the base case and that of the first state differ"));
+}
+
 TEST(LifeQuantities, APointWithoutAShareChangesNothing) {
   Life life = two_states();
   life.points.push_back({"beside", 0, life.points[0].input});

@@ -107,10 +107,11 @@ TEST(WearIntegration, ItEndsWhereTheCoatingIsWornThrough) {
       [&](double, const std::vector<double>& worn) { return dry(worn); }, limits);
   EXPECT_EQ(history.states.size(), 1u);
   ASSERT_TRUE(history.worn_through);
-  EXPECT_NEAR(*history.worn_through * per_second, 1e-6, 1e-18);
+  EXPECT_NEAR(history.worn_through->time * per_second, 1e-6, 1e-18);
+  EXPECT_NEAR(history.worn_through->face[0], 1e-6, 1e-18);
 }
 
-TEST(WearIntegration, AJumpThatIsTooDeepEndsItWithoutItsSecondStage) {
+TEST(WearIntegration, NoStageOfAJumpIsDeeperThanTheCoating) {
   const auto x = places(kWidth, 60);
   const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
   Wear wear;
@@ -128,8 +129,41 @@ TEST(WearIntegration, AJumpThatIsTooDeepEndsItWithoutItsSecondStage) {
       },
       limits);
   EXPECT_EQ(history.states.size(), 1u);
-  EXPECT_LT(deepest, 1e-6);
-  EXPECT_NEAR(history.worn_through.value() * per_second, 1e-6, 1e-18);
+  EXPECT_LE(deepest, 1e-6 * (1 + 1e-12));
+  EXPECT_NEAR(history.worn_through.value().time * per_second, 1e-6, 1e-18);
+}
+
+/// A load that grows with the depth w: dw/dt = a (1 + w/l) reaches the depth l after (l/a) ln 2.
+TEST(WearIntegration, AJumpThroughTheCoatingHasItsSecondStageWhereTheCoatingEnds) {
+  constexpr double kDepth = 1e-6, kRate = 1e-9;  // l [m], a [m/s]
+  Wear wear;
+  wear.coefficient = 1;
+  wear.jumps = 1;
+  WearLimits limits;
+  limits.deepest = kDepth;
+  const auto load = [&](double, const std::vector<double>& worn) {
+    return WearLoad{{kRate * (1 + worn[0] / kDepth)}, {}, 0};
+  };
+  const WearHistory history = integrate_wear(wear, {1e5}, 1, 0, load, limits);
+  // Loads of a and 2 a at the two stages; the first alone would last l/a.
+  EXPECT_NEAR(history.worn_through.value().time, kDepth / (1.5 * kRate), 1e-9);
+  EXPECT_NEAR(history.effort.stage_difference, 0.5 * kDepth, 1e-15);
+  EXPECT_FALSE(history.effort.lacks_last_stage);
+}
+
+TEST(WearIntegration, AFaceAsDeepAsTheCoatingThatHasNoCycleIsMarked) {
+  Wear wear;
+  wear.coefficient = 1;
+  wear.jumps = 1;
+  WearLimits limits;
+  limits.deepest = 1e-6;
+  const auto load = [](double, const std::vector<double>& worn) -> WearLoad {
+    if (worn[0] > 0) throw ConvergenceError("no film");
+    return {{1e-9}, {}, 0};
+  };
+  const WearHistory history = integrate_wear(wear, {1e5}, 1, 0, load, limits);
+  EXPECT_NEAR(history.worn_through.value().time, 1e3, 1e-9);
+  EXPECT_TRUE(history.effort.lacks_last_stage);
 }
 
 TEST(WearIntegration, APartOfAJumpIsNotReportedDeeperThanTheCoating) {
@@ -145,7 +179,7 @@ TEST(WearIntegration, APartOfAJumpIsNotReportedDeeperThanTheCoating) {
       wear, {0, 2e-6 / per_second, 1e-3 / per_second}, x.size(), 0,
       [&](double, const std::vector<double>& worn) { return dry(worn); }, limits);
   EXPECT_EQ(history.states.size(), 1u);
-  EXPECT_NEAR(history.worn_through.value() * per_second, 1e-6, 1e-18);
+  EXPECT_NEAR(history.worn_through.value().time * per_second, 1e-6, 1e-18);
 }
 
 TEST(WearIntegration, TooManyJumpsAreRefusedWithTimeAndDepth) {

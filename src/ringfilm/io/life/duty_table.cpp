@@ -175,8 +175,8 @@ class DutyReader {
     if (length && !(*length > 0)) {
       part.refuse(value->mark,
                   fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
-                  fmt::format("write, for example, {} = {}; a point beside the duty is a [[report_point]]", form.length,
-                              form.example));
+                  fmt::format("write, for example, {} = {}; a point outside the duty is a [[report_point]]",
+                              form.length, form.example));
     }
     return length.value_or(0);
   }

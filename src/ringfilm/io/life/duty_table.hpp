@@ -30,7 +30,7 @@ struct Duty {
 /// The table [duty]: segments with durations, or points with weights. What is wrong goes to `faults`.
 Duty read_duty_table(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults);
 
-/// The tables [[report_point]]: operating points beside the duty, with a share of 0, after those of `points`.
+/// The tables [[report_point]]: operating points outside the duty, with a share of 0, after those of `points`.
 void read_report_points(const std::vector<TomlValue>& values, const DutySources& sources,
                         std::vector<life::OperatingPoint>& points, std::vector<Fault>& faults);
 

@@ -71,14 +71,8 @@ std::string face_comparison_json(const FaceComparison& comparison) {
                                {"tilted", bounds_array(pair.tilted)},
                                {"turned", bounds_array(pair.turned)}});
   }
-  object["units"] = {{"untrusted_margin", "m"},
-                     {"depth_at_middle", "m"},
-                     {"largest_worn_depth", "m"},
-                     {"worn_area", "m2"},
-                     {"tilt", "rad"},
-                     {"from", "m"},
-                     {"to", "m"},
-                     {"height", "m"}};
+  object["units"] = bound_units();
+  for (const char* name : {"from", "to", "height"}) object["units"][name] = "m";
   object["notes"] = {"lower bounds: more wear is always possible, and what the edges lost must be added to the middle"};
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

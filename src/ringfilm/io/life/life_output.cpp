@@ -107,8 +107,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
 
 ordered_json units_object() {
   ordered_json units = {{"hours", "h"},
-                        {"worn_area", "m2"},
-                        {"largest_worn_depth", "m"},
+                        {"share", "1"},
                         {"asperity_density", "m-2"},
                         {"asperity_radius", "m"},
                         {"roughness", "m"},
@@ -122,6 +121,8 @@ ordered_json units_object() {
                         {"face_height", "m"},
                         {"face_height_chamber_edge", "m"},
                         {"face_height_crankcase_edge", "m"}};
+  units.update(bound_units());
+  units.update(wear_units());
   for (const life::LifeQuantity& quantity : life::life_quantities()) units[quantity.name] = quantity.unit;
   return units;
 }
@@ -175,7 +176,7 @@ void put_ring(ResultFileWriter& file, const LifeDocument& document) {
                 document, [](const life::LifeState& state) { return state.ring.boundary_shear_strength_coefficient; });
 }
 
-/// The quantity with another name and long name beside its own.
+/// The quantity with a suffix to its name and its long name.
 cycle::Quantity variant(cycle::Quantity quantity, const std::string& suffix, const std::string& words) {
   quantity.name += "_" + suffix;
   quantity.long_name += ", " + words;
@@ -183,13 +184,16 @@ cycle::Quantity variant(cycle::Quantity quantity, const std::string& suffix, con
 }
 
 void put_values(ResultFileWriter& file, const LifeDocument& document) {
+  const bool is_fitted = document.result.wear && document.result.wear->fit;
+  const std::string band =
+      is_fitted ? "the geometric mean and both ends of the fitted coefficients" : "all interpolations";
   for (std::size_t i = 0; i < life::life_quantities().size(); ++i) {
     const cycle::Quantity& quantity = life::life_quantities()[i];
     put_over_time(file, quantity, document, [i](const life::LifeState& state) { return state.values[i]; });
     if (!document.result.other_paths.empty()) {
-      put_over_time(file, variant(quantity, "low", "least of all interpolations"), document,
+      put_over_time(file, variant(quantity, "low", "least of " + band), document,
                     [i](const life::LifeState& state) { return life::band_of(state, i).low; });
-      put_over_time(file, variant(quantity, "high", "largest of all interpolations"), document,
+      put_over_time(file, variant(quantity, "high", "largest of " + band), document,
                     [i](const life::LifeState& state) { return life::band_of(state, i).high; });
     }
     if (document.file.life.points.size() == 1) continue;

@@ -39,6 +39,28 @@ ordered_json bounds_array(const std::vector<life::WearBound>& bounds) {
   return rows;
 }
 
+ordered_json bound_units() {
+  return {{"untrusted_margin", "m"},
+          {"depth_at_middle", "m"},
+          {"largest_worn_depth", "m"},
+          {"worn_area", "m2"},
+          {"tilt", "rad"}};
+}
+
+ordered_json wear_units() {
+  return {{"coefficient", "m2/N"},
+          {"running_in_coefficient", "m2/N"},
+          {"implied_coefficient", "m2/N"},
+          {"running_in_hours", "h"},
+          {"coating_worn_through_hours", "h"},
+          {"wedge_gone_hours", "h"},
+          {"stage_difference", "m"},
+          {"volume_balance_error", "1"},
+          {"largest_worn_area", "m2"},
+          {"half_width", "m"},
+          {"rms", "m"}};
+}
+
 ordered_json hours_or_null(const std::optional<double>& time) {
   return time ? ordered_json(*time / life::kHour) : ordered_json();
 }
@@ -58,7 +80,7 @@ ordered_json measured_faces(const LifeDocument& document) {
 ordered_json wear_object(const LifeDocument& document) {
   const life::Wear& wear = document.file.life.wear;
   const life::WearSummary& summary = *document.result.wear;
-  ordered_json object = {{"coefficient", wear.coefficient}};
+  ordered_json object = {{"coefficient", summary.coefficient}};
   if (wear.running_in_coefficient) {
     object["running_in_coefficient"] = *wear.running_in_coefficient;
     object["running_in_hours"] = wear.running_in_time / life::kHour;
@@ -69,7 +91,8 @@ ordered_json wear_object(const LifeDocument& document) {
   object["rejected_jumps"] = summary.effort.rejected_jumps;
   object["stage_difference"] = summary.effort.stage_difference;
   object["volume_balance_error"] = summary.effort.balance_error;
-  object["coating_worn_through_hours"] = hours_or_null(summary.worn_through);
+  object["coating_worn_through_hours"] =
+      summary.worn_through ? hours_or_null(summary.worn_through->time) : ordered_json();
   object["wedge_gone_hours"] = hours_or_null(summary.wedge_gone);
   if (summary.fit) object["fit"] = fit_object(*summary.fit);
   if (summary.implied) object["implied_coefficient"] = {summary.implied->low, summary.implied->high};

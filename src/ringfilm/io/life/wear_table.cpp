@@ -69,6 +69,7 @@ class WearReader {
     if (stated != nullptr && stated->text == "fit") {
       wear_.source = life::CoefficientSource::kFitted;
       refuse_with_fit("running_in_coefficient");
+      refuse_with_fit("running_in_time");
       refuse_with_fit("jumps");
       refuse_with_fit("orientations");
     } else {
@@ -76,7 +77,8 @@ class WearReader {
       wear_.running_in_coefficient = coefficient("running_in_coefficient");
     }
     wear_.liner_coefficient = coefficient("liner_coefficient");
-    if (table_.find("running_in_time") != nullptr && !table_.find("running_in_coefficient")) {
+    const bool is_stated = wear_.source == life::CoefficientSource::kStated;
+    if (is_stated && table_.find("running_in_time") != nullptr && !table_.find("running_in_coefficient")) {
       table_.refuse(table_.find("running_in_time")->key_mark,
                     "wear.running_in_time means nothing without running_in_coefficient",
                     "state running_in_coefficient, for example \"3e-17 m2/N\", or leave the time out");
@@ -90,7 +92,7 @@ class WearReader {
     const TomlValue& value = *table_.find(key);
     table_.refuse(value.mark,
                   fmt::format("wear.{} = {} is above {:g} m2/N", key, value.as_written(), life::kLargestCoefficient),
-                  "a contact cannot remove more than all that it touches, 1/(3H); rings have 1e-19 to 1e-15 m2/N");
+                  "a contact cannot remove more than all that it touches, 1/(3H): check the number and its unit");
     return std::nullopt;
   }
 
@@ -105,11 +107,10 @@ class WearReader {
                        .chosen<life::WearScheme>(
                            "scheme", {{"heun", life::WearScheme::kHeun}, {"euler", life::WearScheme::kEuler}})
                        .value_or(wear_.scheme);
-    constexpr int kMostJumps = 100'000;
     if (const auto jumps = table_.count("jumps")) {
-      if (*jumps < 1 || *jumps > kMostJumps) {
+      if (*jumps < 1 || *jumps > life::kMostJumps) {
         table_.refuse(table_.find("jumps")->mark,
-                      fmt::format("wear.jumps = {} is not from 1 to {}", *jumps, kMostJumps),
+                      fmt::format("wear.jumps = {} is not from 1 to {}", *jumps, life::kMostJumps),
                       "state how many equal jumps the time to the last of the hours is divided into");
       } else {
         wear_.jumps = static_cast<int>(*jumps);

@@ -29,7 +29,7 @@ class DryContact {
   std::vector<double> x_, height_;
 };
 
-/// Equally far places from 0 to a length.
+/// Equally spaced places from 0 to a length.
 std::vector<double> places(double length, int n_cells);
 
 }  // namespace ringfilm::life

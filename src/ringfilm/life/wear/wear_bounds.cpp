@@ -42,12 +42,13 @@ Line lowest_line_above(std::vector<Place> places, double at) {
 }
 
 /// Trapezoidal rule over neighbouring places.
-double integral(const std::vector<Place>& places) {
-  double sum = 0;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    sum += 0.5 * (places[i].y + places[i - 1].y) * (places[i].x - places[i - 1].x);
+double area_under(const std::vector<Place>& places) {
+  std::vector<double> x, y;
+  for (const Place& place : places) {
+    x.push_back(place.x);
+    y.push_back(place.y);
   }
-  return sum;
+  return life::area_under(x, y);
 }
 
 }  // namespace
@@ -105,8 +106,14 @@ WearBound least_wear(const FaceHeights& earlier, const FaceHeights& later, doubl
     bound.largest_depth = std::max(bound.largest_depth, place.y);
   }
   bound.depth_at_middle = gained[gained.size() / 2].y;
-  bound.area = integral(gained);
+  bound.area = area_under(gained);
   return bound;
+}
+
+double area_under(const std::vector<double>& x, const std::vector<double>& y) {
+  double sum = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) sum += 0.5 * (y[i] + y[i - 1]) * (x[i] - x[i - 1]);
+  return sum;
 }
 
 const std::vector<double>& trusted_margins() {

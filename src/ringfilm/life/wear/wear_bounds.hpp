@@ -30,6 +30,12 @@ FaceHeights turned(const FaceHeights& face);  ///< x -> b - x
 /// May the later face be tilted against the earlier one? A scan does not keep the direction of the ring.
 enum class Tilt { kNone, kFree };
 
+/// Area below heights or depths at increasing places, by the trapezoidal rule [m2].
+double area_under(const std::vector<double>& x, const std::vector<double>& y);
+
+/// Worn area that counts as nothing, 1e-6 um mm: below the round-off of a bound [m2].
+inline constexpr double kNegligibleArea = 1e-15;
+
 /// The least wear between two faces of which no place gained material, eq-life-bound.
 struct WearBound {
   double margin = 0;           ///< of the face at each edge that is not trusted [m]

@@ -9,10 +9,8 @@
 namespace ringfilm::life {
 namespace {
 
-/// A jump that shrinks below this share of the one that the depth allows gets nowhere.
+/// A jump below this share of the one that the depth allows makes no progress.
 constexpr double kShortestJump = 1e-6;
-/// More jumps than a life can need: a coating of 1 mm takes a tenth.
-constexpr int kMostJumps = 100'000;
 /// A jump that was too long for what else changes is taken again with this share of its length.
 constexpr double kShortened = 0.7;
 /// The next jump is at most this much longer than the last one.
@@ -49,6 +47,7 @@ class Integration {
   struct Jump {
     WornDepths end;
     double stage_difference = 0;
+    bool lacks_last_stage = false;
   };
 
   /// From the present depths over a time that may not be kept.
@@ -57,13 +56,13 @@ class Integration {
     const double K = coefficient_integral(wear_, now_.time, time);
     Jump jump{{time, now_.face, now_.liner}, 0};
     for (std::size_t i = 0; i < now_.face.size(); ++i) jump.end.face[i] += K * load_now_->face[i];
-    if (is_through(jump.end)) return jump;  // where that is does not need the second stage
     WearLoad later = *load_now_;
     if (wear_.scheme == WearScheme::kHeun && time > now_.time) {
-      later = measured(time, jump.end.face);
+      const double share = share_of_coating(jump.end);
+      later = later_load(share, jump);
       for (std::size_t i = 0; i < now_.face.size(); ++i) {
         const double depth = now_.face[i] + 0.5 * K * (load_now_->face[i] + later.face[i]);
-        jump.stage_difference = std::max(jump.stage_difference, std::abs(depth - jump.end.face[i]));
+        jump.stage_difference = std::max(jump.stage_difference, share * std::abs(depth - jump.end.face[i]));
         jump.end.face[i] = depth;
       }
     }
@@ -72,6 +71,34 @@ class Integration {
       jump.end.liner[i] += 0.5 * liner * (load_now_->liner[i] + later.liner[i]);
     }
     return jump;
+  }
+
+  /// How much of the way to an end the coating lasts, at most all of it.
+  double share_of_coating(const WornDepths& end) const {
+    if (!is_through(end)) return 1;
+    const double before = largest(now_.face), after = largest(end.face);
+    return after > before ? std::clamp((*limits_.deepest - before) / (after - before), 0.0, 1.0) : 1;
+  }
+
+  WornDepths on_the_way(const WornDepths& end, double share) const {
+    if (share == 1) return end;
+    const auto between = [share](double from, double to) { return from + share * (to - from); };
+    WornDepths there{between(now_.time, end.time), now_.face, now_.liner};
+    for (std::size_t i = 0; i < there.face.size(); ++i) there.face[i] = between(now_.face[i], end.face[i]);
+    for (std::size_t i = 0; i < there.liner.size(); ++i) there.liner[i] = between(now_.liner[i], end.liner[i]);
+    return there;
+  }
+
+  /// The load at the end of the first stage, or where it is as deep as the coating. A face that deep may have no cycle.
+  WearLoad later_load(double share, Jump& jump) {
+    const WornDepths there = on_the_way(jump.end, share);
+    if (share == 1) return measured(there.time, there.face);
+    try {
+      return measured(there.time, there.face);
+    } catch (const ConvergenceError&) {
+      jump.lacks_last_stage = true;
+      return *load_now_;
+    }
   }
 
   bool is_through(const WornDepths& depths) const {
@@ -98,13 +125,10 @@ class Integration {
   }
 
   void keep(Jump jump) {
-    if (is_through(jump.end)) {
-      const double before = largest(now_.face), after = largest(jump.end.face);
-      const double share = after > before ? (*limits_.deepest - before) / (after - before) : 1;
-      worn_through_ = now_.time + std::clamp(share, 0.0, 1.0) * (jump.end.time - now_.time);
-    }
+    if (is_through(jump.end)) worn_through_ = on_the_way(jump.end, share_of_coating(jump.end));
     ++effort_.jumps;
     effort_.stage_difference = std::max(effort_.stage_difference, jump.stage_difference);
+    effort_.lacks_last_stage = jump.lacks_last_stage;
     now_ = std::move(jump.end);
     load_now_.reset();
     if (limits_.after_jump) limits_.after_jump(now_);
@@ -178,7 +202,7 @@ class Integration {
   WornDepths now_;
   std::optional<WearLoad> load_now_;
   WearEffort effort_;
-  std::optional<double> worn_through_;
+  std::optional<WornDepths> worn_through_;
 };
 
 }  // namespace

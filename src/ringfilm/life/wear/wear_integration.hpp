@@ -27,10 +27,11 @@ struct WornDepths {
 
 /// What an integration took.
 struct WearEffort {
-  int jumps = 0;                ///< taken
-  int rejected_jumps = 0;       ///< taken again, shorter
-  double stage_difference = 0;  ///< largest of the two stages of a jump that was taken [m]; 0 for Euler
-  double balance_error = 0;     ///< largest WearLoad::balance_error [-]
+  int jumps = 0;                  ///< taken
+  int rejected_jumps = 0;         ///< taken again, shorter
+  double stage_difference = 0;    ///< largest of the two stages of a jump that was taken [m]; 0 for Euler
+  bool lacks_last_stage = false;  ///< of Heun: the jump through the coating has its first stage alone
+  double balance_error = 0;       ///< largest WearLoad::balance_error [-]
 };
 
 /// When an integration ends before the last time, and what of it is known.
@@ -46,7 +47,7 @@ struct WearLimits {
 struct WearHistory {
   std::vector<WornDepths> states;
   WearEffort effort;
-  std::optional<double> worn_through;  ///< time at which the largest depth reached the limit [s]
+  std::optional<WornDepths> worn_through;  ///< as the largest depth reached the limit
 };
 
 /// eq-life-coefficient: integral of the wear coefficient of the face over time [m2 s/N].

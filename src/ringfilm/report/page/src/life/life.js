@@ -85,7 +85,7 @@ function pointsTable(life) {
     ['operating point', right('share of the time'), right('friction power'), right('oil flow')],
     last.points.map((point) => [
       point.name,
-      right(point.share > 0 ? withUnit(100 * point.share, '%', 3) : 'beside it'),
+      right(point.share > 0 ? withUnit(100 * point.share, '%', 3) : 'reported only'),
       right(shown(life, power, point)),
       right(shown(life, 'mean_absolute_oil_flow', point)),
     ]),

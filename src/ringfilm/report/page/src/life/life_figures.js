@@ -32,7 +32,7 @@ function bandOf(life, described, convert) {
     low: end(0),
     high: end(1),
     words: life.wear?.fit
-      ? ['lowest fitted coefficient', 'highest fitted coefficient']
+      ? ['least over the fitted range', 'largest over it']
       : ['least of all interpolations', 'largest of them'],
   };
 }

@@ -65,7 +65,7 @@ export function fitTable(fit) {
         hoursText(row.hours),
         area(row.worn_area),
         row.rms === undefined ? figure('–') : depth(row.rms),
-        figure(row.coefficient === null ? 'none' : `${row.coefficient.toExponential(1)} m²/N`),
+        figure(row.coefficient === null ? 'not determined' : `${row.coefficient.toExponential(1)} m²/N`),
       ]),
       { folds: true },
     ),
