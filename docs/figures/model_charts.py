@@ -193,8 +193,9 @@ def closure_around(picture, middle, closure, micrometre, clearance_micrometre):
         r = numpy.interp(at, closure["angle"], bore)
         begin, end = r + 6 + 4 * force, r + 3
         picture.line(*points([begin], [a])[0], *points([end], [a])[0], stroke=RED, width=1.6)
-    picture.text(x_0, y_0 - 8, f"largest clearance {1e6 * closure['max_clearance']:.2f} µm", anchor="middle")
-    picture.text(x_0, y_0 + 12, f"open area {1e6 * closure['open_area']:.3f} mm^{{2}}", anchor="middle")
+    picture.text(x_0, y_0 - 28, "largest clearance", anchor="middle")
+    picture.text(x_0, y_0 - 8, f"{1e6 * closure['max_clearance']:.2f} µm", anchor="middle")
+    picture.text(x_0, y_0 + 16, f"open area {1e6 * closure['open_area']:.3f} mm^{{2}}", anchor="middle")
     for row, (length, words) in enumerate(
         ((10 * micrometre, "10 µm of the bore"), (clearance_micrometre, "1 µm of clearance"))
     ):
