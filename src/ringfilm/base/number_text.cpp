@@ -10,4 +10,6 @@ std::string number_text(double value) {
   return text;
 }
 
+std::string in_mm(double length) { return number_text(length * 1e3) + " mm"; }
+
 }  // namespace ringfilm

@@ -6,22 +6,16 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
 
 namespace ringfilm::models {
 namespace {
-
-std::string in_mm(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g mm", length * 1e3);
-  return text;
-}
 
 void check_width(double face_width) {
   if (!(face_width > 0) || !std::isfinite(face_width)) {

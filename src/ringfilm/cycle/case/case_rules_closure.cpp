@@ -12,8 +12,6 @@ namespace {
 
 using Breaches = std::vector<RuleBreach>;
 
-std::string in_mm(double length) { return number_text(length * 1e3) + " mm"; }
-
 void check_section(const Case& c, Breaches& breaches) {
   const auto& t = c.ring.radial_thickness;
   if (!t) {

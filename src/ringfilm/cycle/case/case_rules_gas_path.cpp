@@ -11,8 +11,6 @@ namespace {
 
 using Breaches = std::vector<RuleBreach>;
 
-std::string in_mm(double length) { return number_text(length * 1e3) + " mm"; }
-
 void require(const std::optional<double>& value, const std::string& key, Breaches& breaches) {
   if (value) return;
   const Field& field = *find_field(key);
@@ -21,7 +19,7 @@ void require(const std::optional<double>& value, const std::string& key, Breache
                       RuleBreach::By::kMissingKey});
 }
 
-void check_gap(const Case& c, Breaches& breaches) {
+void check_end_gap_of_gas(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
   const RingGasPath& gas = ring.gas_path;
   const double circumference = std::numbers::pi * c.engine.bore;
@@ -102,7 +100,7 @@ std::string key_of(const Case& c, std::size_t number, const char* key) {
 }  // namespace
 
 void append_gas_path_breaches(const Case& c, Breaches& breaches) {
-  check_gap(c, breaches);
+  check_end_gap_of_gas(c, breaches);
   if (c.ring.gas_path.kind == RingKind::kOil) return;
   check_groove(c, breaches);
   check_motion(c, breaches);

@@ -11,7 +11,7 @@ constexpr When kRingInGroove{
     [](const Case& c) { return c.gas_path.is_computed() && c.ring.gas_path.kind == RingKind::kCompression; },
     "gas_path.model = \"orifice-volume\" and ring.kind = \"compression\""};
 
-constexpr Unit kTemperature{"K", "K"};
+constexpr Unit kGasTemperature{"K", "K"};
 constexpr Unit kVolume{"m3", "mm3"};
 
 /// Gas between the coldest start and a flame.
@@ -41,10 +41,10 @@ std::vector<Field> common_fields() {
             between(1e-6, 1e-3), Need::kDefault, kComputedGas,
             {"viscosity of the gas in the side clearances, mu; of air at 500 K, assumed", "\"2.7e-5 Pa s\""}),
       field("gas_path.chamber_temperature", NumberKind{member<&Case::gas_path, &GasPath::chamber_temperature>},
-            kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
+            kGasTemperature, gas_temperature(), Need::kDefault, kComputedGas,
             {"temperature of the gas that enters from the combustion chamber; typical, assumed", "\"600 K\""}),
       field("gas_path.crankcase_temperature", NumberKind{member<&Case::gas_path, &GasPath::crankcase_temperature>},
-            kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
+            kGasTemperature, gas_temperature(), Need::kDefault, kComputedGas,
             {"temperature of the gas in the crankcase; typical, assumed", "\"360 K\""}),
       field("gas_path.choking_smoothing", NumberKind{member<&Case::gas_path, &GasPath::choking_smoothing>},
             kPlainNumber, between(1e-6, 0.1), Need::kDefault, kComputedGas,
@@ -70,13 +70,13 @@ std::vector<Field> ring_fields() {
             between(0, 1e-3), Need::kDefault, kComputedGas,
             {"volume of the piston land below, with its clearance; 0: it is the region below it", "\"500 mm3\""}),
       field("ring.temperature_below", NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::temperature_below>},
-            kTemperature, gas_temperature(), Need::kDefault, kComputedGas,
+            kGasTemperature, gas_temperature(), Need::kDefault, kComputedGas,
             {"temperature of the gas on the piston land below; typical, assumed", "\"423.15 K\""}),
       field("ring.groove_volume", OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::groove_volume>},
             kVolume, between(0, 1e-3), Need::kOptional, kRingInGroove,
             {"volume of the gas in the groove of the ring", "\"300 mm3\""}),
       field("ring.groove_temperature",
-            NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::groove_temperature>}, kTemperature,
+            NumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::groove_temperature>}, kGasTemperature,
             gas_temperature(), Need::kDefault, kRingInGroove,
             {"temperature of the gas in the groove; typical, assumed", "\"473.15 K\""}),
       field("ring.side_clearance",
