@@ -243,8 +243,8 @@ void CycleIntegration::commit(double h) {
   for (std::size_t k = 0; k < n_paths; ++k) {
     const Path& path = result_.paths[k];
     result_.transported[k] += moved[k];
-    if (path.from > 0) change[path.from - 1] -= moved[k];
-    if (path.to <= n_inner) change[path.to - 1] += moved[k];
+    if (system_.is_inner(path.from)) change[path.from - 1] -= moved[k];
+    if (system_.is_inner(path.to)) change[path.to - 1] += moved[k];
   }
   for (std::size_t i = 0; i < n_inner; ++i) {
     state_.pressure[i] = y_[i] + change[i] / (network_.regions()[i + 1].capacity * PackSystem::kPressureUnit);

@@ -90,8 +90,8 @@ void PackSystem::rates(double angle, std::span<const double> y, std::span<double
   std::fill(f.begin(), f.end(), 0.0);
   for (const Path& path : network_.paths()) {
     const double m = flow(path, pressure_[path.from], pressure_[path.to], position(path.ring, y));
-    if (path.from > 0) f[path.from - 1] -= m;
-    if (path.to <= n_inner_) f[path.to - 1] += m;
+    if (is_inner(path.from)) f[path.from - 1] -= m;
+    if (is_inner(path.to)) f[path.to - 1] += m;
   }
   for (std::size_t i = 0; i < n_inner_; ++i) {
     f[i] *= seconds_per_degree_ / (network_.regions()[i + 1].capacity * kPressureUnit);
@@ -115,11 +115,11 @@ PackSystem::FlowSlopes PackSystem::slopes(const Path& path, double at) const {
 void PackSystem::add_to_jacobian(const Path& path, const FlowSlopes& slope, std::span<double> J) const {
   const std::size_t n = size();
   for (const auto& [region, sign] : {std::pair{path.from, -1.0}, std::pair{path.to, 1.0}}) {
-    if (region == 0 || region > n_inner_) continue;
+    if (!is_inner(region)) continue;
     const double unit = sign * seconds_per_degree_ / network_.regions()[region].capacity;
     double* const row = J.data() + (region - 1) * n;
-    if (path.from > 0) row[path.from - 1] += unit * slope.from;
-    if (path.to <= n_inner_) row[path.to - 1] += unit * slope.to;
+    if (is_inner(path.from)) row[path.from - 1] += unit * slope.from;
+    if (is_inner(path.to)) row[path.to - 1] += unit * slope.to;
     if (slope.position != 0) row[place_[path.ring]] += unit * slope.position / kPressureUnit;
   }
 }
@@ -130,7 +130,7 @@ void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<
   J[row * n + row + 1] = 1;
   const double a = acceleration_of(ring, angle, pressure_);
   for (const std::size_t region : {at.above, at.groove, at.below}) {
-    if (region == 0 || region > n_inner_) continue;
+    if (!is_inner(region)) continue;
     const double p = pressure_[region], d = kProbe * p;
     pressure_[region] += d;
     J[(row + 1) * n + region - 1] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;

@@ -38,6 +38,24 @@ TEST(GasPath, ALandOfNoVolumeIsTheRegionBelowIt) {
   EXPECT_GT(result.blow_by, 0);
 }
 
+// Rings below a land of no volume may have the crankcase on both sides: no gas passes them.
+TEST(GasPath, RingsWithTheCrankcaseOnBothSidesChangeNothing) {
+  for (const RingMotion motion : {RingMotion::kSeated, RingMotion::kAxial}) {
+    Pack one = two_ring_pack();
+    one.ring_motion = motion;
+    one.rings.resize(1);
+    one.rings[0].volume_below = 0;
+    const auto alone = solve_gas_path(one);
+    Pack pack = one;
+    pack.rings.resize(4, one.rings[0]);
+    const auto result = solve_gas_path(pack);
+    EXPECT_GT(result.blow_by, 0);
+    EXPECT_NEAR(result.blow_by, alone.blow_by, 1e-6 * alone.blow_by);
+    EXPECT_LT(result.mass_defect, 1e-12);
+    EXPECT_NEAR(result.regions.at(1).peak_pressure, alone.regions.at(1).peak_pressure, 1e-6 * 6e6);
+  }
+}
+
 TEST(GasPath, MassOfACycleBalances) {
   for (const RingMotion motion : {RingMotion::kSeated, RingMotion::kAxial}) {
     Pack pack = two_ring_pack();

@@ -59,6 +59,20 @@ void check_bore(const char* key, const std::vector<FourierTerm>& terms, const Ca
                       "amplitudes are deviations of the radius, for example \"15 um\""});
 }
 
+void check_map(const Case& c, Breaches& breaches) {
+  double most = 0;
+  for (const std::vector<double>& row : c.liner.map->deviation) {
+    for (const double deviation : row) most = std::max(most, std::abs(deviation));
+  }
+  const double thin_ring = 0.1 * c.engine.bore / 2;
+  if (most < thin_ring) return;
+  breaches.push_back(
+      {"liner.distortion_map",
+       "liner.distortion_map deviates by " + in_mm(most) + " from a bore of the radius " + in_mm(c.engine.bore / 2) +
+           ", more than small deflections of a ring can follow",
+       "the map has deviations of the radius, mostly below 0.1 mm, not the radius itself; check its unit"});
+}
+
 /// A term without a height holds at all; heights of one list are stated for each term or for none.
 void check_heights(const char* key, const std::vector<FourierTerm>& terms, Breaches& breaches) {
   const auto with = std::count_if(terms.begin(), terms.end(), [](const auto& term) { return term.height.has_value(); });
@@ -112,6 +126,7 @@ void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   check_end_gap(c, breaches);
   check_bore("liner.distortion", c.liner.distortion, c, breaches);
   check_bore("liner.thermal_distortion", c.liner.thermal_distortion, c, breaches);
+  check_map(c, breaches);
   check_heights("liner.distortion", c.liner.distortion, breaches);
   check_heights("liner.thermal_distortion", c.liner.thermal_distortion, breaches);
   check_place(c, breaches);

@@ -86,7 +86,13 @@ PackTrees pack_trees(CaseTree tree) {
   }
   pack.is_pack = true;
   const std::size_t n = rings.rbegin()->first;
-  if (n != rings.size() || n > kMostRings) {
+  if (n > kMostRings) {
+    pack.faults.push_back({rings.rbegin()->second.entries.begin()->second.value.key_mark,
+                           "ring " + number(n) + " is stated, and a pack has " + number(kMostRings) + " rings at most",
+                           "take rings out"});
+    return pack;
+  }
+  if (n != rings.size()) {
     pack.faults.push_back({rings.rbegin()->second.entries.begin()->second.value.key_mark,
                            "ring " + number(n) + " is stated, but there are " + number(rings.size()) + " rings",
                            "rings count from 1, the one next to the chamber"});
