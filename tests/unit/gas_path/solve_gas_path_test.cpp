@@ -38,7 +38,7 @@ TEST(GasPath, ALandOfNoVolumeIsTheRegionBelowIt) {
   EXPECT_GT(result.blow_by, 0);
 }
 
-// Rings below a land of no volume may have the crankcase on both sides: no gas passes them.
+// Rings below a piston land of no volume may have the crankcase on both sides: no gas passes them.
 TEST(GasPath, RingsWithTheCrankcaseOnBothSidesChangeNothing) {
   for (const RingMotion motion : {RingMotion::kSeated, RingMotion::kAxial}) {
     Pack one = two_ring_pack();
