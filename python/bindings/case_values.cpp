@@ -81,7 +81,7 @@ class SiValue {
     const auto& points = kind.ref(case_);
     if (points.size() == 1) return py::float_(points.front().value);
     py::list list;
-    for (const auto& [distance, temperature] : points) list.append(py::make_tuple(distance, temperature));
+    for (const auto& [distance, value] : points) list.append(py::make_tuple(distance, value));
     return list;
   }
   py::object operator()(const cycle::AnglesKind&) const {
@@ -121,7 +121,7 @@ class Stored {
   }
   py::object operator()(const cycle::StrokeValuesKind& kind) const {
     py::list list;
-    for (const auto& [distance, temperature] : kind.ref(case_)) list.append(py::make_tuple(distance, temperature));
+    for (const auto& [distance, value] : kind.ref(case_)) list.append(py::make_tuple(distance, value));
     return list;
   }
   py::object operator()(const cycle::AnglesKind&) const {
@@ -182,8 +182,8 @@ class Restore {
   }
   void operator()(const cycle::StrokeValuesKind& kind) const {
     kind.ref(case_).clear();
-    for (const auto& [distance, temperature] : py::cast<std::vector<std::pair<double, double>>>(value_)) {
-      kind.ref(case_).push_back({distance, temperature});
+    for (const auto& [distance, value] : py::cast<std::vector<std::pair<double, double>>>(value_)) {
+      kind.ref(case_).push_back({distance, value});
     }
   }
   void operator()(const cycle::AnglesKind&) const {

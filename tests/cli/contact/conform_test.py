@@ -77,6 +77,14 @@ class ConformTest(program.ProgramTest):
         )
         of_map = self.closure(case="map.toml")
         self.assertAlmostEqual(of_map["open_area"] / self.closure()["open_area"], 1, places=6)
+        # A common slip: the radius in place of its deviation.
+        of_radius = ["height [mm],angle [degree],deviation [mm]"] + [
+            ",".join([*row.split(",")[:2], "44.4"]) for row in rows[1:]
+        ]
+        (self.folder / "bore.csv").write_text("\n".join(of_radius) + "\n", encoding="utf-8")
+        self.refused(
+            "not the radius itself", "--set", "liner.distortion_map=bore.csv", "--set", "conform.height='20 mm'"
+        )
         missing = [row for row in rows if not row.startswith("30,100")]
         (self.folder / "bore.csv").write_text("\n".join(missing) + "\n", encoding="utf-8")
         self.refused("has holes", "--set", "liner.distortion_map=bore.csv", "--set", "conform.height='20 mm'")

@@ -8,7 +8,7 @@
 
 #include "../../scenarios/engine_scenario.hpp"
 #include "batch_cases.hpp"
-#include "ringfilm/cycle/integration/time_integration.hpp"
+#include "no_observer.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle::testing {
@@ -113,11 +113,6 @@ TEST(Robustness, AStopAtTheLimitOfBarusLawReportsIt) {
     EXPECT_NE(std::string(stopped.what()).find("viscosity rises with pressure"), std::string::npos) << stopped.what();
   }
 }
-
-class NoObserver : public StepObserver {
-  void before_step(TimeIntegration&, double, double) override {}
-  void after_step(const TimeIntegration&) override {}
-};
 
 /// Message of the stop when the integration of a member starts, at its own angle; empty if a film is found there.
 std::string stop_at_start(int index) {

@@ -59,13 +59,15 @@ void check_bore(const char* key, const std::vector<FourierTerm>& terms, const Ca
                       "amplitudes are deviations of the radius, for example \"15 um\""});
 }
 
+/// Deviations of a map that small deflections about the closed ring may still follow, over the radius of the bore.
+constexpr double kLargestOfMap = 0.1;
+
 void check_map(const Case& c, Breaches& breaches) {
   double most = 0;
   for (const std::vector<double>& row : c.liner.map->deviation) {
     for (const double deviation : row) most = std::max(most, std::abs(deviation));
   }
-  const double thin_ring = 0.1 * c.engine.bore / 2;
-  if (most < thin_ring) return;
+  if (most < kLargestOfMap * c.engine.bore / 2) return;
   breaches.push_back(
       {"liner.distortion_map",
        "liner.distortion_map deviates by " + in_mm(most) + " from a bore of the radius " + in_mm(c.engine.bore / 2) +

@@ -201,8 +201,8 @@ struct ValueText {
   }
   std::string operator()(const StrokeValuesKind& kind) const {
     std::string text;
-    for (const auto& [distance, temperature] : kind.ref(c)) {
-      text.append(exact(distance)).append(" ").append(exact(temperature)).append(" ");
+    for (const auto& [distance, value] : kind.ref(c)) {
+      text.append(exact(distance)).append(" ").append(exact(value)).append(" ");
     }
     return text;
   }

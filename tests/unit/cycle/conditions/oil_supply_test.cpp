@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "../no_observer.hpp"
 #include "../styles_case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
-#include "ringfilm/cycle/integration/time_integration.hpp"
 
 /// Oil that lies on the liner ahead of a ring between edges of gas.
 namespace ringfilm::cycle::testing {
@@ -35,11 +35,6 @@ TEST(LinerFilm, ACellThatAnEdgeDividesHoldsItsOpenPart) {
   film.lay(2.0004, 2.0018, 0.0007, true);
   EXPECT_NEAR(film.mass(2.0004, 2.002), 0.0007 + 0.0002, 1e-12);
 }
-
-class NoObserver : public StepObserver {
-  void before_step(TimeIntegration&, double, double) override {}
-  void after_step(const TimeIntegration&) override {}
-};
 
 double under_the_ring(const TimeIntegration& integration) {
   const film::FilmGrid& grid = integration.problem().grid;
