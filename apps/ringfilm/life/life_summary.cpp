@@ -7,6 +7,8 @@
 namespace ringfilm::app {
 namespace {
 
+constexpr double kLitresPerMinute = 6e4;
+
 std::size_t index_of(const std::string& name) {
   const auto& all = life::life_quantities();
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
@@ -38,10 +40,17 @@ std::string turned_line(const life::LifeState& state) {
 std::string worn_table(const io::LifeDocument& document) {
   const std::vector<life::LifeState>& states = document.result.states;
   if (states.empty() || !states.front().worn) return "";
-  std::string text = fmt::format("\n{:>8} {:>16} {:>16}\n", "hours", "worn area um mm", "largest depth um");
+  const bool has_gas = document.result.unworn_blow_by_flow.has_value();
+  std::string text = fmt::format("\n{:>8} {:>16} {:>16}{}\n", "hours", "worn area um mm", "largest depth um",
+                                 has_gas ? fmt::format(" {:>14} {:>13}", "end gap + mm", "blow-by l/min") : "");
   for (const life::LifeState& state : states) {
-    text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}\n", state.time / life::kHour, state.worn->worn_area * 1e9,
+    text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}", state.time / life::kHour, state.worn->worn_area * 1e9,
                         state.worn->largest_depth * 1e6);
+    if (has_gas) {
+      text += fmt::format(" {:>14.4g} {:>13.4g}", state.worn->end_gap_growth * 1e3,
+                          state.worn->blow_by_flow.value() * kLitresPerMinute);
+    }
+    text += "\n";
   }
   return text;
 }
@@ -81,7 +90,9 @@ std::string fit_table(const life::CoefficientFit& fit) {
                                        : fmt::format("closest face, +-{:.2g} mm", row.trusted * 1e3);
     text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis, row.worn_area * 1e9,
                         row.rms ? fmt::format("{:.2f}", *row.rms * 1e6) : "",
-                        row.coefficient ? fmt::format("{:.2g}", *row.coefficient) : "not determined");
+                        row.coefficient ? fmt::format("{:.2g}", *row.coefficient)
+                        : row.is_flat   ? "face is flat"
+                                        : "not determined");
   }
   return text +
          fmt::format("the measured faces allow mean coefficients from {:.2g} to {:.2g} m2/N, a factor of {:.3g}\n",

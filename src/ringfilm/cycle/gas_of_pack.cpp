@@ -55,14 +55,6 @@ base::Shared<SampledTrace> region_trace(const gas_path::GasPathResult& result, s
   return trace;
 }
 
-/// Chamber and crankcase stay those of the case.
-void set_pressures(Ring& ring, const gas_path::GasPathResult& result, const gas_path::RingBorders& at) {
-  if (at.above > 0) ring.pressure_above.computed = region_trace(result, at.above);
-  if (at.below + 1 < result.regions.size()) ring.pressure_below.computed = region_trace(result, at.below);
-  if (ring.gas_path.kind == RingKind::kCompression) ring.pressure_behind = region_trace(result, at.groove);
-  ring.has_computed_gas = true;
-}
-
 std::string joined_numbers(const std::vector<std::size_t>& numbers) {
   std::string text;
   for (const std::size_t number : numbers) text += (text.empty() ? "" : ", ") + std::to_string(number);
@@ -90,13 +82,23 @@ gas_path::Pack gas_pack(const Case& c) {
   return pack;
 }
 
+/// Chamber and crankcase stay those of the case.
+void put_gas_pressures(Ring& ring, const gas_path::Pack& pack, const gas_path::GasPathResult& result,
+                       std::size_t index) {
+  const gas_path::Network network(pack);
+  const gas_path::RingBorders& at = network.borders(index);
+  if (at.above > 0) ring.pressure_above.computed = region_trace(result, at.above);
+  if (at.below + 1 < result.regions.size()) ring.pressure_below.computed = region_trace(result, at.below);
+  if (network.has_groove(index)) ring.pressure_behind = region_trace(result, at.groove);
+  ring.has_computed_gas = true;
+}
+
 Case with_gas_path(Case c) {
   if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return c;
   const gas_path::Pack pack = gas_pack(c);
   const gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
-  const gas_path::Network network(pack);
-  set_pressures(c.ring, result, network.borders(0));
-  for (std::size_t i = 0; i < c.rings.size(); ++i) set_pressures(c.rings[i].ring, result, network.borders(i));
+  put_gas_pressures(c.ring, pack, result, 0);
+  for (std::size_t i = 0; i < c.rings.size(); ++i) put_gas_pressures(c.rings[i].ring, pack, result, i);
   std::vector<std::string>& notes = c.is_pack() ? c.rings.front().notes : c.notes;
   constexpr double kLitresPerMinute = 6e4;
   notes.push_back("the gas between the rings is computed: blow-by " + number_text(result.blow_by * 1e6) +

@@ -10,6 +10,11 @@ namespace ringfilm::cycle {
 /// The gas path of a checked case, of a ring pack or of one ring. Throws InputError where its traces cannot be used.
 gas_path::Pack gas_pack(const Case& c);
 
+/// Puts the pressures that the gas path of a pack gives into one of its rings: those of the piston lands at its edges
+/// and that of its groove behind it. @param index of the ring in gas_path::Pack::rings
+void put_gas_pressures(Ring& ring, const gas_path::Pack& pack, const gas_path::GasPathResult& result,
+                       std::size_t index);
+
 /// The case with the gas path of its pack computed, where gas_path.model asks for it: each ring has the pressures of
 /// the piston lands at its edges and that of its groove behind it, and the first a note on the blow-by. Others as they
 /// are. Throws ConvergenceError where the gas is not found.

@@ -18,10 +18,13 @@
 namespace ringfilm::life {
 namespace {
 
+/// Depth within which a waviness decays: p_a/|p_a'| at usual separations, a share of the roughness (docs/theory/life.md).
+constexpr double kDecayDepth = 0.3;
+
 class Scenario {
  public:
-  Scenario(const Life& life, const CycleIntegrators& integrators)
-      : life_(life), integrators_(integrators), wear_(life, integrators) {}
+  Scenario(const Life& life, const CycleIntegrators& integrators, PackGas& gas)
+      : life_(life), integrators_(integrators), gas_(gas), wear_(life, integrators, gas) {}
 
   LifeResult run();
 
@@ -31,8 +34,8 @@ class Scenario {
  private:
   void integrate();
   void check_wedge(const WornDepths& now);
-  WornProfile profile(const WornDepths& depths) const;
-  WearThrough end_of_coating(const WornDepths& depths) const;
+  WornProfile profile(const WornDepths& depths);
+  WearThrough end_of_coating(const WornDepths& depths);
   void compare_with_measured(LifeState& state) const;
   std::optional<CoefficientRange> implied_coefficient() const;
   void append_tilt_note();
@@ -41,6 +44,7 @@ class Scenario {
 
   const Life& life_;
   const CycleIntegrators& integrators_;
+  PackGas& gas_;
   DutyWear wear_;
   LifeResult result_;
 };
@@ -51,18 +55,19 @@ void Scenario::check_wedge(const WornDepths& now) {
   if (std::min(heights.front(), heights.back()) < wear_.roughness_at(now.time)) result_.wear->wedge_gone = now.time;
 }
 
-WornProfile Scenario::profile(const WornDepths& depths) const {
+WornProfile Scenario::profile(const WornDepths& depths) {
   WornProfile worn = worn_profile(depths.face, wear_.area(depths.face), life_.wear.coating_thickness);
   worn.liner_depth = depths.liner;
+  worn.blow_by_flow = gas_.blow_by_flow({worn.largest_depth, depths.liner});
   return worn;
 }
 
 /// With the depth of the coating without the round-off of its interpolation, so that a limit of that depth is met.
-WearThrough Scenario::end_of_coating(const WornDepths& depths) const {
+WearThrough Scenario::end_of_coating(const WornDepths& depths) {
   const double thickness = life_.wear.coating_thickness.value_or(kAssumedCoating);
   WearThrough end{depths.time, profile(depths)};
   end.worn.largest_depth = thickness;
-  end.worn.end_gap_growth = 2 * std::numbers::pi * thickness;
+  end.worn.end_gap_growth = end_gap_growth(thickness);
   if (end.worn.coating_left) end.worn.coating_left = 0;
   return end;
 }
@@ -135,6 +140,12 @@ void Scenario::append_jump_note() {
                              "cycle: take more wear.jumps, or leave them out",
                              1});
   }
+  if (const auto& depth = result_.wear->effort.coarse_depth) {
+    result_.notes.push_back({"jumps-coarse",
+                             "the coating lasts to no later reported time: its end was found by jumps of " +
+                                 number_text(*depth * 1e6) + " um, within a few per cent; report earlier hours",
+                             1});
+  }
   const double difference = result_.wear->effort.stage_difference, allowed = Wear{}.jump_error;
   if (!life_.wear.jumps || difference <= 1.5 * allowed) return;
   result_.notes.push_back({"jumps-few",
@@ -186,13 +197,14 @@ void Scenario::integrate() {
   for (const ReportedTime& reported : life_.times) times.push_back(reported.time);
   WearLimits limits;
   limits.deepest = life_.wear.coating_thickness.value_or(kAssumedCoating);
+  limits.decay_depth = kDecayDepth * wear_.roughness_at(0);
   if (life_.wear.surface == WornSurface::kPath) {
     limits.is_too_long = [this](double from, double to) { return wear_.surface_changes_much(from, to); };
   }
   limits.after_jump = [this](const WornDepths& now) { check_wedge(now); };
   const WearHistory history = integrate_wear(
       life_.wear, times, wear_.face().n_nodes(), wear_.n_liner(),
-      [this](double time, const std::vector<double>& worn) { return wear_.load(time, worn); }, limits);
+      [this](const WornDepths& now) { return wear_.load(now); }, limits);
   result_.wear->effort = history.effort;
   if (history.worn_through) result_.wear->worn_through = end_of_coating(*history.worn_through);
   result_.liner_position = wear_.liner_position();
@@ -201,14 +213,14 @@ void Scenario::integrate() {
     LifeState& state = result_.states.emplace_back();
     state.time = depths.time;
     state.standing = Standing::kScenario;
-    state.ring = wear_.ring_at(depths.time, depths.face);
+    state.ring = wear_.ring_at(depths);
     state.worn = profile(depths);
   }
 }
 
 LifeResult Scenario::run_values() {
   integrate();
-  DutyBatch batch(life_, Points::kOfTheDuty);
+  DutyBatch batch(life_, gas_, Points::kOfTheDuty);
   for (LifeState& state : result_.states) batch.add(state.ring, hours_text(state.time), into(life_, state.values));
   result_.cycles += batch.integrate(integrators_.side_by_side);
   return std::move(result_);
@@ -216,8 +228,9 @@ LifeResult Scenario::run_values() {
 
 LifeResult Scenario::run() {
   integrate();
-  DutyBatch reported(life_, Points::kAll), others(life_, Points::kOfTheDuty);
+  DutyBatch reported(life_, gas_, Points::kAll), others(life_, gas_, Points::kOfTheDuty);
   for (LifeState& state : result_.states) {
+    state.point_blow_by_flows = gas_.blow_by_flows(state.ring.gap);
     reported.add(state.ring, hours_text(state.time),
                  [this, &state](const auto& results) { take_duty(life_, results, state, result_.notes); });
   }
@@ -262,12 +275,14 @@ void append_path(const std::string& name, LifeResult end, LifeResult& result) {
 }
 
 /// The geometric mean of what the faces allow, with the ends of that range as other paths.
-LifeResult run_fitted(const Life& life, const CycleIntegrators& integrators) {
-  CoefficientFit fit = fit_coefficient(life, integrators);
+LifeResult run_fitted(const Life& life, const CycleIntegrators& integrators, PackGas& gas) {
+  CoefficientFit fit = fit_coefficient(life, integrators, gas);
   const auto [low, high] = fit.range;
-  LifeResult result = Scenario(with_coefficient(life, std::sqrt(low * high)), integrators).run();
+  const Life mean = with_coefficient(life, std::sqrt(low * high));
+  LifeResult result = Scenario(mean, integrators, gas).run();
   for (const auto& [name, end] : {std::pair{"lowest fitted coefficient", low}, {"highest fitted coefficient", high}}) {
-    append_path(name, Scenario(with_coefficient(life, end), integrators).run_values(), result);
+    const Life other = with_coefficient(life, end);
+    append_path(name, Scenario(other, integrators, gas).run_values(), result);
     append_coating_note(life, result.wear->other_worn_through.back(), std::string(" with the ") + name, result);
   }
   result.cycles += fit.cycles;
@@ -282,12 +297,12 @@ LifeResult run_fitted(const Life& life, const CycleIntegrators& integrators) {
 
 }  // namespace
 
-LifeResult run_archard(const Life& life, const CycleIntegrators& integrators) {
-  if (life.wear.source == CoefficientSource::kFitted) return run_fitted(life, integrators);
-  LifeResult result = Scenario(life, integrators).run();
+LifeResult run_archard(const Life& life, const CycleIntegrators& integrators, PackGas& gas) {
+  if (life.wear.source == CoefficientSource::kFitted) return run_fitted(life, integrators, gas);
+  LifeResult result = Scenario(life, integrators, gas).run();
   if (life.wear.orientations == WornOrientations::kGiven) return result;
   const Life other = turned_life(life);
-  LifeResult end = Scenario(other, integrators).run_values();
+  LifeResult end = Scenario(other, integrators, gas).run_values();
   result.cycles += end.cycles;
   for (std::size_t i = 0; i < std::min(result.states.size(), end.states.size()); ++i) {
     result.states[i].turned = std::move(end.states[i].values);

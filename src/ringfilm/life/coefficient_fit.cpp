@@ -13,6 +13,9 @@
 namespace ringfilm::life {
 namespace {
 
+/// Share of the roughness below which the heights of a face about a straight line count as nothing.
+constexpr double kFlat = 0.1;
+
 /// What a measured face requires of a scenario: an area, or to be as close as possible.
 struct Target {
   FittedCoefficient row;
@@ -39,7 +42,8 @@ Closest closest_between(double at_start, double halfway, double at_end) {
 
 class Fit {
  public:
-  Fit(const Life& life, const CycleIntegrators& integrators) : life_(frozen(life)), wear_(life_, integrators) {}
+  Fit(const Life& life, const CycleIntegrators& integrators, PackGas& gas)
+      : life_(frozen(life)), wear_(life_, integrators, gas) {}
 
   CoefficientFit run() {
     const std::vector<Target> targets = targets_of_faces();
@@ -108,13 +112,13 @@ class Fit {
     };
     limits.is_enough = [&] {
       return path_.back().area >= largest && std::all_of(targets.begin(), targets.end(), [this](const Target& target) {
-               return target.face.empty() || moves_away(target);
+               return target.face.empty() || moves_away(target) || is_flat(target, path_.back().height);
              });
     };
     try {
       integrate_wear(
           life_.wear, {kLongestTime}, wear_.face().n_nodes(), 0,
-          [this](double time, const std::vector<double>& worn) { return wear_.load(time, worn); }, limits);
+          [this](const WornDepths& now) { return wear_.load(now); }, limits);
     } catch (const ConvergenceError&) {
       if (path_.back().area < largest) throw;  // else the path ends where a deeper face has no cycle
     }
@@ -128,6 +132,13 @@ class Fit {
   bool moves_away(const Target& target) const {
     const std::size_t n = path_.size();
     return n > 1 && square_distance(target, path_[n - 1].height) > square_distance(target, path_[n - 2].height);
+  }
+
+  /// Is a face of the scenario a straight line over the width that is compared, beside its roughness? From then on its
+  /// distance is that of the measured face from its own line.
+  bool is_flat(const Target& target, const std::vector<double>& height) const {
+    const std::vector<double> line(height.size(), 0.0);
+    return rms_distance(wear_.face().x(), height, line, target.row.trusted) < kFlat * wear_.roughness_at(0);
   }
 
   /// When the face has lost an area; nothing where the path ended before.
@@ -161,7 +172,8 @@ class Fit {
     const PathPoint &from = path_[before], &to = path_[before + 1];
     row.rms = std::sqrt(least);
     row.worn_area = from.area + share * (to.area - from.area);
-    if (way == static_cast<double>(path_.size() - 1)) return std::nullopt;
+    row.is_flat = is_flat(target, share < 1 ? from.height : to.height);
+    if (row.is_flat || way == static_cast<double>(path_.size() - 1)) return std::nullopt;
     return from.clock + share * (to.clock - from.clock);
   }
 
@@ -172,8 +184,8 @@ class Fit {
 
 }  // namespace
 
-CoefficientFit fit_coefficient(const Life& life, const CycleIntegrators& integrators) {
-  return Fit(life, integrators).run();
+CoefficientFit fit_coefficient(const Life& life, const CycleIntegrators& integrators, PackGas& gas) {
+  return Fit(life, integrators, gas).run();
 }
 
 }  // namespace ringfilm::life

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ringfilm/life/life_run.hpp"
+#include "ringfilm/life/pack_gas.hpp"
 
 namespace ringfilm::life {
 
@@ -19,8 +20,9 @@ enum class Points {
 /// Cycles of the whole duty with one ring each, integrated together.
 class DutyBatch {
  public:
-  DutyBatch(const Life& life, Points points)
-      : life_(life), n_points_(points == Points::kAll ? life.points.size() : n_duty_points(life)) {}
+  /// @param life kept by reference, as is the gas
+  DutyBatch(const Life& life, PackGas& gas, Points points)
+      : life_(life), gas_(gas), n_points_(points == Points::kAll ? life.points.size() : n_duty_points(life)) {}
 
   void add(const RingState& ring, const std::string& name, DutyTaker take);
 
@@ -29,6 +31,7 @@ class DutyBatch {
 
  private:
   const Life& life_;
+  PackGas& gas_;
   std::size_t n_points_;
   std::vector<CycleRequest> requests_;
   std::vector<DutyTaker> takers_;

@@ -49,11 +49,16 @@ class AsperityPressure {
   std::optional<models::FittedContact> fitted_;
 };
 
+EndGapWear end_gap_wear(const WornDepths& depths) {
+  return {*std::max_element(depths.face.begin(), depths.face.end()), depths.liner};
+}
+
 }  // namespace
 
-DutyWear::DutyWear(const Life& life, const CycleIntegrators& integrators)
+DutyWear::DutyWear(const Life& life, const CycleIntegrators& integrators, PackGas& gas)
     : life_(life),
       integrators_(integrators),
+      gas_(gas),
       base_(life.points.front().input),
       n_points_(n_duty_points(life)),
       face_(with_surface(base_, 0)),
@@ -67,9 +72,10 @@ RingState DutyWear::surface_at(double time) const {
   return state;
 }
 
-RingState DutyWear::ring_at(double time, const std::vector<double>& worn, double tilt) const {
-  RingState state = surface_at(time);
-  state.face = face_.face(worn, tilt);
+RingState DutyWear::ring_at(const WornDepths& now, double tilt) const {
+  RingState state = surface_at(now.time);
+  state.face = face_.face(now.face, tilt);
+  state.gap = end_gap_wear(now);
   return state;
 }
 
@@ -88,13 +94,14 @@ std::size_t DutyWear::n_liner() const {
   return life_.wear.liner_coefficient ? kOfACycle : 0;
 }
 
-std::vector<CycleRequest> DutyWear::requests(double time, const std::vector<double>& worn) const {
+std::vector<CycleRequest> DutyWear::requests(const WornDepths& now) {
   std::vector<CycleRequest> requests;
   for (const double tilt : tilts_) {
-    const RingState ring = ring_at(time, worn, tilt);
+    const RingState ring = ring_at(now, tilt);
     for (std::size_t i = 0; i < n_points_; ++i) {
       const OperatingPoint& point = life_.points[i];
-      requests.push_back({with_ring_state(point.input, ring), hours_text(time) + ", " + point.name});
+      requests.push_back({gas_.with_pressures(with_ring_state(point.input, ring), i, ring.gap),
+                          hours_text(now.time) + ", " + point.name});
       cycle::Output& output = requests.back().input.output;
       output = {};
       output.crank_angle_step_deg = point.input.solver.crank_step_deg;
@@ -103,8 +110,8 @@ std::vector<CycleRequest> DutyWear::requests(double time, const std::vector<doub
   return requests;
 }
 
-WearLoad DutyWear::load(double time, const std::vector<double>& worn) {
-  const std::vector<CycleRequest> all = requests(time, worn);
+WearLoad DutyWear::load(const WornDepths& now) {
+  const std::vector<CycleRequest> all = requests(now);
   const std::vector<cycle::CycleResult> results = integrators_.side_by_side(all);
   cycles_ += static_cast<long>(results.size());
   WearLoad load;
@@ -112,7 +119,7 @@ WearLoad DutyWear::load(double time, const std::vector<double>& worn) {
   load.liner.assign(n_liner(), 0.0);
   std::size_t next = 0;
   for (const double tilt : tilts_) {
-    const std::vector<double> heights = face_.heights(worn, tilt);
+    const std::vector<double> heights = face_.heights(now.face, tilt);
     for (std::size_t i = 0; i < n_points_; ++i, ++next) {
       add_cycle(all[next], heights, results[next], life_.points[i].share / static_cast<double>(tilts_.size()), load);
     }

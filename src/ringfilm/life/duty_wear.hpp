@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "ringfilm/life/life_run.hpp"
+#include "ringfilm/life/pack_gas.hpp"
 #include "ringfilm/life/wear/wear_integration.hpp"
 #include "ringfilm/life/wear/worn_face.hpp"
 
@@ -11,14 +12,14 @@ namespace ringfilm::life {
 /// eq-life-archard.
 class DutyWear {
  public:
-  /// @param life kept by reference, as are the integrators
-  DutyWear(const Life& life, const CycleIntegrators& integrators);
+  /// @param life kept by reference, as are the integrators and the gas
+  DutyWear(const Life& life, const CycleIntegrators& integrators, PackGas& gas);
 
-  /// Means over the duty and the spread of tilts. @param worn depths at the nodes of the face [m]
-  WearLoad load(double time, const std::vector<double>& worn);
+  /// Means over the duty and the spread of tilts.
+  WearLoad load(const WornDepths& now);
 
-  /// The level ring at a running time.
-  RingState ring_at(double time, const std::vector<double>& worn) const { return ring_at(time, worn, 0); }
+  /// The level ring with these depths at their running time.
+  RingState ring_at(const WornDepths& now) const { return ring_at(now, 0); }
   double roughness_at(double time) const;  ///< sigma [m]
   /// Do sigma or zeta change by more than a jump may contain?
   bool surface_changes_much(double from, double to) const;
@@ -34,14 +35,15 @@ class DutyWear {
  private:
   RingState surface_at(double time) const;
   cycle::Case with_surface(const cycle::Case& c, double time) const { return with_ring_state(c, surface_at(time)); }
-  RingState ring_at(double time, const std::vector<double>& worn, double tilt) const;
-  std::vector<CycleRequest> requests(double time, const std::vector<double>& worn) const;
+  RingState ring_at(const WornDepths& now, double tilt) const;
+  std::vector<CycleRequest> requests(const WornDepths& now);
   void add_cycle(const CycleRequest& request, const std::vector<double>& heights, const cycle::CycleResult& result,
                  double weight, WearLoad& load) const;
   void weight_edges(WearLoad& load) const;
 
   const Life& life_;
   const CycleIntegrators& integrators_;
+  PackGas& gas_;
   const cycle::Case& base_;
   std::size_t n_points_;
   WornFace face_;

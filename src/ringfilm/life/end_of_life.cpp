@@ -14,6 +14,7 @@ double worn_value(const std::optional<WornProfile>& worn, const std::string& nam
   if (!worn) return kUnknown;
   if (name == "largest_worn_depth") return worn->largest_depth;
   if (name == "worn_area") return worn->worn_area;
+  if (name == "blow_by_flow") return worn->blow_by_flow.value_or(kUnknown);
   return name == "coating_left" ? worn->coating_left.value_or(kUnknown) : worn->end_gap_growth;
 }
 
@@ -63,6 +64,7 @@ Series worn_series(const Life& life, const LifeResult& result, const StateOnPath
   if (result.wear && (result.states.empty() || result.states.front().time > 0)) {
     WornProfile unworn;
     unworn.coating_left = life.wear.coating_thickness;
+    unworn.blow_by_flow = result.unworn_blow_by_flow;
     series.append(0, worn_value(unworn, quantity));
   }
   for (const LifeState& state : result.states) {
@@ -83,6 +85,7 @@ const std::vector<cycle::Quantity>& limitable_quantities() {
     all.push_back({"largest_worn_depth", "m", "um", "largest worn depth", "w_max", "eq-life-archard"});
     all.push_back({"coating_left", "m", "um", "coating left", "", ""});
     all.push_back({"end_gap_growth", "m", "mm", "growth of the end gap", "", ""});
+    all.push_back({"blow_by_flow", "m3/s", "l/min", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"});
     return all;
   }();
   return table;

@@ -170,6 +170,68 @@ void check_path(const Life& life, std::vector<Fault>& faults) {
   if (life.wear.source == CoefficientSource::kFitted) check_fit(life, faults);
 }
 
+const cycle::Ring& worn_ring(const RingPack& pack) {
+  return pack.input.is_pack() ? pack.input.rings[pack.ring - 1].ring : pack.input.ring;
+}
+
+/// The crank that moves the ring must be that of the pack.
+void check_engine_of_pack(const Life& life, std::vector<Fault>& faults) {
+  const cycle::Engine &of_pack = life.pack->input.engine, &of_ring = life.points.front().input.engine;
+  const auto compare = [&](const char* key, double pack, double ring) {
+    if (pack == ring) return;
+    faults.push_back({life.pack->mark,
+                      std::string("the pack has ") + key + " = " + number_text(pack * 1e3) + " mm, the base case " +
+                          number_text(ring * 1e3) + " mm",
+                      "a ring and its pack are of one engine: give both the same"});
+  };
+  compare("engine.bore", of_pack.bore, of_ring.bore);
+  compare("engine.stroke", of_pack.stroke, of_ring.stroke);
+  compare("engine.connecting_rod_length", of_pack.connecting_rod_length, of_ring.connecting_rod_length);
+}
+
+/// A pack needs the depth that opens its end gap, and the gap itself.
+void check_pack(const Life& life, std::vector<Fault>& faults) {
+  const RingPack& pack = *life.pack;
+  if (!pack.input.gas_path.is_computed()) {
+    faults.push_back({pack.mark, "the pack has gas_path.model = \"given\", which has no blow-by",
+                      "state gas_path.model = \"orifice-volume\" in the pack"});
+    return;
+  }
+  const cycle::Ring& ring = worn_ring(pack);
+  if (!ring.end_gap) {
+    faults.push_back({pack.mark,
+                      "ring " + std::to_string(pack.ring) +
+                          " of the pack states gap_area alone, which does not show by how much wear opens it",
+                      "state end_gap and land_clearance of that ring in place of gap_area, for example "
+                      "end_gap = \"0.3 mm\" and land_clearance = \"0.25 mm\""});
+  }
+  if (life.mode == Mode::kMeasuredPath && life.datum == Datum::kOwn) {
+    faults.push_back({pack.mark,
+                      "[pack] needs the worn depth, which opens the end gap, and faces with data of their own do not "
+                      "determine it",
+                      "state path.datum = \"common\" if all scans count from one datum, or mode = \"archard\""});
+  }
+  check_engine_of_pack(life, faults);
+  if (pack.pressures == RingPressures::kGiven) return;
+  for (const OperatingPoint& point : life.points) {
+    const cycle::Ring& ring_of_point = point.input.ring;
+    if (!ring_of_point.pressure_above.is_stated() && !ring_of_point.pressure_below.is_stated()) continue;
+    faults.push_back({pack.mark, "the pressures above and below the ring are stated, and computed by [pack]",
+                      "leave ring.pressure_above and ring.pressure_below out of the base case, or pack.pressures"});
+    break;
+  }
+}
+
+/// The gas path of a single ring is computed with its pack.
+void check_gas_path(const Life& life, std::vector<Fault>& faults) {
+  if ((life.pack && life.pack->pressures == RingPressures::kComputed) || !life.points.front().input.gas_path.is_computed()) return;
+  faults.push_back({{},
+                    "the base case computes its gas path (gas_path.model = \"orifice-volume\"), and the life has no "
+                    "[pack] with pressures = \"computed\"",
+                    "write it, with case = the file that has the gas path, or take gas_path.model = \"given\" in the "
+                    "base case"});
+}
+
 }  // namespace
 
 std::size_t n_duty_points(const Life& life) {
@@ -182,6 +244,8 @@ std::string hours_text(double time) { return number_text(time / kHour) + " h"; }
 std::vector<Fault> faults_of(const Life& life) {
   std::vector<Fault> faults;
   check_times(life, faults);
+  check_gas_path(life, faults);
+  if (life.pack) check_pack(life, faults);
   if (life.mode == Mode::kArchard) check_wear(life, faults);
   const bool is_fitted = life.wear.source == CoefficientSource::kFitted;
   if (life.mode == Mode::kMeasuredPath || life.wear.surface == WornSurface::kPath || is_fitted) {

@@ -111,6 +111,20 @@ struct Wear {
   SourceMark mark = {};                     ///< of the table
 };
 
+/// Gas pressures next to and behind a ring whose pack is given.
+enum class RingPressures {
+  kGiven,    ///< those of the cases
+  kComputed  ///< those of the gas of the pack, with the end gap as worn
+};
+
+/// The pack that the ring belongs to: its blow-by grows with the worn end gap.
+struct RingPack {
+  cycle::Case input;     ///< a pack or a single ring whose gas path is computed; speed and gas are those of the points
+  std::size_t ring = 1;  ///< which of its rings wears, from the chamber
+  RingPressures pressures = RingPressures::kGiven;
+  SourceMark mark;       ///< of its case
+};
+
 /// A limit that ends a life as its user states it; from whichever side its value starts.
 struct EndRule {
   std::string quantity;  ///< one of limitable_quantities()
@@ -127,6 +141,7 @@ struct Life {
   Datum datum = Datum::kOwn;           ///< of their faces
   std::vector<EndRule> end_rules;      ///< when the life ends; empty: no rule
   Wear wear;                           ///< of Mode::kArchard
+  std::optional<RingPack> pack;        ///< absent: gas pressures as the cases have them, blow-by not known
   std::vector<OperatingPoint> points;  ///< of the duty, with shares of 1 in all, then those only reported
 };
 

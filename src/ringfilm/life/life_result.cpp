@@ -1,8 +1,9 @@
 #include "ringfilm/life/life_result.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
+
+#include "ringfilm/life/pack_gas.hpp"
 
 namespace ringfilm::life {
 
@@ -10,7 +11,7 @@ WornProfile worn_profile(std::vector<double> depth, double area, std::optional<d
   WornProfile worn;
   worn.worn_area = area;
   worn.largest_depth = *std::max_element(depth.begin(), depth.end());
-  worn.end_gap_growth = 2 * std::numbers::pi * worn.largest_depth;
+  worn.end_gap_growth = end_gap_growth(worn.largest_depth);
   if (coating) worn.coating_left = *coating - worn.largest_depth;
   worn.depth = std::move(depth);
   return worn;

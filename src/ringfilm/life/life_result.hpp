@@ -20,6 +20,8 @@ struct WornProfile {
   double end_gap_growth = 0;  ///< 2 pi times the largest depth: by how much the ends of the ring move apart [m]
   std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
   std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
+  /// Of the pack with its end gap as worn, mean over the duty [m3/s]; nothing without a pack.
+  std::optional<double> blow_by_flow;
 };
 
 /// The profile of lost depths. @param coating its thickness, if known [m]
@@ -43,6 +45,7 @@ struct LifeState {
   std::vector<FaceDistance> from_measured;
   LifeValues values;               ///< of the whole duty
   std::vector<LifeValues> points;  ///< of each operating point
+  std::vector<double> point_blow_by_flows;  ///< of the pack at each of them [m3/s]; empty without a pack
   /// Of a measured state: the least wear since the first one, by how much of the edges is trusted. Lower bounds.
   std::vector<WearBound> least_wear;
   std::vector<LifeValues> other_paths;                 ///< on each of LifeResult::other_paths; empty: it ended before
@@ -84,7 +87,8 @@ struct FittedCoefficient {
   double trusted = 0;                 ///< margin at each edge that is not trusted, or half width compared [m]
   double worn_area = 0;               ///< that it gives [m2]
   std::optional<double> rms;          ///< of kClosestFace: the distance that is left [m]
-  std::optional<double> coefficient;  ///< nothing: no wear, or none that this duty gives [m2/N]
+  std::optional<double> coefficient;  ///< nothing: no wear, none that this duty gives, or a flat face [m2/N]
+  bool is_flat = false;  ///< of kClosestFace: the scenario's face is flat there, and its distance no longer changes
 };
 
 /// Coefficients that the measured faces allow.
@@ -119,6 +123,7 @@ struct LifeResult {
   std::vector<NamedPath> other_paths;  ///< whose values make the band
   std::vector<EndOfLife> ends;         ///< of each of Life::end_rules
   std::optional<WearSummary> wear;     ///< of a scenario of wear
+  std::optional<double> unworn_blow_by_flow;  ///< mean over the duty [m3/s]; nothing without a pack
   std::vector<double> liner_position;  ///< below the TDC position of the ring [m]; empty: the liner is not followed
   std::vector<cycle::Note> notes;      ///< of the cycles and of the life; their counts are cycles
   long cycles = 0;                     ///< integrated until they repeat themselves

@@ -1,6 +1,11 @@
 #include "ringfilm/life/life_run.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "ringfilm/base/table.hpp"
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/life/archard_run.hpp"
 #include "ringfilm/life/duty_batch.hpp"
@@ -54,15 +59,18 @@ std::vector<double> lost_since_first(const Life& life, const Interpolation& path
 }
 
 /// What faces state about wear: with one datum the wear itself, else lower bounds at measured states.
-void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, LifeState& state) {
+void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, PackGas& gas, LifeState& state) {
   if (life.datum == Datum::kCommon) {
     const auto lost = [&](const Interpolation& path) {
       std::vector<double> depth = lost_since_first(life, path, state.time, state.x);
       const double area = area_under(state.x, depth);
       return worn_profile(std::move(depth), area, life.points.front().input.ring.coating.thickness);
     };
-    state.worn = lost(life.path);
-    for (const NamedPath& other : other_paths) state.other_worn.emplace_back(lost(other.path));
+    const auto put_gas = [&gas](WornProfile& worn) {
+      worn.blow_by_flow = gas.blow_by_flow({worn.largest_depth, {}});
+    };
+    put_gas(state.worn.emplace(lost(life.path)));
+    for (const NamedPath& other : other_paths) put_gas(state.other_worn.emplace_back(lost(other.path)).value());
     return;
   }
   const FaceHeights first = face_heights(life.states.front().input);
@@ -75,25 +83,45 @@ void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, LifeS
   }
 }
 
-LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
+/// The ring on a path, with its end gap as far as the faces determine it.
+class PathRing {
+ public:
+  explicit PathRing(const Life& life) : life_(life) {
+    if (life.pack) x_ = cycle::face_grid(cycle::prepare(life.points.front().input)).x;
+  }
+
+  RingState at(const Interpolation& path, double time) const {
+    RingState ring = state_on_path(life_.states, path, time, life_.points.front().input.solver.cells);
+    if (x_.empty()) return ring;
+    const std::vector<double> lost = lost_since_first(life_, path, time, x_);
+    ring.gap.ring_depth = std::max(0.0, *std::max_element(lost.begin(), lost.end()));
+    return ring;
+  }
+
+ private:
+  const Life& life_;
+  std::vector<double> x_;  ///< nodes of the film; empty without a pack [m]
+};
+
+LifeResult run_path(const Life& life, const CycleIntegrators& integrators, PackGas& gas) {
   LifeResult result;
   result.other_paths = other_paths_of(life.path);
-  const int cells = life.points.front().input.solver.cells;
-  DutyBatch reported(life, Points::kAll), others(life, Points::kOfTheDuty);
+  const PathRing path_ring(life);
+  DutyBatch reported(life, gas, Points::kAll), others(life, gas, Points::kOfTheDuty);
   result.states.resize(life.times.size());
   for (std::size_t i = 0; i < life.times.size(); ++i) {
     LifeState& state = result.states[i];
     state.time = life.times[i].time;
     state.standing = standing_at(life.states, state.time);
-    state.ring = state_on_path(life.states, life.path, state.time, cells);
+    state.ring = path_ring.at(life.path, state.time);
+    state.point_blow_by_flows = gas.blow_by_flows(state.ring.gap);
     state.other_paths.resize(result.other_paths.size());
     const std::string name = hours_text(state.time);
     reported.add(state.ring, name, [&](const auto& results) { take_duty(life, results, state, result.notes); });
     if (state.standing == Standing::kInterpolated) {
       for (std::size_t k = 0; k < result.other_paths.size(); ++k) {
         const NamedPath& other = result.other_paths[k];
-        others.add(state_on_path(life.states, other.path, state.time, cells), name + ", " + other.name,
-                   into(life, state.other_paths[k]));
+        others.add(path_ring.at(other.path, state.time), name + ", " + other.name, into(life, state.other_paths[k]));
       }
     }
     if (state.ring.face.orientation != cycle::Orientation::kLeadingEdge) {
@@ -104,7 +132,7 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
   result.cycles += reported.integrate(integrators.alone);
   result.cycles += others.integrate(integrators.side_by_side);
   for (LifeState& state : result.states) {
-    put_wear(life, result.other_paths, state);
+    put_wear(life, result.other_paths, gas, state);
     // At a measured state and after the last one all paths agree.
     for (LifeValues& other : state.other_paths) {
       if (other.empty()) other = state.values;
@@ -125,7 +153,11 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators) {
 }  // namespace
 
 LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
-  LifeResult result = life.mode == Mode::kArchard ? run_archard(life, integrators) : run_path(life, integrators);
+  PackGas gas(life);
+  LifeResult result =
+      life.mode == Mode::kArchard ? run_archard(life, integrators, gas) : run_path(life, integrators, gas);
+  result.unworn_blow_by_flow = gas.blow_by_flow({});
+  for (cycle::Note& note : gas.notes()) result.notes.push_back(std::move(note));
   result.ends = ends_of_life(life, result);
   append_notes_of_ends(life, result);
   return result;

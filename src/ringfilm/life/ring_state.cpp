@@ -108,6 +108,7 @@ RingState with_part(RingState earlier, const RingState& later, Part part) {
   switch (part) {
     case Part::kFace:
       earlier.face = later.face;
+      earlier.gap = later.gap;
       break;
     case Part::kRoughness:
       earlier.asperity_density = later.asperity_density;

@@ -6,6 +6,12 @@
 /// What changes of a ring over its life, and its interpolation between measured states (docs/theory/life.md).
 namespace ringfilm::life {
 
+/// What opened the end gap of a ring since the start of its life.
+struct EndGapWear {
+  double ring_depth = 0;            ///< largest worn depth of the face [m]
+  std::vector<double> liner_depth;  ///< along the stroke [m]; empty: the liner is not followed
+};
+
 /// Face, roughness and boundary shear strength of a ring at a running time.
 struct RingState {
   cycle::RingFace face;         ///< the shape over its width
@@ -14,6 +20,7 @@ struct RingState {
   double roughness = 0;         ///< sigma, by its measure [m]
   cycle::RoughnessMeasure roughness_measure = cycle::RoughnessMeasure::kAsGiven;
   double boundary_shear_strength_coefficient = 0;  ///< zeta [-]
+  EndGapWear gap = {};                             ///< with the face; used where a pack is given
 };
 
 /// Which of the three a mixture takes from a later state.

@@ -67,6 +67,17 @@ class Fit(life_test.LifeTest):
         self.assertEqual([row["coefficient"] for row in rows if row["hours"] == 2], [None] * 6)
         self.assertTrue(all(row["coefficient"] for row in rows if row["hours"] == 4))
 
+    def test_a_flat_face_gives_no_coefficient_by_its_distance(self):
+        """From 15 um to 0.02 um of crown: once the scenario is flat its distance from that face no longer changes."""
+        (self.folder / "flat.toml").write_text(program.CASE.replace("15 um", "0.02 um"))
+        (self.folder / "fit.toml").write_text(FIT.replace("worn.toml", "flat.toml"))
+        rows = self.life("fit.toml")["wear"]["fit"]["rows"]
+        closest = [row for row in rows if row["basis"] == "closest-face"]
+        self.assertEqual([row["face_is_flat"] for row in closest], [True, True])
+        self.assertEqual([row["coefficient"] for row in closest], [None, None])
+        self.assertTrue(all(row["coefficient"] for row in rows if row["basis"] == "least-wear"))
+        self.assertIn("face is flat", self.run_well("life", "fit.toml"))
+
     def test_a_face_that_a_scenario_made_gives_its_coefficient(self):
         """Its edges are worn, so that the lower bounds are below its area: it is found behind them."""
         flat = program.CASE.replace("15 um", "4 um")

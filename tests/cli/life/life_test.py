@@ -199,8 +199,13 @@ class CommonDatum(LifeTest):
 
 
 class EndOfLife(LifeTest):
-    def test_blow_by_is_refused(self):
-        self.refused(LIFE + '[end_of_life]\nblow_by = "20 g/min"\n', "end_of_life.blow_by is not computed")
+    def test_blow_by_without_a_pack_is_refused(self):
+        self.refused(
+            LIFE + '[end_of_life]\nblow_by_flow = "20 l/min"\n',
+            "life.toml:11:1",
+            "end_of_life.blow_by_flow needs the gas of a ring pack",
+            "write [pack]",
+        )
 
     def test_a_limit_that_the_mode_does_not_determine_is_noted(self):
         (self.folder / "life.toml").write_text(LIFE + '[end_of_life]\nworn_area = "5 um mm"\n')
@@ -277,6 +282,23 @@ class Archard(LifeTest):
         through, (end,) = reported["wear"]["coating_worn_through_hours"], reported["end_of_life"]
         self.assertAlmostEqual(end["hours"] / through, 0.5, delta=1e-9)
         self.assertIsNone(end["turned"])
+
+    def test_a_coefficient_that_wears_all_at_once_is_answered_by_few_jumps(self):
+        """100 um of the assumed coating, lost long before the first reported hour; at most 0.15 um a jump else."""
+        (self.folder / "archard.toml").write_text(ARCHARD.replace("4e-18", "4e-12"))
+        done = self.run_program("life", "archard.toml", "--json")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        reported = json.loads(done.stdout)
+        self.assertLess(reported["wear"]["jumps"], 200)
+        self.assertIn("jumps-coarse", [note["topic"] for note in reported["notes"]])
+        through = reported["wear"]["coating_worn_through_hours"]
+        hours = f'["0 h", "{0.4 * through!r} h", "{2 * through!r} h"]'
+        (self.folder / "archard.toml").write_text(
+            ARCHARD.replace("4e-18", "4e-12").replace('["0 h", "1 h", "4 h"]', hours) + 'coating_thickness = "100 um"\n'
+        )
+        fine = json.loads(self.run_program("life", "archard.toml", "--json").stdout)
+        self.assertNotIn("jumps-coarse", [note["topic"] for note in fine["notes"]])
+        self.assertAlmostEqual(fine["wear"]["coating_worn_through_hours"] / through, 1, delta=0.03)
 
     def test_a_coefficient_that_runs_away_ends_with_the_hour(self):
         text = ARCHARD.replace("4e-18", "4e-12").replace('["0 h", "1 h", "4 h"]', '["0 h", "0.01 h"]')

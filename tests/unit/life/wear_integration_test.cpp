@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "ringfilm/base/error.hpp"
@@ -19,7 +20,7 @@ constexpr double kCoefficient = 1e-17;                        // [m2/N]
 WearHistory worn_after(const DryContact& dry, std::size_t n, double sliding, Wear wear = {}) {
   wear.coefficient = kCoefficient;
   return integrate_wear(wear, {sliding / kSpeed}, n, 0,
-                        [&](double, const std::vector<double>& worn) { return dry(worn); });
+                        [&](const WornDepths& now) { return dry(now.face); });
 }
 
 std::vector<double> heights(const std::vector<double>& x, const std::function<double(double)>& height) {
@@ -74,7 +75,7 @@ TEST(WearIntegration, TimesBetweenEqualJumpsAreReportedWithoutChangingTheLater) 
   Wear wear;
   wear.coefficient = kCoefficient;
   wear.jumps = 4;
-  const auto load = [&](double, const std::vector<double>& worn) { return dry(worn); };
+  const auto load = [&](const WornDepths& now) { return dry(now.face); };
   const double end = 2e4;
   const WearHistory both = integrate_wear(wear, {0, 0.3 * end, end}, x.size(), 0, load);
   const WearHistory alone = integrate_wear(wear, {end}, x.size(), 0, load);
@@ -104,7 +105,7 @@ TEST(WearIntegration, ItEndsWhereTheCoatingIsWornThrough) {
   limits.deepest = 1e-6;
   const WearHistory history = integrate_wear(
       wear, {0.5e-6 / per_second, 2e-6 / per_second}, x.size(), 0,
-      [&](double, const std::vector<double>& worn) { return dry(worn); }, limits);
+      [&](const WornDepths& now) { return dry(now.face); }, limits);
   EXPECT_EQ(history.states.size(), 1u);
   ASSERT_TRUE(history.worn_through);
   EXPECT_NEAR(history.worn_through->time * per_second, 1e-6, 1e-18);
@@ -123,9 +124,9 @@ TEST(WearIntegration, NoStageOfAJumpIsDeeperThanTheCoating) {
   double deepest = 0;
   const WearHistory history = integrate_wear(
       wear, {0, 1e-3 / per_second}, x.size(), 0,
-      [&](double, const std::vector<double>& worn) {
-        deepest = std::max(deepest, worn[0]);
-        return dry(worn);
+      [&](const WornDepths& now) {
+        deepest = std::max(deepest, now.face[0]);
+        return dry(now.face);
       },
       limits);
   EXPECT_EQ(history.states.size(), 1u);
@@ -141,8 +142,8 @@ TEST(WearIntegration, AJumpThroughTheCoatingHasItsSecondStageWhereTheCoatingEnds
   wear.jumps = 1;
   WearLimits limits;
   limits.deepest = kDepth;
-  const auto load = [&](double, const std::vector<double>& worn) {
-    return WearLoad{{kRate * (1 + worn[0] / kDepth)}, {}, 0};
+  const auto load = [&](const WornDepths& now) {
+    return WearLoad{{kRate * (1 + now.face[0] / kDepth)}, {}, 0};
   };
   const WearHistory history = integrate_wear(wear, {1e5}, 1, 0, load, limits);
   // Loads of a and 2 a at the two stages; the first alone would last l/a.
@@ -157,8 +158,8 @@ TEST(WearIntegration, AFaceAsDeepAsTheCoatingThatHasNoCycleIsMarked) {
   wear.jumps = 1;
   WearLimits limits;
   limits.deepest = 1e-6;
-  const auto load = [](double, const std::vector<double>& worn) -> WearLoad {
-    if (worn[0] > 0) throw ConvergenceError("no film");
+  const auto load = [](const WornDepths& now) -> WearLoad {
+    if (now.face[0] > 0) throw ConvergenceError("no film");
     return {{1e-9}, {}, 0};
   };
   const WearHistory history = integrate_wear(wear, {1e5}, 1, 0, load, limits);
@@ -177,9 +178,65 @@ TEST(WearIntegration, APartOfAJumpIsNotReportedDeeperThanTheCoating) {
   limits.deepest = 1e-6;
   const WearHistory history = integrate_wear(
       wear, {0, 2e-6 / per_second, 1e-3 / per_second}, x.size(), 0,
-      [&](double, const std::vector<double>& worn) { return dry(worn); }, limits);
+      [&](const WornDepths& now) { return dry(now.face); }, limits);
   EXPECT_EQ(history.states.size(), 1u);
   EXPECT_NEAR(history.worn_through.value().time * per_second, 1e-6, 1e-18);
+}
+
+/// A parabola that would be lost a hundred times over: its end is found by few jumps, not far from where many find it.
+TEST(WearIntegration, TheEndOfACoatingBeforeAnyReportedTimeIsFoundByFewJumps) {
+  const auto x = places(kWidth, 120);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, heights(x, [](double s) { return s * s / 0.02; }));
+  Wear wear;
+  wear.coefficient = kCoefficient;
+  const double last = 100 * 100e-6 * kWidth / (kCoefficient * kLoad * kSpeed);
+  WearLimits limits;
+  limits.deepest = 100e-6;
+  const auto load = [&](const WornDepths& now) { return dry(now.face); };
+  const WearHistory fine = integrate_wear(wear, {0, last}, x.size(), 0, load, limits);
+  limits.decay_depth = 0.15e-6;
+  double passed = 0;
+  limits.after_jump = [&](const WornDepths& now) { passed = now.time; };
+  const WearHistory coarse = integrate_wear(wear, {0, last}, x.size(), 0, load, limits);
+  EXPECT_GT(fine.effort.jumps, 600);
+  EXPECT_FALSE(fine.effort.coarse_depth);
+  EXPECT_LT(coarse.effort.jumps, 150);
+  EXPECT_EQ(coarse.effort.coarse_depth, 1e-6);
+  EXPECT_EQ(coarse.states.size(), 1u);
+  EXPECT_NEAR(coarse.worn_through.value().time / fine.worn_through.value().time, 1, 0.02);
+  EXPECT_GE(passed, coarse.worn_through->time);
+}
+
+TEST(WearIntegration, ACoatingThatLastsToAReportedTimeIsNotWornByFewJumps) {
+  const auto x = places(kWidth, 60);
+  const DryContact dry(0.5e-6, kLoad, kSpeed, x, std::vector<double>(x.size(), 0.0));
+  Wear wear;
+  wear.coefficient = kCoefficient;
+  const double per_second = kCoefficient * kLoad / kWidth * kSpeed;
+  WearLimits limits;
+  limits.deepest = 1e-6;
+  limits.decay_depth = 0.15e-6;
+  const WearHistory history =
+      integrate_wear(wear, {0.9e-6 / per_second}, x.size(), 0,
+                     [&](const WornDepths& now) { return dry(now.face); }, limits);
+  EXPECT_FALSE(history.effort.coarse_depth);
+  EXPECT_EQ(history.states.size(), 1u);
+}
+
+/// A load that ends halfway through the coating, whose first rate promised its end.
+TEST(WearIntegration, AnEndThatDoesNotComeIsIntegratedAsUsual) {
+  Wear wear;
+  wear.coefficient = 1;
+  WearLimits limits;
+  limits.deepest = 1e-6;
+  limits.decay_depth = 0.15e-6;
+  const auto load = [](const WornDepths& now) {
+    return WearLoad{{1e-9 * std::max(0.0, 1 - now.face[0] / 0.5e-6)}, {}, 0};
+  };
+  const WearHistory history = integrate_wear(wear, {1e4}, 1, 0, load, limits);
+  EXPECT_FALSE(history.effort.coarse_depth);
+  EXPECT_FALSE(history.worn_through);
+  EXPECT_NEAR(history.states.front().face[0], 0.5e-6 * (1 - std::exp(-20.0)), 0.02e-6);
 }
 
 TEST(WearIntegration, TooManyJumpsAreRefusedWithTimeAndDepth) {
@@ -201,7 +258,7 @@ TEST(WearIntegration, NextToNoWearIsOneJump) {
   Wear wear;
   wear.coefficient = 1e-320;
   const WearHistory history =
-      integrate_wear(wear, {1e4}, x.size(), 0, [&](double, const std::vector<double>& worn) { return dry(worn); });
+      integrate_wear(wear, {1e4}, x.size(), 0, [&](const WornDepths& now) { return dry(now.face); });
   EXPECT_EQ(history.effort.jumps, 1);
 }
 
@@ -215,7 +272,7 @@ TEST(WearIntegration, ItEndsWhereEnoughIsWorn) {
   limits.after_jump = [&](const WornDepths& now) { worn = now.face[0]; };
   limits.is_enough = [&] { return worn > 1e-6; };
   const WearHistory history = integrate_wear(
-      wear, {1e9}, x.size(), 0, [&](double, const std::vector<double>& depths) { return dry(depths); }, limits);
+      wear, {1e9}, x.size(), 0, [&](const WornDepths& now) { return dry(now.face); }, limits);
   EXPECT_GT(history.states.back().face[0], 1e-6);
   EXPECT_LT(history.states.back().face[0], 1.2e-6);
 }

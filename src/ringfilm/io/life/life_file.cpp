@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
 
 #include "ringfilm/io/life/duty_table.hpp"
@@ -21,7 +23,7 @@ class LifeReader : DocumentReader {
   LifeFile read() {
     const TomlValue root = read_document("life");
     StudyTable table(root, "a life",
-                     {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "end_of_life"},
+                     {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},
                      faults_);
     life_.title = table.text("title").value_or(stem());
     life_.mode = table
@@ -34,6 +36,7 @@ class LifeReader : DocumentReader {
     for (const TomlValue& state : table.items("state")) read_state(state);
     read_path(table);
     read_wear(table);
+    read_pack(table);
     read_end(table);
     if (faults_.empty()) faults_ = life::faults_of(life_);
     if (!faults_.empty()) throw InputError(with_places(faults_));
@@ -75,12 +78,20 @@ class LifeReader : DocumentReader {
   /// A case of one ring. @param mark where the life asks for it
   std::optional<cycle::Case> read_ring(const std::string& path, const std::vector<Override>& overrides,
                                        const SourceMark& mark) {
+    auto input = read_at(mark, [&](std::vector<DroppedKey>& dropped) {
+      return read_case_dropping(path, overrides, units_, dropped);
+    });
+    if (!input || !is_one_ring(*input, path, "a life", mark)) return std::nullopt;
+    record(*input);
+    return input;
+  }
+
+  /// What reads a case; nothing where it is refused. @param mark where the life asks for it
+  template <class Read>
+  std::optional<cycle::Case> read_at(const SourceMark& mark, const Read& read) {
     try {
       std::vector<DroppedKey> dropped;
-      cycle::Case input = read_case_dropping(path, overrides, units_, dropped);
-      if (!is_one_ring(input, path, "a life", mark)) return std::nullopt;
-      record(input);
-      return input;
+      return read(dropped);
     } catch (const InputError& error) {
       for (const Fault& f : error.faults()) {
         const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
@@ -189,25 +200,50 @@ class LifeReader : DocumentReader {
     life_.wear = read_wear_table(*value, base, units_, faults_);
   }
 
+  /// A pack, of which only the gas is used.
+  void read_pack(StudyTable& root) {
+    const TomlValue* value = root.find("pack");
+    if (value == nullptr) return;
+    StudyTable table(*value, "[pack]", {"case", "ring", "pressures"}, faults_);
+    const std::string name = table.needed_text("case", "\"pack.toml\"");
+    const std::uint64_t ring = table.count("ring").value_or(1);
+    const life::RingPressures pressures =
+        table
+            .chosen<life::RingPressures>(
+                "pressures", {{"given", life::RingPressures::kGiven}, {"computed", life::RingPressures::kComputed}})
+            .value_or(life::RingPressures::kGiven);
+    if (name.empty()) return;
+    const SourceMark mark = table.find("case")->mark;
+    auto input = read_at(mark, [&](std::vector<DroppedKey>& dropped) {
+      return read_case_dropping(locate(name, folder_).shown, overrides_, units_, dropped, CasePurpose::kGasPath);
+    });
+    if (!input) return;
+    record(*input);
+    const std::size_t n = std::max<std::size_t>(1, input->rings.size());
+    if (ring < 1 || ring > n) {
+      table.refuse(table.find("ring")->mark, fmt::format("pack.ring = {} is not from 1 to {}", ring, n),
+                   "rings count from the chamber");
+      return;
+    }
+    life_.pack = life::RingPack{std::move(*input), static_cast<std::size_t>(ring), pressures, mark};
+  }
+
   /// A limit for each quantity that the user names.
   void read_end(StudyTable& root) {
     const TomlValue* value = root.find("end_of_life");
     if (value == nullptr) return;
     std::vector<std::string> names;
     for (const cycle::Quantity& quantity : life::limitable_quantities()) names.push_back(quantity.name);
-    constexpr const char* kBlowBy = "blow_by";
-    for (const TomlMember& member : value->members) {
-      if (member.key != kBlowBy) continue;
-      root.refuse(member.value.key_mark,
-                  "end_of_life.blow_by is not computed: a life is that of one ring, whose gas is given",
-                  "limit end_gap_growth, which opens the path of the gas, or mean_absolute_oil_flow");
-      return;
-    }
     StudyTable table(*value, "[end_of_life]", names, faults_);
     for (const cycle::Quantity& quantity : life::limitable_quantities()) {
       const TomlValue* limit = table.find(quantity.name);
       if (limit == nullptr) continue;
       const std::string key = "end_of_life." + quantity.name;
+      if (quantity.name == "blow_by_flow" && root.find("pack") == nullptr) {
+        table.refuse(limit->key_mark, key + " needs the gas of a ring pack, and the life has none",
+                     "write [pack] with, for example, case = \"pack.toml\", or limit end_gap_growth");
+        continue;
+      }
       const std::optional<double> number = quantity.unit == "1"
                                                ? table.number(quantity.name)
                                                : life_quantity(table, key, *limit, quantity.unit,

@@ -33,16 +33,25 @@ ordered_json band_object(const life::LifeState& state) {
     object[life::life_quantities()[i].name] = {band.low, band.high};
   }
   if (state.other_worn.empty()) return object;
-  life::Band area{state.worn->worn_area, state.worn->worn_area};
-  life::Band depth{state.worn->largest_depth, state.worn->largest_depth};
-  for (const auto& other : state.other_worn) {
-    if (!other) continue;
-    area = {std::min(area.low, other->worn_area), std::max(area.high, other->worn_area)};
-    depth = {std::min(depth.low, other->largest_depth), std::max(depth.high, other->largest_depth)};
-  }
-  object["worn_area"] = {area.low, area.high};
-  object["largest_worn_depth"] = {depth.low, depth.high};
+  const auto band = [&](const auto& value) -> ordered_json {
+    life::Band ends{value(*state.worn), value(*state.worn)};
+    for (const auto& other : state.other_worn) {
+      if (other) ends = {std::min(ends.low, value(*other)), std::max(ends.high, value(*other))};
+    }
+    return {ends.low, ends.high};
+  };
+  object["worn_area"] = band([](const life::WornProfile& worn) { return worn.worn_area; });
+  object["largest_worn_depth"] = band([](const life::WornProfile& worn) { return worn.largest_depth; });
+  if (!state.worn->blow_by_flow) return object;
+  object["blow_by_flow"] = band([](const life::WornProfile& worn) { return worn.blow_by_flow.value(); });
   return object;
+}
+
+/// What is lost on another path, or with the ring turned over.
+void put_lost(const life::WornProfile& worn, ordered_json& object) {
+  object["worn_area"] = worn.worn_area;
+  object["largest_worn_depth"] = worn.largest_depth;
+  if (worn.blow_by_flow) object["blow_by_flow"] = *worn.blow_by_flow;
 }
 
 ordered_json attribution_object(const life::LifeState& state) {
@@ -69,6 +78,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
   if (state.worn) {
     object["worn_depth"] = state.worn->depth;
     object["end_gap_growth"] = state.worn->end_gap_growth;
+    if (state.worn->blow_by_flow) object["blow_by_flow"] = *state.worn->blow_by_flow;
     if (state.worn->coating_left) object["coating_left"] = *state.worn->coating_left;
     if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
   }
@@ -81,18 +91,12 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     ordered_json& others = object["interpolations"] = ordered_json::object();
     for (std::size_t k = 0; k < state.other_paths.size(); ++k) {
       ordered_json one = values_object(state.other_paths[k]);
-      if (k < state.other_worn.size() && state.other_worn[k]) {
-        one["worn_area"] = state.other_worn[k]->worn_area;
-        one["largest_worn_depth"] = state.other_worn[k]->largest_depth;
-      }
+      if (k < state.other_worn.size() && state.other_worn[k]) put_lost(*state.other_worn[k], one);
       others[document.result.other_paths[k].name] = std::move(one);
     }
   }
   if (!state.turned.empty()) object["turned"] = values_object(state.turned);
-  if (state.turned_worn) {
-    object["turned"]["worn_area"] = state.turned_worn->worn_area;
-    object["turned"]["largest_worn_depth"] = state.turned_worn->largest_depth;
-  }
+  if (state.turned_worn) put_lost(*state.turned_worn, object["turned"]);
   const ordered_json attribution = attribution_object(state);
   if (!attribution.empty()) object["attribution"] = attribution;
   ordered_json& points = object["points"] = ordered_json::array();
@@ -100,6 +104,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     const life::OperatingPoint& point = document.file.life.points[i];
     ordered_json one = {{"name", point.name}, {"share", point.share}};
     one.update(values_object(state.points[i]));
+    if (!state.point_blow_by_flows.empty()) one["blow_by_flow"] = state.point_blow_by_flows[i];
     points.push_back(std::move(one));
   }
   return object;
@@ -115,6 +120,7 @@ ordered_json units_object() {
                         {"x", "m"},
                         {"worn_depth", "m"},
                         {"end_gap_growth", "m"},
+                        {"blow_by_flow", "m3/s"},
                         {"coating_left", "m"},
                         {"liner_worn_depth", "m"},
                         {"liner_position", "m"},
@@ -217,6 +223,10 @@ void put_wear(ResultFileWriter& file, const LifeDocument& document) {
                 [](const life::LifeState& state) { return state.worn->largest_depth; });
   put_over_time(file, described("end_gap_growth", "m", "growth of the end gap by wear"), document,
                 [](const life::LifeState& state) { return state.worn->end_gap_growth; });
+  if (document.result.unworn_blow_by_flow) {
+    put_over_time(file, described("blow_by_flow", "m3/s", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"),
+                  document, [](const life::LifeState& state) { return state.worn->blow_by_flow.value(); });
+  }
   file.numbers({kTime, "x"}, described("worn_depth", "m", "worn depth of the face", "w", "eq-life-archard"), depths);
   if (liner.empty()) return;
   file.numbers({"liner_position"}, described("liner_position", "m", "distance below the TDC position of the ring"),

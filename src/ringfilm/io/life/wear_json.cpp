@@ -19,6 +19,7 @@ ordered_json fit_object(const life::CoefficientFit& fit) {
     one[is_bound ? "untrusted_margin" : "half_width"] = row.trusted;
     one["worn_area"] = row.worn_area;
     if (row.rms) one["rms"] = *row.rms;
+    if (!is_bound) one["face_is_flat"] = row.is_flat;
     one["coefficient"] = row.coefficient ? ordered_json(*row.coefficient) : ordered_json();
     rows.push_back(std::move(one));
   }
@@ -80,7 +81,7 @@ ordered_json measured_faces(const LifeDocument& document) {
 ordered_json wear_object(const LifeDocument& document) {
   const life::Wear& wear = document.file.life.wear;
   const life::WearSummary& summary = *document.result.wear;
-  ordered_json object = {{"coefficient", summary.coefficient}};
+  ordered_json object = {{"coefficient", summary.coefficient}, {"standing", summary.fit ? "tuned" : "assumed"}};
   if (wear.running_in_coefficient) {
     object["running_in_coefficient"] = *wear.running_in_coefficient;
     object["running_in_hours"] = wear.running_in_time / life::kHour;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
@@ -17,6 +18,12 @@ constexpr double kShortened = 0.7;
 constexpr double kGrowth = 2;
 /// Aimed at below the allowed difference, so that few jumps are rejected.
 constexpr double kCaution = 0.8;
+
+/// A coating of which this many times would be lost before a reported time, with its wear spread evenly over the face,
+/// does not last until then.
+constexpr double kSurelyLost = 2;
+/// Jumps through such a coating.
+constexpr double kCoarseJumps = 100;
 
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
@@ -52,9 +59,9 @@ class Integration {
 
   /// From the present depths over a time that may not be kept.
   Jump jump_to(double time) {
-    if (!load_now_) load_now_ = measured(now_.time, now_.face);
+    if (!load_now_) load_now_ = measured(now_);
     const double K = coefficient_integral(wear_, now_.time, time);
-    Jump jump{{time, now_.face, now_.liner}, 0};
+    Jump jump{{time, now_.face, worn_liner(time, *load_now_, *load_now_)}, 0};
     for (std::size_t i = 0; i < now_.face.size(); ++i) jump.end.face[i] += K * load_now_->face[i];
     WearLoad later = *load_now_;
     if (wear_.scheme == WearScheme::kHeun && time > now_.time) {
@@ -66,11 +73,16 @@ class Integration {
         jump.end.face[i] = depth;
       }
     }
-    const double liner = wear_.liner_coefficient.value_or(0) * (time - now_.time);
-    for (std::size_t i = 0; i < now_.liner.size(); ++i) {
-      jump.end.liner[i] += 0.5 * liner * (load_now_->liner[i] + later.liner[i]);
-    }
+    jump.end.liner = worn_liner(time, *load_now_, later);
     return jump;
+  }
+
+  /// Depths of the liner after a jump with these loads at its ends.
+  std::vector<double> worn_liner(double time, const WearLoad& from, const WearLoad& to) const {
+    const double K = wear_.liner_coefficient.value_or(0) * (time - now_.time);
+    std::vector<double> depth = now_.liner;
+    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] += 0.5 * K * (from.liner[i] + to.liner[i]);
+    return depth;
   }
 
   /// How much of the way to an end the coating lasts, at most all of it.
@@ -92,9 +104,9 @@ class Integration {
   /// The load at the end of the first stage, or where it is as deep as the coating. A face that deep may have no cycle.
   WearLoad later_load(double share, Jump& jump) {
     const WornDepths there = on_the_way(jump.end, share);
-    if (share == 1) return measured(there.time, there.face);
+    if (share == 1) return measured(there);
     try {
-      return measured(there.time, there.face);
+      return measured(there);
     } catch (const ConvergenceError&) {
       jump.lacks_last_stage = true;
       return *load_now_;
@@ -105,23 +117,23 @@ class Integration {
     return limits_.deepest && largest(depths.face) >= *limits_.deepest;
   }
 
-  WearLoad measured(double time, const std::vector<double>& worn) {
-    WearLoad load = load_of(time, worn);
+  WearLoad measured(const WornDepths& now) {
+    WearLoad load = load_of(now);
     effort_.balance_error = std::max(effort_.balance_error, load.balance_error);
     return load;
   }
 
   /// A cycle without a solution reports how deep the face was by then.
-  WearLoad load_of(double time, const std::vector<double>& worn) {
+  WearLoad load_of(const WornDepths& now) {
     try {
-      return load_(time, worn);
+      return load_(now);
     } catch (const ConvergenceError& stopped) {
-      throw ConvergenceError(where(time, worn) + ": " + stopped.what(), stopped.crank_angle_deg());
+      throw ConvergenceError(where(now) + ": " + stopped.what(), stopped.crank_angle_deg());
     }
   }
 
-  static std::string where(double time, const std::vector<double>& worn) {
-    return "after " + hours_text(time) + " of wear, " + number_text(largest(worn) * 1e6) + " um deep";
+  static std::string where(const WornDepths& now) {
+    return "after " + hours_text(now.time) + " of wear, " + number_text(largest(now.face) * 1e6) + " um deep";
   }
 
   void keep(Jump jump) {
@@ -155,21 +167,79 @@ class Integration {
     const bool is_short = next_ < kShortestJump * longest_by_depth() || !(until > now_.time);
     if (!is_short && effort_.jumps < kMostJumps) return;
     throw ConvergenceError(
-        where(now_.time, now_.face) + ": " +
+        where(now_) + ": " +
         (is_short ? "the jumps became too short" : std::to_string(kMostJumps) + " jumps were taken") +
         "; take a larger wear.jump_error or wear.largest_depth, or a smaller wear.coefficient");
   }
 
   /// The longest jump whose depth at the present rates is allowed.
   double longest_by_depth() const {
+    return longest_by_depth(wear_.largest_depth);
+  }
+  double longest_by_depth(double depth) const {
     const bool is_running_in = wear_.running_in_coefficient && now_.time < wear_.running_in_time;
     const double rate = largest(load_now_->face) * (is_running_in ? *wear_.running_in_coefficient : wear_.coefficient);
-    return rate * end_ > wear_.largest_depth ? wear_.largest_depth / rate : end_;
+    return rate * end_ > depth ? depth / rate : end_;
+  }
+
+  /// Is the coating surely worn through before that time?
+  bool is_lost_before(double time) const {
+    if (!limits_.deepest || !limits_.decay_depth || limits_.is_enough) return false;
+    const double mean = std::accumulate(load_now_->face.begin(), load_now_->face.end(), 0.0) /
+                        static_cast<double>(load_now_->face.size());
+    return coefficient_integral(wear_, now_.time, time) * mean > kSurelyLost * (*limits_.deepest - largest(now_.face));
+  }
+
+  /// eq-life-coarse: explicit where the depth is small beside that within which waviness decays, and never unstable.
+  /// What is lost of the cross-section is that of an explicit jump.
+  WornDepths coarse_jump(double time) const {
+    const double K = coefficient_integral(wear_, now_.time, time);
+    std::vector<double> damped;
+    for (const double load : load_now_->face) damped.push_back(load / (1 + K * load / *limits_.decay_depth));
+    const double all = std::accumulate(load_now_->face.begin(), load_now_->face.end(), 0.0);
+    const double share = all > 0 ? all / std::accumulate(damped.begin(), damped.end(), 0.0) : 1;
+    WornDepths end{time, now_.face, worn_liner(time, *load_now_, *load_now_)};
+    for (std::size_t i = 0; i < end.face.size(); ++i) end.face[i] += K * share * damped[i];
+    return end;
+  }
+
+  /// By few jumps to the end of a coating that does not last until that time. Where it lasts, or a face has no cycle,
+  /// nothing has happened.
+  void wear_through_before(double time) {
+    const Integration before = *this;
+    const double depth = *limits_.deepest / kCoarseJumps;
+    std::vector<WornDepths> passed;
+    try {
+      while (!worn_through_ && now_.time < time && effort_.jumps < kMostJumps) {
+        if (!load_now_) load_now_ = measured(now_);
+        WornDepths end = coarse_jump(std::min(time, now_.time + longest_by_depth(depth)));
+        if (is_through(end)) worn_through_ = on_the_way(end, share_of_coating(end));
+        now_ = std::move(end);
+        passed.push_back(now_);
+        load_now_.reset();
+        ++effort_.jumps;
+      }
+    } catch (const ConvergenceError&) {
+      worn_through_.reset();
+    }
+    if (!worn_through_) return restore(before);
+    effort_.coarse_depth = depth;
+    for (const WornDepths& there : passed) {
+      if (limits_.after_jump) limits_.after_jump(there);
+    }
+  }
+
+  void restore(const Integration& before) {
+    now_ = before.now_;
+    load_now_ = before.load_now_;
+    effort_ = before.effort_;
   }
 
   WornDepths at_chosen_jumps(double time) {
+    if (now_.time < time && !load_now_) load_now_ = measured(now_);
+    if (now_.time < time && is_lost_before(time)) wear_through_before(time);
     while (!worn_through_ && now_.time < time) {
-      if (!load_now_) load_now_ = measured(now_.time, now_.face);
+      if (!load_now_) load_now_ = measured(now_);
       double length = std::min({next_, time - now_.time, longest_by_depth()});
       const double until = length == time - now_.time ? time : now_.time + length;
       check_progress(until);

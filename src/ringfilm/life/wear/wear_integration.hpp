@@ -15,15 +15,15 @@ struct WearLoad {
   double balance_error = 0;   ///< of its integral over the face against asperity load times speed, relative [-]
 };
 
-/// What wears at a running time [s] where the face has lost these depths [m].
-using WearLoadOf = std::function<WearLoad(double time, const std::vector<double>& worn)>;
-
 /// Depths at a running time.
 struct WornDepths {
   double time = 0;            ///< [s]
   std::vector<double> face;   ///< [m]
   std::vector<double> liner;  ///< [m]
 };
+
+/// What wears where these depths are lost.
+using WearLoadOf = std::function<WearLoad(const WornDepths& now)>;
 
 /// What an integration took.
 struct WearEffort {
@@ -32,11 +32,16 @@ struct WearEffort {
   double stage_difference = 0;    ///< largest of the two stages of a jump that was taken [m]; 0 for Euler
   bool lacks_last_stage = false;  ///< of Heun: the jump through the coating has its first stage alone
   double balance_error = 0;       ///< largest WearLoad::balance_error [-]
+  /// Depth of the jumps to the end of the coating, where it lasts to no later time that is reported [m].
+  std::optional<double> coarse_depth;
 };
 
 /// When an integration ends before the last time, and what of it is known.
 struct WearLimits {
   std::optional<double> deepest;         ///< depth at which it ends: the coating is worn through [m]
+  /// Within which a waviness of the face decays; stated, the end of a coating that lasts to no reported time is found
+  /// by jumps of a share of its thickness, eq-life-coarse [m].
+  std::optional<double> decay_depth = {};
   std::function<bool()> is_enough = {};  ///< asked after each jump that was chosen: does it end there? Empty: never
   /// Is a jump from one time to another too long for what else changes? Empty: never.
   std::function<bool(double from, double to)> is_too_long = {};

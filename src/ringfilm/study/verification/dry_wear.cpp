@@ -34,7 +34,7 @@ Worn worn_after(const DryWear& input, double sliding) {
   wear.coefficient = input.coefficient;
   wear.largest_depth = input.largest_depth;
   wear.jump_error = input.largest_depth;
-  const auto load = [&dry](double, const std::vector<double>& depths) { return dry(depths); };
+  const auto load = [&dry](const life::WornDepths& now) { return dry(now.face); };
   worn.depth = life::integrate_wear(wear, {sliding / kSpeed}, x.size(), 0, load).states.front().face;
   worn.area = dry.area(worn.depth);
   return worn;

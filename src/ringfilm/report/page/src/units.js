@@ -16,6 +16,7 @@ const kSizeInSi = {
   'um mm': 1e-9,
   m3: 1,
   cm3: 1e-6,
+  'l/min': 1e-3 / 60,
   'um-2': 1e12,
   'm-2': 1,
   'mm-2': 1e6,

@@ -7,7 +7,7 @@ import { display, withUnit } from '../units.js';
 import { distanceTable, faceFigure, facesOf } from './life_face.js';
 import { attributionFigure, figuresOverHours } from './life_figures.js';
 import { fitTable, leastWear, wornTable } from './life_wear.js';
-import { hoursText, kStandings, publishedWear, whatToMeasure } from './life_words.js';
+import { hoursText, publishedWear, whatToMeasure } from './life_words.js';
 
 const right = (text) => ({ text, attributes: { class: 'number' } });
 
@@ -53,7 +53,7 @@ function valuesTable(life) {
   const heads = ['running time', 'known as', ...shownNames.map((quantity) => right(quantity.long_name))];
   const rows = life.states.map((state) => [
     hoursText(state.hours),
-    kStandings[state.standing],
+    state.standing,
     ...shownNames.map((quantity) => right(shown(life, quantity.name, state))),
   ]);
   return table('Values over the running time', heads, rows, { folds: true });

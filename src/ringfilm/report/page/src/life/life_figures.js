@@ -1,12 +1,13 @@
 // Values over the running time, on a linear and a logarithmic axis, and what each part of the ring changes.
 import { kOnlyCase } from '../model.js';
 import { display } from '../units.js';
-import { hoursText } from './life_words.js';
+import { curveStanding, hoursText } from './life_words.js';
 
 /** Quantities that have a figure, the most important first. */
 const kDrawn = [
   'mean_power_loss',
   'mean_absolute_oil_flow',
+  'energy_per_cycle',
   'fmep',
   'lambda_ratio_at_peak_pressure',
   'min_film_thickness',
@@ -14,12 +15,15 @@ const kDrawn = [
   'mixed_share',
   'worn_area',
   'largest_worn_depth',
+  'coating_left',
+  'end_gap_growth',
+  'blow_by_flow',
 ];
 
 const kParts = [
   ['face', 'face'],
   ['roughness', 'roughness'],
-  ['shear_strength', 'shear strength'],
+  ['shear_strength', 'shear'],
 ];
 
 /** Hours on the axis: a logarithm has no place for the start, which is drawn at 1 h. */
@@ -37,28 +41,44 @@ function bandOf(life, described, convert) {
   };
 }
 
+/** What follows the last measured state, with that state: assumed to stay as it was. */
+function heldSeries(life, name, convert, place) {
+  const first = life.states.findIndex((state) => state.standing === 'held');
+  if (first < 0) return [];
+  const held = life.states.slice(Math.max(0, first - 1));
+  return [
+    {
+      caseIndex: null,
+      part: 'viscous',
+      label: 'held: assumed',
+      x: held.map((state) => place(state.hours)),
+      y: held.map((state) => convert(state[name])),
+    },
+  ];
+}
+
 function seriesOf(life, described, convert, place) {
   const { name } = described;
   const x = life.states.map((state) => place(state.hours));
   const values = (from) => life.states.map((state) => convert(from(state)));
   const measured = life.states.filter((state) => state.standing === 'measured');
   const band = bandOf(life, described, convert);
-  const wears = life.mode === 'archard';
   const all = [
     {
       caseIndex: kOnlyCase,
       part: null,
-      label: wears ? 'scenario' : 'interpolated',
+      label: curveStanding(life),
       x,
-      y: values((state) => state[name]),
+      y: values((state) => (state.standing === 'held' ? null : state[name])),
       bands: band ? [band] : [],
     },
+    ...heldSeries(life, name, convert, place),
   ];
   if (life.states.every((state) => state.turned && name in state.turned)) {
     all.push({
       caseIndex: null,
       part: 'boundary',
-      label: 'ring turned over',
+      label: `ring turned over, ${curveStanding(life)}`,
       x,
       y: values((state) => state.turned[name]),
     });
@@ -90,6 +110,27 @@ function panelOf(life, described, scale) {
   };
 }
 
+function howKnown(life) {
+  const turned = life.states.some((state) => state.turned)
+    ? ' Dashed: the ring turned over, since faces do not show which edge was the chamber edge.'
+    : '';
+  if (life.mode !== 'archard') {
+    return (
+      'Dots: measured states. The line between them is interpolated; the band covers other time constants and ' +
+      `an interpolation that is linear in time.${turned}`
+    );
+  }
+  const surface =
+    life.wear.surface === 'path'
+      ? ' Roughness and shear strength are interpolated between measured states.'
+      : ' Roughness and shear strength are assumed to stay as they are.';
+  const coefficient = life.wear.fit
+    ? 'A scenario, not a prediction: the line has the geometric mean of the coefficients that the measured faces ' +
+      'allow, the band has both ends of their range.'
+    : 'A scenario with a stated wear coefficient, not a prediction.';
+  return coefficient + surface + turned;
+}
+
 export function figuresOverHours(life) {
   const isKnown = (state, name) => typeof state[name] === 'number';
   return kDrawn
@@ -97,15 +138,6 @@ export function figuresOverHours(life) {
     .map((name, k) => {
       const described = life.quantities.find((quantity) => quantity.name === name);
       const scales = life.states.length > 1 ? ['linear', 'log'] : ['linear'];
-      const known =
-        life.mode === 'archard'
-          ? life.wear.fit
-            ? 'A scenario, not a prediction: the line has the geometric mean of the coefficients that the measured ' +
-              'faces allow, the band has both ends of their range.'
-            : 'A scenario with a given wear coefficient, not a prediction. A dashed line is the ring turned over.'
-          : 'Dots: measured states. The line between them is interpolated; the band covers other time constants and ' +
-            'an interpolation that is linear in time. The dashed line is the ring turned over: which edge was ' +
-            'the chamber edge is not known from the faces.';
       return {
         id: `hours-${name.replace(/_/g, '-')}`,
         title: `${described.long_name[0].toUpperCase()}${described.long_name.slice(1)}`,
@@ -113,7 +145,7 @@ export function figuresOverHours(life) {
         panels: scales.map((scale) => panelOf(life, described, scale)),
         caption:
           k === 0
-            ? `${known} Left: linear in time; right: logarithmic, with the start at 1 h.`
+            ? `${howKnown(life)} The first panel is linear in time, the second logarithmic, with the start at 1 h.`
             : 'Lines and band as in the first figure.',
       };
     });

@@ -7,6 +7,7 @@ import { hoursText } from './life_words.js';
 const kAreaUnit = 1e-9; // um mm
 const kMicrometre = 1e-6;
 const kMillimetre = 1e-3;
+const kLitrePerMinute = 1e-3 / 60; // [m3/s]
 
 const area = (value) => figure(withUnit(value / kAreaUnit, 'µm mm', 3));
 const depth = (value) => figure(withUnit(value / kMicrometre, 'µm', 3));
@@ -14,6 +15,7 @@ const ends = (pair, unit, name) =>
   figure(pair ? `${number(pair[0] / unit, 3)} to ${number(pair[1] / unit, 3)} ${name}` : '–');
 
 export function wornTable(life) {
+  const hasGas = 'blow_by_flow' in life.states[0];
   const hasBand = life.states.some((state) => state.band?.worn_area);
   return table(
     'Material lost since the start',
@@ -22,6 +24,7 @@ export function wornTable(life) {
       figure('worn area'),
       figure('largest depth'),
       figure('growth of the end gap'),
+      ...(hasGas ? [figure('blow-by')] : []),
       ...(hasBand ? [figure('worn area, band'), figure('largest depth, band')] : []),
     ],
     life.states.map((state) => [
@@ -29,6 +32,7 @@ export function wornTable(life) {
       area(state.worn_area),
       depth(state.largest_worn_depth),
       depth(state.end_gap_growth),
+      ...(hasGas ? [figure(withUnit(state.blow_by_flow / kLitrePerMinute, 'l/min', 3))] : []),
       ...(hasBand
         ? [
             ends(state.band?.worn_area, kAreaUnit, 'µm mm'),
@@ -48,6 +52,11 @@ const basisOf = (row) =>
     ? `least wear, ${trusted(row.untrusted_margin)}`
     : `closest face within ${number(row.half_width / kMillimetre, 2)} mm of the middle`;
 
+function coefficientText(row) {
+  if (row.coefficient !== null) return `${row.coefficient.toExponential(1)} m²/N`;
+  return row.face_is_flat ? 'not determined: the face is flat' : 'not determined';
+}
+
 /** The range of coefficients, never one. */
 export function fitTable(fit) {
   const [low, high] = fit.coefficient.map((value) => value.toExponential(1));
@@ -65,7 +74,7 @@ export function fitTable(fit) {
         hoursText(row.hours),
         area(row.worn_area),
         row.rms === undefined ? figure('–') : depth(row.rms),
-        figure(row.coefficient === null ? 'not determined' : `${row.coefficient.toExponential(1)} m²/N`),
+        figure(coefficientText(row)),
       ]),
       { folds: true },
     ),

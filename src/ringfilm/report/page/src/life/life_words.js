@@ -13,6 +13,14 @@ export const kStandings = {
   scenario: 'scenario: tuned or assumed coefficient',
 };
 
+/** How the curve of a life is known, as its legend states it. */
+export const curveStanding = (life) =>
+  life.mode !== 'archard'
+    ? 'interpolated'
+    : life.wear.standing === 'tuned'
+      ? 'scenario: tuned to the faces'
+      : 'scenario: assumed';
+
 const kMeasurements = [
   ['mass of the ring before and after', 'worn area, which faces alone leave open by a factor of forty'],
   ['radial thickness at three places', 'worn depth, without the mass'],

@@ -1,0 +1,116 @@
+#include "ringfilm/life/pack_gas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+
+namespace ringfilm::life {
+namespace {
+
+cycle::Ring& worn_ring(cycle::Case& pack, std::size_t ring) {
+  return pack.is_pack() ? pack.rings[ring - 1].ring : pack.ring;
+}
+
+/// The pack at an operating point with its end gap as worn.
+gas_path::Pack pack_at(const RingPack& pack, const cycle::Case& point, double growth) {
+  cycle::Case c = pack.input;
+  c.operating.speed = point.operating.speed;
+  c.gas = point.gas;
+  cycle::Ring& ring = worn_ring(c, pack.ring);
+  ring.end_gap = ring.end_gap.value() + growth;
+  return cycle::gas_pack(c);
+}
+
+/// Shares of the gas that passes an end gap while the ring is in each of n equal parts of the stroke, from TDC.
+std::vector<double> shares_along_stroke(const gas_path::Pack& pack, const gas_path::GasPathResult& result,
+                                        std::size_t ring, std::size_t n) {
+  const auto is_gap = [ring](const gas_path::Path& path) {
+    return path.kind == gas_path::PathKind::kEndGap && path.ring == ring;
+  };
+  const auto path = std::find_if(result.paths.begin(), result.paths.end(), is_gap) - result.paths.begin();
+  std::vector<double> shares(n, 0.0);
+  for (std::size_t k = 0; k < result.flow.size(); ++k) {
+    const double angle = static_cast<double>(k) * std::numbers::pi / 180;
+    const double place = pack.crank.position(angle) / pack.crank.stroke();
+    const std::size_t part = std::min(n - 1, static_cast<std::size_t>(std::max(0.0, place) * static_cast<double>(n)));
+    shares[part] += std::abs(result.flow[k][static_cast<std::size_t>(path)]);
+  }
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (double& share : shares) share = sum > 0 ? share / sum : 1 / static_cast<double>(n);
+  return shares;
+}
+
+}  // namespace
+
+double end_gap_growth(double depth) { return 2 * std::numbers::pi * depth; }
+
+const PackGas::PointGas& PackGas::gas(std::size_t point, double growth) {
+  const auto key = std::pair{point, growth};
+  if (const auto known = computed_.find(key); known != computed_.end()) return known->second;
+  const OperatingPoint& at = life_.points[point];
+  PointGas gas{pack_at(*life_.pack, at.input, growth), {}};
+  try {
+    gas.result = gas_path::solve_gas_path(gas.pack);
+  } catch (const ConvergenceError& stopped) {
+    throw ConvergenceError("the gas of the pack, " + at.name + ", end gap opened by " + number_text(growth * 1e3) +
+                               " mm: " + stopped.what(),
+                           stopped.crank_angle_deg());
+  }
+  return computed_.emplace(key, std::move(gas)).first->second;
+}
+
+double PackGas::growth(std::size_t point, const EndGapWear& gap) {
+  double depth = gap.ring_depth;
+  if (!gap.liner_depth.empty()) {
+    liner_weights_.resize(life_.points.size());
+    std::vector<double>& weights = liner_weights_[point];
+    if (weights.empty()) {
+      const PointGas& unworn = gas(point, 0);
+      weights = shares_along_stroke(unworn.pack, unworn.result, life_.pack->ring - 1, gap.liner_depth.size());
+    }
+    depth += std::inner_product(weights.begin(), weights.end(), gap.liner_depth.begin(), 0.0);
+  }
+  return end_gap_growth(depth);
+}
+
+cycle::Case PackGas::with_pressures(cycle::Case c, std::size_t point, const EndGapWear& gap) {
+  if (!life_.pack || life_.pack->pressures == RingPressures::kGiven) return c;
+  const PointGas& now = gas(point, growth(point, gap));
+  cycle::put_gas_pressures(c.ring, now.pack, now.result, life_.pack->ring - 1);
+  return c;
+}
+
+std::vector<double> PackGas::blow_by_flows(const EndGapWear& gap) {
+  std::vector<double> flows;
+  if (!life_.pack) return flows;
+  for (std::size_t i = 0; i < life_.points.size(); ++i) {
+    const PointGas& now = gas(i, growth(i, gap));
+    flows.push_back(gas_path::blow_by_flow(now.result, now.pack.gas.gas_constant));
+  }
+  return flows;
+}
+
+std::optional<double> PackGas::blow_by_flow(const EndGapWear& gap) {
+  if (!life_.pack) return std::nullopt;
+  const std::vector<double> flows = blow_by_flows(gap);
+  double mean = 0;
+  for (std::size_t i = 0; i < flows.size(); ++i) mean += life_.points[i].share * flows[i];
+  return mean;
+}
+
+std::vector<cycle::Note> PackGas::notes() const {
+  const auto n = std::count_if(computed_.begin(), computed_.end(),
+                               [](const auto& one) { return !one.second.result.repeats; });
+  if (n == 0) return {};
+  return {{"gas-path-not-periodic",
+           "the gas of the pack does not repeat from cycle to cycle at some of the operating points and end gaps",
+           static_cast<long>(n)}};
+}
+
+}  // namespace ringfilm::life

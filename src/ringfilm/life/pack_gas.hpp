@@ -1,0 +1,52 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/gas_path/pack.hpp"
+#include "ringfilm/gas_path/result.hpp"
+#include "ringfilm/life/life.hpp"
+#include "ringfilm/life/ring_state.hpp"
+
+namespace ringfilm::life {
+
+/// The gas of the pack that a ring belongs to, with the end gap of the ring as it is worn, eq-life-gap. Without a pack
+/// it leaves everything as it is.
+class PackGas {
+ public:
+  /// @param life kept by reference: its pack, and the speeds and gas pressures of its operating points
+  explicit PackGas(const Life& life) : life_(life) {}
+
+  /// The case of a ring at an operating point, with RingPressures::kComputed the pressures of the gas next to and
+  /// behind it.
+  cycle::Case with_pressures(cycle::Case c, std::size_t point, const EndGapWear& gap);
+
+  /// At 25 degC and standard atmosphere, at each operating point [m3/s]; empty without a pack.
+  std::vector<double> blow_by_flows(const EndGapWear& gap);
+
+  /// The mean over the duty [m3/s]; nothing without a pack.
+  std::optional<double> blow_by_flow(const EndGapWear& gap);
+
+  std::vector<cycle::Note> notes() const;  ///< on the gas that was computed
+
+ private:
+  /// At an operating point with one end gap.
+  struct PointGas {
+    gas_path::Pack pack;
+    gas_path::GasPathResult result;
+  };
+
+  const PointGas& gas(std::size_t point, double growth);
+  double growth(std::size_t point, const EndGapWear& gap);
+
+  const Life& life_;
+  std::map<std::pair<std::size_t, double>, PointGas> computed_;  ///< by operating point and growth of the gap [m]
+  std::vector<std::vector<double>> liner_weights_;  ///< of each operating point: shares of the gas along the stroke
+};
+
+/// By how much wear of the radius opens the end gap of a ring [m]. @param depth of ring and liner together [m]
+double end_gap_growth(double depth);
+
+}  // namespace ringfilm::life
