@@ -18,7 +18,8 @@
 namespace ringfilm::life {
 namespace {
 
-/// Depth within which a waviness decays: p_a/|p_a'| at usual separations, a share of the roughness (docs/theory/life.md).
+/// Depth within which a waviness decays: p_a/|p_a'| at usual separations, a share of the roughness
+/// (docs/theory/life.md).
 constexpr double kDecayDepth = 0.3;
 
 class Scenario {

@@ -31,7 +31,8 @@ double stored_minimum(const RingState& ring, const cycle::CycleResult& result) {
 void DutyBatch::add(const RingState& ring, const std::string& name, DutyTaker take) {
   for (std::size_t i = 0; i < n_points_; ++i) {
     const OperatingPoint& point = life_.points[i];
-    requests_.push_back({gas_.with_pressures(with_ring_state(point.input, ring), i, ring.gap), name + ", " + point.name});
+    requests_.push_back(
+        {gas_.with_pressures(with_ring_state(point.input, ring), i, ring.gap), name + ", " + point.name});
     cycle::Output& output = requests_.back().input.output;  // the values of a cycle do not depend on it
     output = {};
     output.crank_angles_deg = {0};

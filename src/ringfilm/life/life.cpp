@@ -224,7 +224,9 @@ void check_pack(const Life& life, std::vector<Fault>& faults) {
 
 /// The gas path of a single ring is computed with its pack.
 void check_gas_path(const Life& life, std::vector<Fault>& faults) {
-  if ((life.pack && life.pack->pressures == RingPressures::kComputed) || !life.points.front().input.gas_path.is_computed()) return;
+  if ((life.pack && life.pack->pressures == RingPressures::kComputed) ||
+      !life.points.front().input.gas_path.is_computed())
+    return;
   faults.push_back({{},
                     "the base case computes its gas path (gas_path.model = \"orifice-volume\"), and the life has no "
                     "[pack] with pressures = \"computed\"",

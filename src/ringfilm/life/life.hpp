@@ -122,7 +122,7 @@ struct RingPack {
   cycle::Case input;     ///< a pack or a single ring whose gas path is computed; speed and gas are those of the points
   std::size_t ring = 1;  ///< which of its rings wears, from the chamber
   RingPressures pressures = RingPressures::kGiven;
-  SourceMark mark;       ///< of its case
+  SourceMark mark;  ///< of its case
 };
 
 /// A limit that ends a life as its user states it; from whichever side its value starts.

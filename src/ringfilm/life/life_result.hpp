@@ -43,8 +43,8 @@ struct LifeState {
   std::optional<WornProfile> worn;  ///< nothing where the mode does not determine it
   /// From the measured state of this running time, of a scenario that has one.
   std::vector<FaceDistance> from_measured;
-  LifeValues values;               ///< of the whole duty
-  std::vector<LifeValues> points;  ///< of each operating point
+  LifeValues values;                        ///< of the whole duty
+  std::vector<LifeValues> points;           ///< of each operating point
   std::vector<double> point_blow_by_flows;  ///< of the pack at each of them [m3/s]; empty without a pack
   /// Of a measured state: the least wear since the first one, by how much of the edges is trusted. Lower bounds.
   std::vector<WearBound> least_wear;
@@ -119,10 +119,10 @@ struct WearSummary {
 
 /// A life, computed.
 struct LifeResult {
-  std::vector<LifeState> states;       ///< in the order of Life::times; fewer where the coating was worn through
-  std::vector<NamedPath> other_paths;  ///< whose values make the band
-  std::vector<EndOfLife> ends;         ///< of each of Life::end_rules
-  std::optional<WearSummary> wear;     ///< of a scenario of wear
+  std::vector<LifeState> states;              ///< in the order of Life::times; fewer where the coating was worn through
+  std::vector<NamedPath> other_paths;         ///< whose values make the band
+  std::vector<EndOfLife> ends;                ///< of each of Life::end_rules
+  std::optional<WearSummary> wear;            ///< of a scenario of wear
   std::optional<double> unworn_blow_by_flow;  ///< mean over the duty [m3/s]; nothing without a pack
   std::vector<double> liner_position;  ///< below the TDC position of the ring [m]; empty: the liner is not followed
   std::vector<cycle::Note> notes;      ///< of the cycles and of the life; their counts are cycles

@@ -66,9 +66,7 @@ void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, PackG
       const double area = area_under(state.x, depth);
       return worn_profile(std::move(depth), area, life.points.front().input.ring.coating.thickness);
     };
-    const auto put_gas = [&gas](WornProfile& worn) {
-      worn.blow_by_flow = gas.blow_by_flow({worn.largest_depth, {}});
-    };
+    const auto put_gas = [&gas](WornProfile& worn) { worn.blow_by_flow = gas.blow_by_flow({worn.largest_depth, {}}); };
     put_gas(state.worn.emplace(lost(life.path)));
     for (const NamedPath& other : other_paths) put_gas(state.other_worn.emplace_back(lost(other.path)).value());
     return;

@@ -105,8 +105,8 @@ std::optional<double> PackGas::blow_by_flow(const EndGapWear& gap) {
 }
 
 std::vector<cycle::Note> PackGas::notes() const {
-  const auto n = std::count_if(computed_.begin(), computed_.end(),
-                               [](const auto& one) { return !one.second.result.repeats; });
+  const auto n =
+      std::count_if(computed_.begin(), computed_.end(), [](const auto& one) { return !one.second.result.repeats; });
   if (n == 0) return {};
   return {{"gas-path-not-periodic",
            "the gas of the pack does not repeat from cycle to cycle at some of the operating points and end gaps",

@@ -34,7 +34,7 @@ radial_thickness = "3.5 mm"
 kind = "oil"
 gap_area = "0.3 mm2"
 """
-ARCHARD = life_test.ARCHARD.replace("4e-18", "4e-16") + 'jumps = 8\n'
+ARCHARD = life_test.ARCHARD.replace("4e-18", "4e-16") + "jumps = 8\n"
 WITH_PACK = '[pack]\ncase = "pack.toml"\n'
 kLitrePerMinute = 1e-3 / 60  # [m3/s]
 
@@ -72,9 +72,7 @@ class BlowBy(life_test.LifeTest):
         worn = states[-1]
         self.assertAlmostEqual(worn["end_gap_growth"], 2 * math.pi * worn["largest_worn_depth"], delta=1e-15)
         self.assertGreater(worn["end_gap_growth"], 10e-6)
-        self.assertAlmostEqual(
-            worn["blow_by_flow"] / self.gas(0.3 + 1e3 * worn["end_gap_growth"]), 1, delta=1e-9
-        )
+        self.assertAlmostEqual(worn["blow_by_flow"] / self.gas(0.3 + 1e3 * worn["end_gap_growth"]), 1, delta=1e-9)
         self.assertGreater(worn["blow_by_flow"], 1.01 * states[0]["blow_by_flow"])
 
     def test_the_film_is_that_of_the_case_unless_its_pressures_are_computed(self):
@@ -144,9 +142,7 @@ class BlowBy(life_test.LifeTest):
         self.refused(life_test.LIFE + WITH_PACK, "faces with data of their own do not determine it")
         (self.folder / "pack.toml").write_text(PACK.replace('"89.0 mm"', '"90.0 mm"'))
         self.refused(ARCHARD + WITH_PACK, "the pack has engine.bore = 90 mm, the base case 89 mm")
-        (self.folder / "case.toml").write_text(
-            program.CASE.replace("[ring]\n", '[ring]\npressure_below = "1 bar"\n')
-        )
+        (self.folder / "case.toml").write_text(program.CASE.replace("[ring]\n", '[ring]\npressure_below = "1 bar"\n'))
         (self.folder / "pack.toml").write_text(PACK)
         self.refused(ARCHARD + WITH_PACK + 'pressures = "computed"\n', "are stated, and computed by [pack]")
 

@@ -19,8 +19,7 @@ constexpr double kCoefficient = 1e-17;                        // [m2/N]
 /// Worn depths after a sliding length [m].
 WearHistory worn_after(const DryContact& dry, std::size_t n, double sliding, Wear wear = {}) {
   wear.coefficient = kCoefficient;
-  return integrate_wear(wear, {sliding / kSpeed}, n, 0,
-                        [&](const WornDepths& now) { return dry(now.face); });
+  return integrate_wear(wear, {sliding / kSpeed}, n, 0, [&](const WornDepths& now) { return dry(now.face); });
 }
 
 std::vector<double> heights(const std::vector<double>& x, const std::function<double(double)>& height) {
@@ -104,8 +103,8 @@ TEST(WearIntegration, ItEndsWhereTheCoatingIsWornThrough) {
   WearLimits limits;
   limits.deepest = 1e-6;
   const WearHistory history = integrate_wear(
-      wear, {0.5e-6 / per_second, 2e-6 / per_second}, x.size(), 0,
-      [&](const WornDepths& now) { return dry(now.face); }, limits);
+      wear, {0.5e-6 / per_second, 2e-6 / per_second}, x.size(), 0, [&](const WornDepths& now) { return dry(now.face); },
+      limits);
   EXPECT_EQ(history.states.size(), 1u);
   ASSERT_TRUE(history.worn_through);
   EXPECT_NEAR(history.worn_through->time * per_second, 1e-6, 1e-18);
@@ -142,9 +141,7 @@ TEST(WearIntegration, AJumpThroughTheCoatingHasItsSecondStageWhereTheCoatingEnds
   wear.jumps = 1;
   WearLimits limits;
   limits.deepest = kDepth;
-  const auto load = [&](const WornDepths& now) {
-    return WearLoad{{kRate * (1 + now.face[0] / kDepth)}, {}, 0};
-  };
+  const auto load = [&](const WornDepths& now) { return WearLoad{{kRate * (1 + now.face[0] / kDepth)}, {}, 0}; };
   const WearHistory history = integrate_wear(wear, {1e5}, 1, 0, load, limits);
   // Loads of a and 2 a at the two stages; the first alone would last l/a.
   EXPECT_NEAR(history.worn_through.value().time, kDepth / (1.5 * kRate), 1e-9);
@@ -216,9 +213,8 @@ TEST(WearIntegration, ACoatingThatLastsToAReportedTimeIsNotWornByFewJumps) {
   WearLimits limits;
   limits.deepest = 1e-6;
   limits.decay_depth = 0.15e-6;
-  const WearHistory history =
-      integrate_wear(wear, {0.9e-6 / per_second}, x.size(), 0,
-                     [&](const WornDepths& now) { return dry(now.face); }, limits);
+  const WearHistory history = integrate_wear(
+      wear, {0.9e-6 / per_second}, x.size(), 0, [&](const WornDepths& now) { return dry(now.face); }, limits);
   EXPECT_FALSE(history.effort.coarse_depth);
   EXPECT_EQ(history.states.size(), 1u);
 }

@@ -22,9 +22,10 @@ class LifeReader : DocumentReader {
 
   LifeFile read() {
     const TomlValue root = read_document("life");
-    StudyTable table(root, "a life",
-                     {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},
-                     faults_);
+    StudyTable table(
+        root, "a life",
+        {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},
+        faults_);
     life_.title = table.text("title").value_or(stem());
     life_.mode = table
                      .chosen<life::Mode>(
@@ -78,9 +79,8 @@ class LifeReader : DocumentReader {
   /// A case of one ring. @param mark where the life asks for it
   std::optional<cycle::Case> read_ring(const std::string& path, const std::vector<Override>& overrides,
                                        const SourceMark& mark) {
-    auto input = read_at(mark, [&](std::vector<DroppedKey>& dropped) {
-      return read_case_dropping(path, overrides, units_, dropped);
-    });
+    auto input = read_at(
+        mark, [&](std::vector<DroppedKey>& dropped) { return read_case_dropping(path, overrides, units_, dropped); });
     if (!input || !is_one_ring(*input, path, "a life", mark)) return std::nullopt;
     record(*input);
     return input;

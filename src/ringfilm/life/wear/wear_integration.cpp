@@ -173,9 +173,7 @@ class Integration {
   }
 
   /// The longest jump whose depth at the present rates is allowed.
-  double longest_by_depth() const {
-    return longest_by_depth(wear_.largest_depth);
-  }
+  double longest_by_depth() const { return longest_by_depth(wear_.largest_depth); }
   double longest_by_depth(double depth) const {
     const bool is_running_in = wear_.running_in_coefficient && now_.time < wear_.running_in_time;
     const double rate = largest(load_now_->face) * (is_running_in ? *wear_.running_in_coefficient : wear_.coefficient);

@@ -38,7 +38,7 @@ struct WearEffort {
 
 /// When an integration ends before the last time, and what of it is known.
 struct WearLimits {
-  std::optional<double> deepest;         ///< depth at which it ends: the coating is worn through [m]
+  std::optional<double> deepest;  ///< depth at which it ends: the coating is worn through [m]
   /// Within which a waviness of the face decays; stated, the end of a coating that lasts to no reported time is found
   /// by jumps of a share of its thickness, eq-life-coarse [m].
   std::optional<double> decay_depth = {};

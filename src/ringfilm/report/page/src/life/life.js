@@ -108,7 +108,9 @@ function faceSection(life, context, views) {
     oninput: () => {
       const k = Number(slider.value);
       label.textContent = hoursText(life.states[k].hours);
-      view.replace(faceFigure(life, k));
+      const figure = faceFigure(life, k);
+      view.replace(figure);
+      view.caption.textContent = figure.caption;
     },
   });
   return section(

@@ -1,6 +1,6 @@
 // Values over the running time, on a linear and a logarithmic axis, and what each part of the ring changes.
 import { kOnlyCase } from '../model.js';
-import { display } from '../units.js';
+import { display, typeset } from '../units.js';
 import { curveStanding, hoursText } from './life_words.js';
 
 /** Quantities that have a figure, the most important first. */
@@ -103,12 +103,14 @@ function panelOf(life, described, scale) {
     xScale: isLog ? 'log' : 'linear',
     xLabel: isLog ? 'running time + 1 h' : 'running time',
     xUnit: 'h',
-    yLabel: described.long_name,
+    yLabel: typeset(described.long_name),
     yUnit: unit,
     fromZero: true,
     series: seriesOf(life, described, convert, isLog ? afterOneHour : (hours) => hours),
   };
 }
+
+const sentenceCase = (text) => text[0].toUpperCase() + text.slice(1);
 
 function howKnown(life) {
   const turned = life.states.some((state) => state.turned)
@@ -140,7 +142,7 @@ export function figuresOverHours(life) {
       const scales = life.states.length > 1 ? ['linear', 'log'] : ['linear'];
       return {
         id: `hours-${name.replace(/_/g, '-')}`,
-        title: `${described.long_name[0].toUpperCase()}${described.long_name.slice(1)}`,
+        title: sentenceCase(typeset(described.long_name)),
         layout: 'row',
         panels: scales.map((scale) => panelOf(life, described, scale)),
         caption:
