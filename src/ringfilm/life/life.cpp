@@ -192,11 +192,6 @@ void check_engine_of_pack(const Life& life, std::vector<Fault>& faults) {
 /// A pack needs the depth that opens its end gap, and the gap itself.
 void check_pack(const Life& life, std::vector<Fault>& faults) {
   const RingPack& pack = *life.pack;
-  if (!pack.input.gas_path.is_computed()) {
-    faults.push_back({pack.mark, "the pack has gas_path.model = \"given\", which has no blow-by",
-                      "state gas_path.model = \"orifice-volume\" in the pack"});
-    return;
-  }
   const cycle::Ring& ring = worn_ring(pack);
   if (!ring.end_gap) {
     faults.push_back({pack.mark,

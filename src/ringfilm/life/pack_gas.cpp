@@ -13,6 +13,9 @@
 namespace ringfilm::life {
 namespace {
 
+/// Cycles of gas that are kept; all those of one running time are fewer, and each takes 0.1 MB.
+constexpr std::size_t kMostKept = 200;
+
 cycle::Ring& worn_ring(cycle::Case& pack, std::size_t ring) {
   return pack.is_pack() ? pack.rings[ring - 1].ring : pack.ring;
 }
@@ -62,6 +65,8 @@ const PackGas::PointGas& PackGas::gas(std::size_t point, double growth) {
                                " mm: " + stopped.what(),
                            stopped.crank_angle_deg());
   }
+  if (!gas.result.repeats) ++n_not_periodic_;
+  if (computed_.size() >= kMostKept) computed_.clear();
   return computed_.emplace(key, std::move(gas)).first->second;
 }
 
@@ -105,12 +110,10 @@ std::optional<double> PackGas::blow_by_flow(const EndGapWear& gap) {
 }
 
 std::vector<cycle::Note> PackGas::notes() const {
-  const auto n =
-      std::count_if(computed_.begin(), computed_.end(), [](const auto& one) { return !one.second.result.repeats; });
-  if (n == 0) return {};
+  if (n_not_periodic_ == 0) return {};
   return {{"gas-path-not-periodic",
            "the gas of the pack does not repeat from cycle to cycle at some of the operating points and end gaps",
-           static_cast<long>(n)}};
+           n_not_periodic_}};
 }
 
 }  // namespace ringfilm::life

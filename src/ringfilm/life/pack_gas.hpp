@@ -38,11 +38,13 @@ class PackGas {
     gas_path::GasPathResult result;
   };
 
+  /// Good until the next call.
   const PointGas& gas(std::size_t point, double growth);
   double growth(std::size_t point, const EndGapWear& gap);
 
   const Life& life_;
   std::map<std::pair<std::size_t, double>, PointGas> computed_;  ///< by operating point and growth of the gap [m]
+  long n_not_periodic_ = 0;                                      ///< cycles of gas that do not repeat
   std::vector<std::vector<double>> liner_weights_;  ///< of each operating point: shares of the gas along the stroke
 };
 

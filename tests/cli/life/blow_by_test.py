@@ -137,6 +137,7 @@ class BlowBy(life_test.LifeTest):
 
     def test_refusals(self):
         self.refused(ARCHARD + '[pack]\ncase = "gone.toml"\n', "there is no such file")
+        self.refused("pack = 3\n" + ARCHARD, "[pack] is not a table", "1 error;")
         self.refused(ARCHARD + WITH_PACK + "ring = 3\n", "pack.ring = 3 is not from 1 to 2")
         self.refused(ARCHARD + WITH_PACK + "ring = 2\n", "ring 2 of the pack states gap_area alone", "state end_gap")
         self.refused(life_test.LIFE + WITH_PACK, "faces with data of their own do not determine it")

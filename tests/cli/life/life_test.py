@@ -263,6 +263,12 @@ class Archard(LifeTest):
         other = self.worn(text=ARCHARD.replace("4e-18 m2/N", "4e-9 mm3/Nm"))
         self.assertEqual(other["states"], self.worn()["states"])
 
+    def test_the_coating_that_is_left_is_stored(self):
+        (self.folder / "archard.toml").write_text(ARCHARD + 'coating_thickness = "50 um"\n')
+        last = self.life("archard.toml", "--output", "life.nc")["states"][-1]
+        self.assertAlmostEqual(last["coating_left"], 50e-6 - last["largest_worn_depth"], delta=1e-15)
+        self.assertIn(b"coating_left", (self.folder / "life.nc").read_bytes())
+
     def test_a_coating_that_is_worn_through_ends_it_with_the_hour(self):
         (self.folder / "archard.toml").write_text(ARCHARD + 'coating_thickness = "0.1 um"\n')
         done = self.run_program("life", "archard.toml", "--json")

@@ -205,6 +205,7 @@ class LifeReader : DocumentReader {
     const TomlValue* value = root.find("pack");
     if (value == nullptr) return;
     StudyTable table(*value, "[pack]", {"case", "ring", "pressures"}, faults_);
+    if (value->kind != TomlValue::Kind::kTable) return;
     const std::string name = table.needed_text("case", "\"pack.toml\"");
     const std::uint64_t ring = table.count("ring").value_or(1);
     const life::RingPressures pressures =

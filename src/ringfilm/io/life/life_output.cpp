@@ -223,6 +223,10 @@ void put_wear(ResultFileWriter& file, const LifeDocument& document) {
                 [](const life::LifeState& state) { return state.worn->largest_depth; });
   put_over_time(file, described("end_gap_growth", "m", "growth of the end gap by wear"), document,
                 [](const life::LifeState& state) { return state.worn->end_gap_growth; });
+  if (document.result.states.front().worn->coating_left) {
+    put_over_time(file, described("coating_left", "m", "coating left at the deepest place"), document,
+                  [](const life::LifeState& state) { return state.worn->coating_left.value(); });
+  }
   if (document.result.unworn_blow_by_flow) {
     put_over_time(file, described("blow_by_flow", "m3/s", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"),
                   document, [](const life::LifeState& state) { return state.worn->blow_by_flow.value(); });
