@@ -166,6 +166,10 @@ void append_rings(const RunRequest& requested, Rings& rings) {
     refuse_inquiries(requested);
     rings.together.push_back(n);
   } else {
+    // Who asks for an accuracy is told what was reached.
+    for (RunRequest& ring : std::span(rings.requests).last(std::max<std::size_t>(n, 1))) {
+      if (ring.input.solver.accuracy) ring.errors = ErrorRequest::kEstimated;
+    }
     rings.together.insert(rings.together.end(), n, 1);
   }
 }

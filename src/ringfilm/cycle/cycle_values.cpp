@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
@@ -20,11 +21,36 @@ double swept_volume(const Engine& e) { return std::numbers::pi / 4 * e.bore * e.
 
 double cycle_time(const Setup& setup) { return 4 * std::numbers::pi / setup.input.operating.speed; }
 
+/// From one sample to the next one, across the end of the cycle as well [degree].
+double interval(const std::vector<Sample>& samples, std::size_t k) {
+  if (samples.size() == 1) return kCycleDeg;
+  const double to = k + 1 < samples.size() ? samples[k + 1].crank_angle_deg : samples[0].crank_angle_deg + kCycleDeg;
+  return to - samples[k].crank_angle_deg;
+}
+
+/// Mean over the crank angle by the trapezoidal rule.
 template <typename Value>
 double mean(const std::vector<Sample>& samples, Value value) {
+  double sum = 0, before = interval(samples, samples.size() - 1);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double after = interval(samples, k);
+    sum += 0.5 * (before + after) * value(samples[k]);
+    before = after;
+  }
+  return sum / kCycleDeg;
+}
+
+/// Share of the cycle in which `value`, straight between the samples, is below the limit [-].
+template <typename Value>
+double share_below(const std::vector<Sample>& samples, double limit, Value value) {
   double sum = 0;
-  for (const Sample& s : samples) sum += value(s);
-  return sum / static_cast<double>(samples.size());
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const double a = value(samples[k]), b = value(samples[(k + 1) % samples.size()]);
+    const double low = std::min(a, b), high = std::max(a, b);
+    const double share = high < limit ? 1 : low >= limit ? 0 : (limit - low) / (high - low);
+    sum += share * interval(samples, k);
+  }
+  return sum / kCycleDeg;
 }
 
 struct Peak {
@@ -33,29 +59,58 @@ struct Peak {
   const Sample* sample;
 };
 
+/// The vertex of the parabola through the highest sample and its neighbours.
+Peak vertex(const std::vector<Sample>& samples, std::size_t k, double Sample::*member) {
+  const std::size_t n = samples.size();
+  const Sample &at = samples[k], &before = samples[(k + n - 1) % n], &after = samples[(k + 1) % n];
+  const Peak at_sample{at.*member, at.crank_angle_deg, &at};
+  if (n < 3) return at_sample;
+  const double left = interval(samples, (k + n - 1) % n), right = interval(samples, k);
+  const double fall_left = (at.*member - before.*member) / left, fall_right = (after.*member - at.*member) / right;
+  const double bend = (fall_right - fall_left) / (left + right);
+  if (bend == 0 || !std::isfinite(bend)) return at_sample;
+  const double slope = (fall_left * right + fall_right * left) / (left + right);
+  const double shift = -slope / (2 * bend);
+  if (shift < -left || shift > right) return at_sample;
+  return {at.*member + 0.5 * slope * shift, at.crank_angle_deg + shift, &at};
+}
+
+/// On the parabola through the sample k and its neighbours.
+double at_angle(const std::vector<Sample>& samples, std::size_t k, double Sample::*member, double angle_deg) {
+  const std::size_t n = samples.size();
+  if (n < 3) return samples[k].*member;
+  const Sample &at = samples[k], &before = samples[(k + n - 1) % n], &after = samples[(k + 1) % n];
+  const double left = interval(samples, (k + n - 1) % n), right = interval(samples, k);
+  const double rise_left = (at.*member - before.*member) / left, rise_right = (after.*member - at.*member) / right;
+  const double bend = (rise_right - rise_left) / (left + right);
+  const double slope = (rise_left * right + rise_right * left) / (left + right);
+  const double shift = angle_deg - at.crank_angle_deg;
+  return at.*member + shift * (slope + shift * bend);
+}
+
 Peak largest(const std::vector<Sample>& samples, double Sample::*member) {
   const auto it = std::max_element(samples.begin(), samples.end(),
                                    [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-  return {(*it).*member, it->crank_angle_deg, &*it};
+  return vertex(samples, it - samples.begin(), member);
 }
 
 Peak smallest(const std::vector<Sample>& samples, double Sample::*member) {
   const auto it = std::min_element(samples.begin(), samples.end(),
                                    [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-  return {(*it).*member, it->crank_angle_deg, &*it};
+  return vertex(samples, it - samples.begin(), member);
 }
 
-/// Trapezoidal rule over the samples between two angles that are base angles, ends included.
-double stroke_energy(const Setup& setup, const std::vector<Sample>& base, int stroke) {
-  const double step_deg = kCycleDeg / static_cast<double>(base.size());
+/// Trapezoidal rule over the samples of a stroke.
+double stroke_energy(const Setup& setup, const std::vector<Sample>& samples, int stroke) {
   double energy = 0;
-  for (std::size_t k = 0; k < base.size(); ++k) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
     // A crank step that a dead centre divides goes to the stroke that holds its middle.
-    const double middle = (static_cast<double>(k) + 0.5) * step_deg;
+    const double step = interval(samples, k);
+    const double middle = samples[k].crank_angle_deg + 0.5 * step;
     if (static_cast<int>(middle / 180) != stroke) continue;
-    energy += 0.5 * (base[k].power_loss + base[(k + 1) % base.size()].power_loss);
+    energy += 0.5 * (samples[k].power_loss + samples[(k + 1) % samples.size()].power_loss) * step;
   }
-  return energy * cycle_time(setup) / static_cast<double>(base.size());
+  return energy * cycle_time(setup) / kCycleDeg;
 }
 
 }  // namespace
@@ -89,14 +144,18 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.peak_flash_temperature = flash.value;
   v.peak_flash_temperature_angle = flash.angle_deg;
 
+  std::optional<std::size_t> firing;
   const Peak mu = largest(base, &Sample::friction_coefficient);
   v.peak_friction_coefficient = mu.value;
   v.peak_friction_coefficient_angle = mu.angle_deg;
-  for (const Sample& s : base) {
-    if (std::abs(std::remainder(s.crank_angle_deg, kCycleDeg)) <= kFiringWindowDeg) {
-      v.peak_friction_coefficient_firing = std::max(v.peak_friction_coefficient_firing, s.friction_coefficient);
-    }
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    if (std::abs(std::remainder(base[k].crank_angle_deg, kCycleDeg)) > kFiringWindowDeg) continue;
+    const double here = base[k].friction_coefficient;
+    if (here <= v.peak_friction_coefficient_firing) continue;
+    v.peak_friction_coefficient_firing = here;
+    firing = k;
   }
+  if (firing) v.peak_friction_coefficient_firing = vertex(base, *firing, &Sample::friction_coefficient).value;
 
   const Peak thinnest = smallest(base, &Sample::min_film_thickness);
   v.min_film_thickness = thinnest.value;
@@ -107,8 +166,8 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   const Peak gas = largest(base, &Sample::gas_pressure);
   v.peak_gas_pressure = gas.value;
   v.peak_gas_pressure_angle = gas.angle_deg;
-  v.lambda_ratio_at_peak_pressure = gas.sample->lambda_ratio;
-  v.mixed_share = mean(base, [](const Sample& s) { return s.lambda_ratio < kMixedBelow ? 1.0 : 0.0; });
+  v.lambda_ratio_at_peak_pressure = at_angle(base, gas.sample - base.data(), &Sample::lambda_ratio, gas.angle_deg);
+  v.mixed_share = share_below(base, kMixedBelow, [](const Sample& s) { return s.lambda_ratio; });
 
   const double mean_load = mean(base, [](const Sample& s) { return s.applied_load; });
   const auto load_mean = [&](double Sample::*member) {
@@ -141,7 +200,6 @@ CycleValues no_cycle_values() {
 StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base) {
   const double stroke = setup.engine.crank.stroke();
   const double bin = stroke / kStrokeBins;
-  const double step_time = cycle_time(setup) / static_cast<double>(base.size());
   StrokeProfile profile;
   for (int b = 0; b < kStrokeBins; ++b) profile.liner_position.push_back((b + 0.5) * bin);
   profile.archard_wear_load_density.assign(kStrokeBins, 0.0);
@@ -150,6 +208,7 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
     const Sample& b = base[(k + 1) % base.size()];
     const double low = std::min(a.piston_position, b.piston_position);
     const double high = std::max(a.piston_position, b.piston_position);
+    const double step_time = cycle_time(setup) * interval(base, k) / kCycleDeg;
     const double work = 0.5 * (a.archard_wear_load_rate + b.archard_wear_load_rate) * step_time;
     const int first = std::clamp(static_cast<int>(low / bin), 0, kStrokeBins - 1);
     const int last = std::clamp(static_cast<int>(high / bin), 0, kStrokeBins - 1);

@@ -72,6 +72,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"oil-ring-missing", kFull, kCase},
       {"own-oil", kFull, kCase},
       {"cells-graded", kFull, kCase},
+      {"accuracy-asked-for", kFull, kCase},
       {"properties-exact", kFull, kCase},
       {"beyond-property-fit", kFull, kOccurrences},
       {"bracketed-search", kFull, kOccurrences},

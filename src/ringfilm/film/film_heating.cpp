@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/fronts.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 namespace ringfilm::film {
@@ -31,6 +32,13 @@ StripOil oil_at(const models::OilAtTemperature& oil, LaneLaws laws, std::span<co
   return at;
 }
 
+/// Of the cell behind node `i`, in which the film ends or begins [m].
+double filled_length(const FilmGrid& grid, const FilmInputs& inputs, const double* p, int i, bool ends) {
+  const int inside = ends ? i : i + 1, outside = ends ? i + 1 : i;
+  const double front = front_position(grid, p, inputs.pressure_bound(grid, outside), inside, outside);
+  return std::abs(front - grid.x[inside]);
+}
+
 }  // namespace
 
 double FilmHeating::rise(double conductivity, double specific_heat) const {
@@ -47,9 +55,12 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
   FilmHeating sums;
   double length = 0, flow = 0;
   for (std::size_t i = 0; i + 1 < n_nodes; ++i) {
-    if (is_cavity(deficit[i]) || is_cavity(deficit[i + 1])) continue;
-    const double cell = grid.spacing[i], h = state.h_m + grid.face_height[i];
-    const double slope = (p[i + 1] - p[i]) / cell;
+    const bool ends = is_cavity(deficit[i + 1]), begins = is_cavity(deficit[i]);
+    if (ends && begins) continue;
+    const double cell =
+        ends || begins ? filled_length(grid, inputs, p.data(), static_cast<int>(i), ends) : grid.spacing[i];
+    const double h = state.h_m + grid.face_height[i];
+    const double slope = ends || begins ? 0 : (p[i + 1] - p[i]) / cell;
     const double eta = 0.5 * (oil.eta[i] + oil.eta[i + 1]), rho = 0.5 * (oil.rho[i] + oil.rho[i + 1]);
     const double pressure_flow = h * h * h * slope / (12 * eta);
     sums.dissipation += cell * (eta * inputs.U * inputs.U / h + pressure_flow * slope);

@@ -7,6 +7,7 @@
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/factors/average_shear.hpp"
+#include "ringfilm/film/fronts.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 
@@ -103,41 +104,6 @@ void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmSt
   sums.mass_defect += sums.flow_right - sums.flow_left;
 }
 
-/// How many cells beyond its last node a film ends, by the pressures above p_c at its last three nodes, all of one
-/// spacing: where the parabola through them has its lowest point if it touches p_c there, as at a rupture; where it
-/// crosses p_c if it does so at a slope, as where film forms again (docs/theory/film.md, "fronts between nodes").
-double cells_beyond(double last, double before, double third) {
-  const double bend = third - 2 * before + last;
-  const double slope = before - last - 0.5 * bend;  // at the last node, falling outwards
-  const double root = std::sqrt(std::max(slope * slope - 2 * bend * last, 0.0));
-  const double crossing = slope + root > 0 ? std::min(2 * last / (slope + root), 1.0) : 1.0;
-  if (bend <= 0) return crossing;
-  // Cells are too coarse to resolve a slope of less than half of what the bend makes in one of them.
-  const double lowest_point = 0.5 + (3 * last < before ? last / (before - 2 * last) : 1.0);  // by the balance of mass
-  const double share = std::clamp(root / bend - 0.5, 0.0, 1.0);
-  return lowest_point + share * (crossing - lowest_point);
-}
-
-/// Where the film that ends at node `i` ends; `outer` is the first node of the cavity.
-double front_position(const FilmGrid& grid, const std::vector<double>& p, double p_c, int i, int outer) {
-  const double cell = grid.x[outer] - grid.x[i];  // negative where the film lies on the right
-  const auto above = [&](int node) { return p[node] - p_c; };
-  const int before = 2 * i - outer;
-  const int third = 3 * i - 2 * outer;
-  const int n = grid.n_cells();
-  if (before < 0 || before > n) return grid.x[i] + (above(i) > 0 ? 0.5 * cell : 0.0);  // node i is an edge
-  // At the lowest place, where gas has broken through, the film beyond has less pressure than the gas.
-  if (above(i) < 0 || above(before) < 0) return grid.x[i] + 0.5 * cell;
-  const double spacing = grid.x[i] - grid.x[before];
-  const auto is_one_cell = [cell](double length) { return std::abs(length - cell) < 1e-6 * std::abs(cell); };
-  if (third >= 0 && third <= n && is_one_cell(spacing) && is_one_cell(grid.x[before] - grid.x[third])) {
-    return grid.x[i] + cells_beyond(above(i), above(before), above(third)) * cell;
-  }
-  const double fall = above(before) - above(i);
-  const double straight = fall > 0 ? above(i) / fall * spacing / cell : 1.0;
-  return grid.x[i] + std::min(straight, 1.0) * cell;
-}
-
 void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
@@ -147,9 +113,10 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
     const int first = i;
-    cavity.begin = front_position(grid, state.p, inputs.pressure_bound(grid, i), i - 1, i);
+    cavity.begin = front_position(grid, state.p.data(), inputs.pressure_bound(grid, i), i - 1, i);
     i = next(i, false);
-    cavity.end = std::max(front_position(grid, state.p, inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
+    cavity.end =
+        std::max(front_position(grid, state.p.data(), inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
     // Gas fills it from its edge up to the lowest place of the gap at most; what is beyond is a cavity of its own.
     if (first == 1 && inputs.gas_at(grid, first) == &inputs.left) {
       sums.is_broken_through = sums.is_broken_through || i >= grid.throat;
@@ -174,6 +141,16 @@ std::vector<double> shear_deficit(const FilmProblem& problem, const FilmInputs& 
     if (is_cavity(sheared[i]) && inputs.gas_at(problem.grid, static_cast<int>(i)) != nullptr) sheared[i] = 1;
   }
   return sheared;
+}
+
+/// The vertex of the parabola through the highest node and its neighbours. @param highest of the nodes
+double peak_pressure(const FilmGrid& grid, const std::vector<double>& p, double highest) {
+  const auto i = static_cast<std::size_t>(std::find(p.begin(), p.end(), highest) - p.begin());
+  if (i == 0 || i + 1 >= p.size()) return highest;
+  const double left = grid.spacing[i - 1], right = grid.spacing[i];
+  const double rise = (highest - p[i - 1]) / left, fall = (highest - p[i + 1]) / right;
+  const double slope = (rise * right - fall * left) / (left + right), bend = (rise + fall) / (left + right);
+  return bend > 0 ? highest + slope * slope / (4 * bend) : highest;
 }
 
 FilmSums sums_of_film(const FilmProblem& problem, const models::OilAtTemperature& oil, const FilmState& state,
@@ -209,7 +186,7 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   }
   sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit);
   sums.mass_defect = of_film.storage;
-  sums.peak_pressure = of_film.peak_pressure;
+  sums.peak_pressure = peak_pressure(problem.grid, state.p, of_film.peak_pressure);
   const auto fitted = problem.contact != nullptr ? problem.contact->fitted() : std::nullopt;
   if (fitted && inputs.oil->fit() != nullptr) {
     add_fitted_contact(problem, *fitted, film, sums);

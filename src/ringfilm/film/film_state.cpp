@@ -16,6 +16,8 @@ constexpr double kChangePerCell = 0.5;
 constexpr int kMostHalvings = 20;
 /// Places at which the gap is looked at: measured points may lie closer than the first cells are long.
 constexpr int kSamplesPerCell = 8;
+/// The same of a face whose cells follow the gap.
+constexpr int kSamplesOfFace = 2000;
 
 }  // namespace
 
@@ -58,6 +60,34 @@ FilmGrid graded_grid(int n_cells, double width, const std::function<double(doubl
     grid.face_height.push_back(h_middle);
   };
   for (int i = 1; i <= n_cells; ++i) add_cells(width * i / n_cells, height(width * i / n_cells), 0);
+  complete_grid(grid);
+  return grid;
+}
+
+FilmGrid grid_by_gap(int n_cells, double width, const std::function<double(double)>& height, double reference,
+                     Turning turning) {
+  const int samples = kSamplesOfFace;
+  const auto lower = [&](double x) {
+    return turning == Turning::kPossible ? std::min(height(x), height(width - x)) : height(x);
+  };
+  std::vector<double> cells(samples + 1, 0.0);  // up to each sample, to a factor
+  for (int k = 0; k < samples; ++k) {
+    cells[k + 1] = cells[k] + 1 / std::sqrt(reference + std::max(lower(width * (k + 0.5) / samples), 0.0));
+  }
+  FilmGrid grid;
+  grid.width = width;
+  grid.x = {0};
+  for (int i = 1, k = 0; i <= n_cells; ++i) {
+    const double up_to = cells[samples] * i / n_cells;
+    while (k + 1 < samples && cells[k + 1] < up_to) ++k;
+    const double x = width * (k + (up_to - cells[k]) / (cells[k + 1] - cells[k])) / samples;
+    grid.x.push_back(i == n_cells ? width : x);
+  }
+  for (int i = 0; i < n_cells; ++i) {
+    grid.spacing.push_back(grid.x[i + 1] - grid.x[i]);
+    grid.face_height.push_back(height(0.5 * (grid.x[i] + grid.x[i + 1])));
+  }
+  for (const double x : grid.x) grid.node_height.push_back(height(x));
   complete_grid(grid);
   return grid;
 }

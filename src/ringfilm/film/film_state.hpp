@@ -65,6 +65,11 @@ enum class Turning { kNever, kPossible };
 FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,
                      Turning turning = Turning::kNever);
 
+/// As many cells, whose lengths follow the root of the gap that a film of `reference` [m] has there, eq-cells-by-gap.
+/// @param height above the lowest place of the gap [m]
+FilmGrid grid_by_gap(int n_cells, double width, const std::function<double(double)>& height, double reference,
+                     Turning turning = Turning::kNever);
+
 /// A gap with jumps. The cells are shared among the pieces by their lengths, at least two each: the grid may have a few
 /// more than asked for. @param pieces one after the other, the first from x = 0
 FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces);

@@ -71,10 +71,11 @@ TEST(FilmHeating, CountsTheFullFilmAlone) {
   inputs.U = 6.5;
   FilmState state = film_between(film, 1e5, 1e5);
   const FilmHeating full = film_heating(film.problem, inputs, state);
-  for (std::size_t i = 26; i < state.deficit.size(); ++i) state.deficit[i] = 0.5;  // 25 of 50 cells remain
+  for (std::size_t i = 26; i < state.deficit.size(); ++i) state.deficit[i] = 0.5;  // 25 of 50 cells, and the next one
   const FilmHeating half = film_heating(film.problem, inputs, state);
-  EXPECT_NEAR(half.dissipation, 0.5 * full.dissipation, 1e-12 * full.dissipation);
-  EXPECT_NEAR(half.conductance, 0.5 * full.conductance, 1e-12 * full.conductance);
+  // A film of one pressure shows no front in the cell: all of it counts.
+  EXPECT_NEAR(half.dissipation, 0.52 * full.dissipation, 1e-12 * full.dissipation);
+  EXPECT_NEAR(half.conductance, 0.52 * full.conductance, 1e-12 * full.conductance);
   EXPECT_NEAR(half.mass_flow, full.mass_flow, 1e-12 * full.mass_flow);
   state.deficit.assign(state.p.size(), 0.5);
   EXPECT_EQ(film_heating(film.problem, inputs, state).rise(0.14, 2100), 0);

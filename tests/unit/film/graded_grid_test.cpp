@@ -54,5 +54,27 @@ TEST(GradedGrid, SharesAddUpToTheWidth) {
   EXPECT_EQ(grid.x.back(), kWidth);
 }
 
+TEST(GridByGap, CellsFollowTheRootOfTheGap) {
+  const double width = 1.2e-3, reference = 0.5e-6;
+  const auto height = [&](double x) { return 25e-6 * std::pow(2 * x / width - 1, 2); };
+  const FilmGrid grid = grid_by_gap(100, width, height, reference);
+  ASSERT_EQ(grid.n_cells(), 100);
+  EXPECT_DOUBLE_EQ(grid.x.back(), width);
+  EXPECT_EQ(grid.throat, 50);
+  double length = 0;
+  for (int i = 0; i < 100; ++i) {
+    length += grid.spacing[i];
+    const double root = std::sqrt(reference + height(0.5 * (grid.x[i] + grid.x[i + 1])));
+    EXPECT_NEAR(grid.spacing[i] / grid.spacing[49] * std::sqrt(reference), root, 0.02 * root) << i;
+  }
+  EXPECT_NEAR(length, width, 1e-15);
+}
+
+TEST(GridByGap, SuitsAFaceThatTurnsOver) {
+  const auto height = [](double x) { return 30e-6 * x / 1e-3; };  // lowest at x = 0
+  const FilmGrid grid = grid_by_gap(40, 1e-3, height, 1e-6, Turning::kPossible);
+  for (int i = 0; i < 40; ++i) EXPECT_NEAR(grid.spacing[i], grid.spacing[39 - i], 1e-9 * 1e-3);
+}
+
 }  // namespace
 }  // namespace ringfilm::film

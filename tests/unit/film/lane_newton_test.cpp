@@ -81,7 +81,7 @@ std::map<int, Passage> taken_through(const BlockKind& kind, const std::vector<La
       passages[worker.film] = std::move(passage);
       return take(lane);
     }
-    newton.continue_from_last_step(lane, film.steps[worker.step], worker.before, worker.before.h_m);
+    newton.continue_from_last_step(lane, film.steps[worker.step], worker.before, worker.before, worker.before.h_m);
   };
   for (const int lane : lanes) take(lane);
   while (std::any_of(workers.begin(), workers.end(), [](const Worker& worker) { return worker.film >= 0; })) {
@@ -252,11 +252,11 @@ TEST_P(LaneNewtonOf, GoingOnIsStartingFromWhatTheLaneHolds) {
       return solved(step);
     };
     const FilmState first = start(0, film.first);
-    newton.continue_from_last_step(lane, film.steps[1], first, first.h_m);
+    newton.continue_from_last_step(lane, film.steps[1], first, first, first.h_m);
     const FilmState gone_on = solved(1);
     EXPECT_LT(difference(film, gone_on, start(1, first)), kBothConverged);
     const FilmState second = start(1, first);
-    newton.continue_from_last_step(lane, film.steps[2], second,
+    newton.continue_from_last_step(lane, film.steps[2], second, second,
                                    second.h_m);  // another cavitation pressure: z has another zero
     const FilmState other_zero = solved(2);
     EXPECT_LT(difference(film, other_zero, start(2, second)), kBothConverged);

@@ -405,12 +405,15 @@ struct Supply {
 
 /// The keys under `solver`.
 struct Solver {
-  int cells = 200;                              ///< across the face
+  std::optional<double> accuracy;  ///< to be reached: chooses cells, steps and scheme below (with_accuracy) [-]
+  int cells = 200;                 ///< across the face
+  CellLengths cell_lengths = CellLengths::kUniform;  ///< how they share it
   int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
   std::optional<double> end_cell;               ///< length of the cells at the ends of the gap [m]
   static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
   double crank_step_deg = 1.0;                  ///< of the integration; whole steps make 720 [degree]
   StepControl crank_step_control = StepControl::kAdaptive;  ///< refine that step where the film needs it?
+  TimeScheme time_scheme = TimeScheme::kBackwardEuler;      ///< of the step
   double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
   double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
   Method method = Method::kCoupledNewton;       ///< how film and load balance are solved

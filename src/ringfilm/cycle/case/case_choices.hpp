@@ -194,6 +194,18 @@ enum class StepControl {
   kFixed      ///< the stated one alone
 };
 
+/// `solver.time_scheme`: how the film remembers those before it.
+enum class TimeScheme {
+  kBackwardEuler,  ///< the last one
+  kBdf2            ///< the last two, eq-bdf2
+};
+
+/// `solver.cell_lengths`: how the cells share the face.
+enum class CellLengths {
+  kUniform,  ///< all alike
+  kByGap     ///< short where the face is low, eq-cells-by-gap
+};
+
 /// `solver.method`: how film and load balance are solved.
 enum class Method {
   kCoupledNewton,    ///< both at once by Newton's method

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/integration/sampling.hpp"
@@ -31,6 +32,7 @@ Recorder::Recorder(const Setup& setup)
     : setup_(setup),
       step_deg_(setup.input.solver.crank_step_deg),
       base_(steps_per_cycle(setup.input.solver)),
+      steps_(base_.size()),
       is_passed_(base_.size(), false),
       untrusted_share_(base_.size(), 0.0),
       requested_deg_(requested_angles(setup.input.output)) {
@@ -96,13 +98,17 @@ void Recorder::after_step(const TimeIntegration& integration) {
     const auto k = static_cast<std::size_t>(std::lround(instant.crank_angle_deg / step_deg_)) % base_.size();
     instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
     untrusted_share_[k] = keep(integration, instant, base_[k]);
+    on_the_way_.push_back(base_[k]);
+    steps_[k] = std::exchange(on_the_way_, {});
     is_passed_[k] = true;
     return;
   }
   const auto asked = between_.lower_bound(instant.crank_angle_deg - kSameAngle);
-  if (asked == between_.end() || asked->first > instant.crank_angle_deg + kSameAngle) return;
-  instant.crank_angle_deg = asked->first;
-  keep(integration, instant, asked->second.emplace());
+  const bool is_asked_for = asked != between_.end() && asked->first <= instant.crank_angle_deg + kSameAngle;
+  if (is_asked_for) instant.crank_angle_deg = asked->first;
+  Sample& passed = on_the_way_.emplace_back();
+  keep(integration, instant, passed);
+  if (is_asked_for) asked->second = passed;
 }
 
 CycleResult Recorder::result(const TimeIntegration& integration, double periodicity_error, int steps_integrated,
@@ -139,8 +145,17 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
     }
   }
   const std::vector<Sample>& base = result.complete ? base_ : passed;
-  result.values = result.complete ? cycle_values(setup_, base) : no_cycle_values();
-  if (result.complete) result.stroke = stroke_profile(setup_, base);
+  result.values = no_cycle_values();
+  if (result.complete) {
+    std::vector<Sample> all;  // increasing
+    for (std::size_t k = 1; k <= steps_.size(); ++k) {
+      const std::vector<Sample>& steps = steps_[k % steps_.size()];
+      all.insert(all.end(), steps.begin(), steps.end());
+    }
+    std::rotate(all.begin(), all.end() - 1, all.end());  // 0 degree ends the cycle
+    result.values = cycle_values(setup_, all);
+    result.stroke = stroke_profile(setup_, all);
+  }
   if (result.complete && integration.liner_oil() != nullptr) {
     add_liner_oil(setup_, *integration.liner_oil(), result.values, result.stroke);
   }

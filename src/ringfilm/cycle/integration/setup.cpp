@@ -9,6 +9,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/accuracy.hpp"
 #include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
@@ -90,6 +91,16 @@ models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
   return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
 }
 
+void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.solver.accuracy) return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "solver.accuracy = %.3g %%: computed on %d cells by gap with crank steps of %.3g degree at the most, "
+                "time_scheme = \"bdf2\" and step_error = %.2g",
+                *c.solver.accuracy * 100, c.solver.cells, c.solver.crank_step_deg, c.solver.step_error);
+  notes.push_back({"accuracy-asked-for", text, 1});
+}
+
 LandPressures land_pressures(const Case& c) {
   if (c.gas_path.is_computed() && !c.ring.has_computed_gas) {
     throw InputError("the gas between the rings is computed for a whole ring pack, and this is a ring by itself",
@@ -103,7 +114,9 @@ LandPressures land_pressures(const Case& c) {
   return lands;
 }
 
-Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
+Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
+  const Case c = with_accuracy(stated);
+  append_accuracy_note(c, oil.notes);
   append_end_cell_note(c, oil.notes);
   if (!c.ring.pressure_above.is_stated()) append_gas_notes(c, lands.above, oil.notes);
   append_viscosity_notes(oil, oil.notes);

@@ -89,9 +89,9 @@ class Block {
     const bool is_in_lane = where == Film::kInLane && !integration.state_was_turned();
     if (is_in_lane)
       return newton_.continue_from_last_step(lane, integration.proposed(), integration.state(),
-                                             integration.guessed_h_m());
-    newton_.start(lane, integration.proposed(), integration.state(), integration.state(), integration.guessed_h_m(),
-                  film::Unknowns::kFilmAndSeparation, laws_);
+                                             integration.remembered(), integration.guessed_h_m());
+    newton_.start(lane, integration.proposed(), integration.remembered(), integration.state(),
+                  integration.guessed_h_m(), film::Unknowns::kFilmAndSeparation, laws_);
   }
 
   /// The candidate as the lane leaves it, or found one by one where a lane is not enough.

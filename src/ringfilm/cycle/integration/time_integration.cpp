@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "ringfilm/cycle/integration/time_scheme.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
@@ -22,6 +23,8 @@ static_assert(kTicks == 1 << kFinestLevel);
 constexpr int kSearchedLevel = 3;
 /// A step twice as long makes four times the error; it is tried only with something to spare.
 constexpr double kCoarsenBelow = 0.15;
+/// BDF2 is stable while a step is no longer than 1 + sqrt(2) times the one before.
+constexpr double kLongestToLast = 2.1;
 
 /// What has no answer at a crank angle, with the figures that show it.
 std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
@@ -115,10 +118,15 @@ void TimeIntegration::count(const film::FilmReport& report) {
 
 double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
   if (time_step_before_ == 0) return 0;
-  // Backward Euler errs by half the second difference in time (docs/theory/film.md, "step control").
-  const double ratio = time_step / time_step_before_;
-  const double share = time_step / (time_step + time_step_before_);
-  const double film = std::abs(std::log(to.h_m / state_.h_m) - ratio * std::log(state_.h_m / before_.h_m));
+  const bool by_three = step_.is_second_order && time_step_older_ > 0;
+  const Prediction prediction = by_three ? Prediction::parabola(time_step, time_step_before_, time_step_older_)
+                                         : Prediction::line(time_step, time_step_before_);
+  const film::FilmState& older = by_three ? older_ : before_;
+  const auto expected = [&prediction](double state, double before, double oldest) {
+    return prediction.of_state * state + prediction.of_before * before + prediction.of_older * oldest;
+  };
+  const double film =
+      std::abs(expected(std::log(state_.h_m / to.h_m), std::log(before_.h_m / to.h_m), std::log(older.h_m / to.h_m)));
   double content = 0;
   double total = 0;
   const bool with_gas = step_.at.inputs.has_gas();
@@ -129,13 +137,31 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
         step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr) {
       continue;
     }
-    const double predicted = state_.mass_per_area[i] + ratio * (state_.mass_per_area[i] - before_.mass_per_area[i]);
+    const double predicted = expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
   }
   const double of_content = total > 0 ? content / total / kContentShare : 0;  // 0: all of the oil lies next to gas
-  const double error = share * std::max(film, of_content) / setup_.input.solver.step_error;
+  const double error = prediction.error_share * std::max(film, of_content) / setup_.input.solver.step_error;
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
+}
+
+/// Lays out the proposed step as one of second order. False where it is not one: there is no history, it reverses, gas
+/// is at an edge, oil on the liner is accounted for step by step, or a cavity would have less than no oil.
+bool TimeIntegration::remember_two_films() {
+  const bool can = setup_.input.solver.time_scheme == TimeScheme::kBdf2 && !setup_.input.is_unrolled() &&
+                   time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
+  const bool goes_on = !step_.state_was_turned && instant_.at.inputs.U * step_.at.inputs.U > 0;
+  if (!can || !goes_on || step_.at.inputs.has_gas() || liner_oil_) return false;
+  const Bdf2 scheme(step_.time_step, time_step_before_);
+  history_.mass_per_area.resize(state_.mass_per_area.size());
+  for (std::size_t i = 0; i < state_.mass_per_area.size(); ++i) {
+    const double mass = scheme.of_state * state_.mass_per_area[i] - scheme.of_before * before_.mass_per_area[i];
+    if (mass < 0) return false;
+    history_.mass_per_area[i] = mass;
+  }
+  step_.at.inputs.time_step = scheme.time_step;
+  return true;
 }
 
 HeatBefore TimeIntegration::heat_of_state(const RingConditions& at) const {
@@ -182,7 +208,7 @@ void TimeIntegration::start_steady(RingConditions& at) {
 void TimeIntegration::start(int k) {
   k_ = k;
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
-  time_step_before_ = 0;
+  time_step_before_ = time_step_older_ = 0;
   level_ = 0;
   tick_ = kTicks;
   heat_ = {};
@@ -217,13 +243,15 @@ void TimeIntegration::propose() {
   if (step_.state_was_turned) {
     turn(state_);
     turn(before_);
+    time_step_older_ = 0;
     axis_ = step_.at.axis;
   }
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
   if (fluids(step_.at) != fluids_) {
     fluids_ = fluids(step_.at);
-    time_step_before_ = 0;
+    time_step_before_ = time_step_older_ = 0;
   }
+  step_.is_second_order = remember_two_films();
   step_.h_m = state_.h_m;
   if (time_step_before_ > 0) {
     const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
@@ -234,7 +262,7 @@ void TimeIntegration::propose() {
 film::FilmReport TimeIntegration::solve() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
-  return film_.solve(step_.at.inputs, state_, candidate_);
+  return film_.solve(step_.at.inputs, remembered(), candidate_);
 }
 
 void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& waypoints) {
@@ -254,8 +282,10 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   }
   waypoints.before_step(*this, angle_deg_, step_.to_deg);
   account_of_oil();
+  std::swap(older_, before_);
   std::swap(before_, state_);
   std::swap(state_, candidate_);
+  time_step_older_ = time_step_before_;
   time_step_before_ = step_.time_step;
   heat_ = heat_of_state(step_.at);
   angle_deg_ = step_.to_deg;
@@ -266,7 +296,8 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   totals_.uncontrolled_steps +=
       adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
-  instant_ = {wrapped(angle_deg_), step_.at, &before_, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
+  const film::FilmState* previous = step_.is_second_order ? &history_ : &before_;
+  instant_ = {wrapped(angle_deg_), step_.at, previous, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
   waypoints.after_step(*this);
   if (adaptive() && level_ > 0 && is_error_known && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
   if (tick_ == kTicks) {

@@ -70,6 +70,8 @@ class TimeIntegration {
   void propose();
   const film::FilmInputs& proposed() const { return step_.at.inputs; }
   double guessed_h_m() const { return step_.h_m; }
+  /// What the proposed step follows from; of it only the `mass_per_area` enters.
+  const film::FilmState& remembered() const { return step_.is_second_order ? history_ : state_; }
   /// Was `state()` turned for the proposed step, since its axis points the other way?
   bool state_was_turned() const { return step_.state_was_turned; }
   /// The film of the proposed step goes here.
@@ -157,14 +159,17 @@ class TimeIntegration {
   /// What acts on the ring at the end of a step from the current state.
   RingConditions conditions(double from_deg, double to_deg, double time_step) const;
   void account_of_oil();
+  bool remember_two_films();
 
   const Setup& setup_;
   CycleFilm film_;
   std::optional<LinerOil> liner_oil_;
-  film::FilmState state_, before_, candidate_, side_before_;
+  film::FilmState state_, before_, older_, candidate_, side_before_;
+  film::FilmState history_;         ///< what a step of second order remembers
   Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
   Fluids fluids_;                   ///< at the edges of `state_`
-  double time_step_before_ = 0;     ///< 0: no history
+  double time_step_before_ = 0;     ///< that led to `state_`; 0: no history
+  double time_step_older_ = 0;      ///< that led to `before_`; 0: `older_` is none
   HeatBefore heat_;                 ///< of `state_`, if it counts
   int k_ = 0;                       ///< current base angle
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too
@@ -174,6 +179,7 @@ class TimeIntegration {
     double to_deg = 0, time_step = 0, h_m = 0;
     RingConditions at;
     bool state_was_turned = false;
+    bool is_second_order = false;
   } step_;  ///< proposed
   Instant instant_;
   StepEffort effort_;

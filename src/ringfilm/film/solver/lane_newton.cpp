@@ -172,13 +172,15 @@ void LaneNewton::limit_search_effort(int lane) {
   at.far_too_much = kFarTooMuch * at.inputs->load;
 }
 
-void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m) {
+void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous,
+                                         const FilmState& remembered, double h_m) {
   const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.terms == Terms::kPlain;
   const Unknowns unknowns = Unknowns::kFilmAndSeparation;
-  if (!same_zero) return start(lane, inputs, previous, previous, h_m, unknowns, block_.laws);
+  if (!same_zero) return start(lane, inputs, remembered, previous, h_m, unknowns, block_.laws);
   // The kernel works out what is left of the step before with the fit of this one.
-  const Inflow inflow_is = inputs.oil == lanes_[lane].oil ? Inflow::kOfTheLane : Inflow::kOfTheState;
-  set_step(lane, inputs, previous, h_m, unknowns, block_.laws, inflow_is);
+  const bool is_of_lane = inputs.oil == lanes_[lane].oil && &remembered == &previous;
+  const Inflow inflow_is = is_of_lane ? Inflow::kOfTheLane : Inflow::kOfTheState;
+  set_step(lane, inputs, remembered, h_m, unknowns, block_.laws, inflow_is);
   set_edges(lane);
 }
 

@@ -55,7 +55,9 @@ class LaneNewton {
 
   /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
   /// sought, with the laws of the last solve. The oil may be another one.
-  void continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m);
+  /// @param remembered of which only the `mass_per_area` enters: `previous` or what is made of more films
+  void continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous,
+                               const FilmState& remembered, double h_m);
 
   /// One iteration of all running lanes.
   void iterate();

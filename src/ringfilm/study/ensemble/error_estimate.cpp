@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ringfilm/cycle/accuracy.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
@@ -102,7 +103,9 @@ Case on_grid(Case c, int cells, double crank_step_deg) {
   }
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
-  c.solver.step_error *= ratio * ratio;  // the error of a step goes with its square
+  // The error of a step goes with its square, of second order with its cube.
+  c.solver.step_error *= c.solver.time_scheme == cycle::TimeScheme::kBdf2 ? ratio * ratio * ratio : ratio * ratio;
+  c.solver.accuracy.reset();
   c.output.fields = cycle::FieldOutput::kNone;
   return c;
 }
@@ -232,7 +235,8 @@ bool is_graded(const CycleResult& result) {
 
 }  // namespace
 
-std::vector<Case> other_grids(const Case& c) {
+std::vector<Case> other_grids(const Case& stated) {
+  const Case c = cycle::with_accuracy(stated);
   const int cells = c.solver.cells;
   const double step_deg = c.solver.crank_step_deg;
   const double double_step_deg = cycle::kCycleDeg / half(cycle::steps_per_cycle(c.solver));
@@ -240,7 +244,8 @@ std::vector<Case> other_grids(const Case& c) {
           on_grid(c, cells, double_step_deg)};
 }
 
-ErrorEstimate error_estimate(const Case& c, const CycleResult& result, std::span<const Ending> others) {
+ErrorEstimate error_estimate(const Case& stated, const CycleResult& result, std::span<const Ending> others) {
+  const Case c = cycle::with_accuracy(stated);
   const std::vector<Case> grids = other_grids(c);
   if (others.size() != grids.size()) throw std::logic_error("an error estimate needs an ending on each other grid");
   ErrorEstimate errors = no_estimate(result.samples.size());

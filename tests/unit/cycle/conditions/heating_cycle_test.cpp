@@ -61,8 +61,8 @@ TEST(ViscousHeating, OfTheFilmIsThatOfTheStepBefore) {
     EXPECT_NEAR(rise, before.viscous_heating_rise, 0.1 * before.viscous_heating_rise + 1e-9) << s.crank_angle_deg;
   }
   EXPECT_GT(result.values.peak_viscous_heating_rise, 1);
-  EXPECT_EQ(at(result, std::round(result.values.peak_viscous_heating_rise_angle)).viscous_heating_rise,
-            result.values.peak_viscous_heating_rise);
+  EXPECT_NEAR(at(result, std::round(result.values.peak_viscous_heating_rise_angle)).viscous_heating_rise,
+              result.values.peak_viscous_heating_rise, 1e-3 * result.values.peak_viscous_heating_rise);
 }
 
 TEST(ViscousHeating, SettlesWhereOilIsStiff) {

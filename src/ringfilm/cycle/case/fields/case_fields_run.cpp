@@ -20,6 +20,8 @@ constexpr When kGasEdge{[](const Case& c) { return c.film.has_gas_edge(); },
                         "film.chamber_edge or film.crankcase_edge is \"gas\""};
 constexpr When kNotFlooded{[](const Case& c) { return c.film.has_gas_edge() && c.film.supply != OilSupply::kFlooded; },
                            "film.supply is not \"flooded\""};
+constexpr When kFaceFilm{[](const Case& c) { return !c.is_unrolled() && c.problem != Problem::kPad; },
+                         "film.dimension = \"face\", and not of a pad"};
 constexpr When kFilmOnLiner{
     [](const Case& c) { return c.film.has_gas_edge() && c.film.supply == OilSupply::kFilmOnLiner; },
     "film.supply = \"film-on-liner\""};
@@ -112,8 +114,15 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"oil that the inlet does not take: it stays ahead of the edge as a bead until the stroke ends, or is "
                  "lost at once",
                  "\"bead\""}),
+          field("solver.accuracy", OptionalNumberKind{member<&Case::solver, &Solver::accuracy>}, {"1", "%"},
+                between(5e-4, 0.1), Need::kOptional, kFaceFilm,
+                {"accuracy that values of the cycle are to reach; it chooses cells, cell_lengths, crank_step, "
+                 "crank_step_control, time_scheme and step_error in place of what is stated there",
+                 "\"0.5 %\""}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
+          field("solver.cell_lengths", choice<&Case::solver, &Solver::cell_lengths>({"uniform", "by-gap"}), kNoUnit, {},
+                Need::kDefault, kFaceFilm, {"cells of one length, or short ones where the face is low", "\"uniform\""}),
           field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),
                 Need::kDefault, kTwoDimensions, {"cells around the ring, or across the pad", "180"}),
           field("solver.end_cell", OptionalNumberKind{member<&Case::solver, &Solver::end_cell>}, {"m", "um"},
@@ -127,6 +136,10 @@ void append_run_fields(std::vector<Field>& fields) {
                 kNoUnit, {}, Need::kDefault, {},
                 {"refine the crank step where the film needs it, or integrate with the stated step alone",
                  "\"adaptive\""}),
+          field("solver.time_scheme", choice<&Case::solver, &Solver::time_scheme>({"backward-euler", "bdf2"}), kNoUnit,
+                {}, Need::kDefault, kFaceFilm,
+                {"a step follows from the film before it (first order), or from the two before it (second order)",
+                 "\"backward-euler\""}),
           field("solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
                 between(1e-8, 0.1), Need::kDefault,
                 {[](const Case& c) {

@@ -1,0 +1,49 @@
+#include "ringfilm/cycle/accuracy.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ringfilm::cycle {
+namespace {
+
+struct Measured {
+  double accuracy;
+  Resolution resolution;
+};
+/// docs/manual/performance.md, "accuracy and cost".
+constexpr std::array kMeasured = {Measured{0.001, {400, 2, 1e-4}}, Measured{0.005, {128, 4, 2e-3}},
+                                  Measured{0.01, {64, 4, 4e-3}}, Measured{0.05, {32, 5, 2e-2}}};
+
+}  // namespace
+
+Resolution resolution_for(double accuracy) {
+  const auto above = std::lower_bound(kMeasured.begin() + 1, kMeasured.end() - 1, accuracy,
+                                      [](const Measured& m, double value) { return m.accuracy < value; });
+  const Measured &finer = *(above - 1), &coarser = *above;
+  const double share = std::log(accuracy / finer.accuracy) / std::log(coarser.accuracy / finer.accuracy);
+  const auto between = [share](double a, double b) { return a * std::pow(b / a, share); };
+  const double cells = between(finer.resolution.cells, coarser.resolution.cells);
+  const double step_error = between(finer.resolution.step_error, coarser.resolution.step_error);
+  const double step_deg =
+      accuracy < coarser.accuracy ? finer.resolution.crank_step_deg : coarser.resolution.crank_step_deg;
+  return {static_cast<int>(std::lround(cells)), step_deg, step_error};
+}
+
+Case with_accuracy(Case c) {
+  Solver& solver = c.solver;
+  if (!solver.accuracy) return c;
+  const Resolution resolution = resolution_for(*solver.accuracy);
+  solver.cells = resolution.cells;
+  solver.cell_lengths = CellLengths::kByGap;
+  solver.crank_step_deg = resolution.crank_step_deg;
+  if (c.output.crank_angles_deg.empty()) {
+    solver.crank_step_deg = std::min(solver.crank_step_deg, c.output.crank_angle_step_deg);
+  }
+  solver.crank_step_control = StepControl::kAdaptive;
+  solver.time_scheme = TimeScheme::kBdf2;
+  solver.step_error = resolution.step_error;
+  return c;
+}
+
+}  // namespace ringfilm::cycle

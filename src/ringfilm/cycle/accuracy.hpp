@@ -1,0 +1,20 @@
+#pragma once
+#include "ringfilm/cycle/case/case.hpp"
+
+namespace ringfilm::cycle {
+
+/// What solver.accuracy stands for (docs/theory/film.md, "accuracy").
+struct Resolution {
+  int cells;              ///< across the face, by-gap
+  double crank_step_deg;  ///< the longest [degree]
+  double step_error;      ///< let through per step [-]
+};
+
+/// Cells and steps with which 95 of 100 values of a cycle were found within `accuracy` [-].
+Resolution resolution_for(double accuracy);
+
+/// The case with the cells and steps that its solver.accuracy stands for, steps no longer than those of its curves; as
+/// it is where it states none.
+Case with_accuracy(Case c);
+
+}  // namespace ringfilm::cycle
