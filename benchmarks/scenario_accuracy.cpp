@@ -116,7 +116,7 @@ std::vector<Way> ways() {
   list.push_back({"the same, cells by gap", second});
   for (const double accuracy : kLimits) {
     cycle::Solver solver;
-    solver.accuracy = accuracy;
+    solver.accuracy = 100 * accuracy;
     char name[32];
     std::snprintf(name, sizeof name, "accuracy %.3g %%", 100 * accuracy);
     list.push_back({name, solver});

@@ -8,12 +8,12 @@ namespace ringfilm::cycle {
 namespace {
 
 struct Measured {
-  double accuracy;
+  double accuracy;  ///< [%]
   Resolution resolution;
 };
 /// docs/manual/performance.md, "accuracy and cost".
-constexpr std::array kMeasured = {Measured{0.001, {400, 2, 1e-4}}, Measured{0.005, {128, 4, 2e-3}},
-                                  Measured{0.01, {64, 4, 4e-3}}, Measured{0.05, {32, 5, 2e-2}}};
+constexpr std::array kMeasured = {Measured{0.1, {400, 2, 1e-4}}, Measured{0.5, {128, 4, 2e-3}},
+                                  Measured{1, {64, 4, 4e-3}}, Measured{5, {32, 5, 2e-2}}};
 
 }  // namespace
 

@@ -10,7 +10,7 @@ struct Resolution {
   double step_error;      ///< let through per step [-]
 };
 
-/// Cells and steps with which 95 of 100 values of a cycle were found within `accuracy` [-].
+/// Cells and steps with which 95 of 100 values of a cycle were found within `accuracy` [%].
 Resolution resolution_for(double accuracy);
 
 /// The case with the cells and steps that its solver.accuracy stands for, steps no longer than those of its curves; as

@@ -405,7 +405,7 @@ struct Supply {
 
 /// The keys under `solver`.
 struct Solver {
-  std::optional<double> accuracy;  ///< to be reached: chooses cells, steps and scheme below (with_accuracy) [-]
+  std::optional<double> accuracy;  ///< to be reached: chooses cells, steps and scheme below (with_accuracy) [%]
   int cells = 200;                 ///< across the face
   CellLengths cell_lengths = CellLengths::kUniform;  ///< how they share it
   int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad

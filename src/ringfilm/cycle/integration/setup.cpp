@@ -97,7 +97,7 @@ void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
   std::snprintf(text, sizeof text,
                 "solver.accuracy = %.3g %%: computed on %d cells by gap with crank steps of %.3g degree at the most, "
                 "time_scheme = \"bdf2\" and step_error = %.2g",
-                *c.solver.accuracy * 100, c.solver.cells, c.solver.crank_step_deg, c.solver.step_error);
+                *c.solver.accuracy, c.solver.cells, c.solver.crank_step_deg, c.solver.step_error);
   notes.push_back({"accuracy-asked-for", text, 1});
 }
 

@@ -302,6 +302,7 @@ std::string dimension_words(const std::string& si_unit) {
                                                  {"K-1", "a coefficient per kelvin"},
                                                  {"W/(m K)", "a thermal conductivity"},
                                                  {"J/(kg K)", "a specific heat"},
+                                                 {"%", "a share"},
                                                  {"1", "a number without unit"}};
   const auto found = words.find(si_unit);
   return found == words.end() ? "a quantity in " + si_unit : found->second;

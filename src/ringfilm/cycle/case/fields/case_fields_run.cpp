@@ -114,8 +114,8 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"oil that the inlet does not take: it stays ahead of the edge as a bead until the stroke ends, or is "
                  "lost at once",
                  "\"bead\""}),
-          field("solver.accuracy", OptionalNumberKind{member<&Case::solver, &Solver::accuracy>}, {"1", "%"},
-                between(5e-4, 0.1), Need::kOptional, kFaceFilm,
+          field("solver.accuracy", OptionalNumberKind{member<&Case::solver, &Solver::accuracy>}, {"%", "%"},
+                between(0.05, 10), Need::kOptional, kFaceFilm,
                 {"accuracy that values of the cycle are to reach; it chooses cells, cell_lengths, crank_step, "
                  "crank_step_control, time_scheme and step_error in place of what is stated there",
                  "\"0.5 %\""}),
