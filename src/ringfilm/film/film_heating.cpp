@@ -39,7 +39,8 @@ double FilmHeating::rise(double conductivity, double specific_heat) const {
   return per_kelvin > 0 ? dissipation / per_kelvin : 0;
 }
 
-FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip) {
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip,
+                         double rise) {
   const FilmGrid& grid = problem.grid;
   const std::size_t n_nodes = grid.x.size(), first = strip * n_nodes;
   const std::span<const double> p(state.p.data() + first, n_nodes), deficit(state.deficit.data() + first, n_nodes);
@@ -48,7 +49,7 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
   double length = 0, flow = 0;
   for (std::size_t i = 0; i + 1 < n_nodes; ++i) {
     if (is_cavity(deficit[i]) || is_cavity(deficit[i + 1])) continue;
-    const double cell = grid.spacing[i], h = state.h_m + grid.face_height[i];
+    const double cell = grid.spacing[i], h = state.h_m + rise + grid.face_height[i];
     const double slope = (p[i + 1] - p[i]) / cell;
     const double eta = 0.5 * (oil.eta[i] + oil.eta[i + 1]), rho = 0.5 * (oil.rho[i] + oil.rho[i + 1]);
     const double pressure_flow = h * h * h * slope / (12 * eta);

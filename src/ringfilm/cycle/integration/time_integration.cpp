@@ -113,12 +113,28 @@ void TimeIntegration::count(const film::FilmReport& report) {
   }
 }
 
+/// By how much the separation leaves its trend in the step to another film, relative; the mean around a ring that
+/// bends.
+double TimeIntegration::change_of_trend(const film::FilmState& to, double ratio) const {
+  const auto change = [ratio](double h, double now, double before) {
+    return std::abs(std::log(h / now) - ratio * std::log(now / before));
+  };
+  if (to.ring.empty()) return change(to.h_m, state_.h_m, before_.h_m);
+  const film::CircumferentialGrid& around = film2d()->around;
+  double sum = 0;
+  for (int j = 0; j < around.n_strips(); ++j) {
+    const auto at = [&](const film::FilmState& state) { return state.h_m + film_.rise(state, j); };
+    sum += around.share[j] / around.length * change(at(to), at(state_), at(before_));
+  }
+  return sum;
+}
+
 double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
   if (time_step_before_ == 0) return 0;
   // Backward Euler errs by half the second difference in time (docs/theory/film.md, "step control").
   const double ratio = time_step / time_step_before_;
   const double share = time_step / (time_step + time_step_before_);
-  const double film = std::abs(std::log(to.h_m / state_.h_m) - ratio * std::log(state_.h_m / before_.h_m));
+  const double film = change_of_trend(to, ratio);
   double content = 0;
   double total = 0;
   const bool with_gas = step_.at.inputs.has_gas();
@@ -153,8 +169,10 @@ double TimeIntegration::viscous_heating_rise(const film::FilmInputs& inputs, con
 /// have to leave at once, at a pressure that rises without limit as the step is cut.
 void TimeIntegration::turn(film::FilmState& state) const {
   const std::vector<double>& rise = film_.film2d() ? film_.film2d()->gap.node : problem().grid.node_height;
-  const auto gap = [&](std::size_t i) { return state.h_m + rise[i]; };
   const std::size_t n_across = problem().grid.x.size();
+  const auto gap = [&](std::size_t i) {
+    return state.h_m + film_.rise(state, static_cast<int>(i / n_across)) + rise[i];
+  };
   for (std::size_t i = 0; i < state.mass_per_area.size(); ++i) state.mass_per_area[i] /= gap(i);
   for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.mass_per_area}) {
     for (auto strip = nodal->begin(); strip < nodal->end(); strip += static_cast<std::ptrdiff_t>(n_across)) {
@@ -174,7 +192,7 @@ void TimeIntegration::start_steady(RingConditions& at) {
   for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
     if (std::isfinite(edge->supply)) *edge = {edge->pressure};
   }
-  const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
+  const film::FilmReport report = film_.solve_steady(at, before_, state_);
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
 }
@@ -231,10 +249,27 @@ void TimeIntegration::propose() {
   }
 }
 
+/// A ring that bends goes on as it went, as far as no film becomes much thinner.
+void TimeIntegration::continue_ring(film::FilmState& to) const {
+  to.h_m = state_.h_m;
+  if (time_step_before_ == 0) return;
+  constexpr double kMost = 0.5;
+  double ratio = step_.time_step / time_step_before_;
+  const int n_strips = film2d()->around.n_strips();
+  const auto at = [&](const film::FilmState& state, int j) { return state.h_m + film_.rise(state, j); };
+  for (int j = 0; j < n_strips; ++j) {
+    const double now = at(state_, j), fall = at(before_, j) - now;
+    if (ratio * fall > kMost * now) ratio = kMost * now / fall;
+  }
+  to.h_m += ratio * (state_.h_m - before_.h_m);
+  for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
+}
+
 film::FilmReport TimeIntegration::solve() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
-  return film_.solve(step_.at.inputs, state_, candidate_);
+  if (!state_.ring.empty()) continue_ring(candidate_);
+  return film_.solve(step_.at, state_, candidate_);
 }
 
 void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& waypoints) {
@@ -295,7 +330,7 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;
-      report = film_.solve(at.inputs, side_before_, to);
+      report = film_.solve(at, side_before_, to);
       if (!report.converged) break;
     }
   }
@@ -311,6 +346,10 @@ TimeIntegration::Distance TimeIntegration::distance(const Snapshot& snapshot) co
   const film::FilmState& other = snapshot.film;
   const double scale = instant_.at.inputs.mean_pressure(problem().grid);
   Distance distance{std::abs(std::log(state_.h_m / other.h_m)), 0};
+  for (int j = 0; !state_.ring.empty() && j < film2d()->around.n_strips(); ++j) {
+    const double now = state_.h_m + film_.rise(state_, j), then = other.h_m + film_.rise(other, j);
+    distance.film = std::max(distance.film, std::abs(std::log(now / then)));
+  }
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
     distance.film = std::max(distance.film, std::abs(state_.p[i] - other.p[i]) / scale);
     if (problem().cavitation == film::Cavitation::kMassConserving) {
