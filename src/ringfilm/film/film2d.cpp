@@ -86,18 +86,16 @@ std::vector<double> separations(const Film2dProblem& problem, const FilmState& s
   return of;
 }
 
-std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, double h_m,
-                                  const std::vector<double>& ring) {
+std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring) {
   constexpr int kWidth = ElasticRing::kWidth;
   const int n = of.n_unknowns();
   std::vector<double> force = inputs.bore_force;
   force.resize(n, 0.0);
-  const auto at = [&](int i) { return ring[i] + (i % 2 == 0 ? h_m : 0); };
   for (int i = 0; i < n; ++i) {
-    force[i] -= of.band[i * kWidth] * at(i);
+    force[i] -= of.band[i * kWidth] * ring[i];
     for (int k = 1; k < kWidth && i + k < n; ++k) {
-      force[i] -= of.band[i * kWidth + k] * at(i + k);
-      force[i + k] -= of.band[i * kWidth + k] * at(i);
+      force[i] -= of.band[i * kWidth + k] * ring[i + k];
+      force[i + k] -= of.band[i * kWidth + k] * ring[i];
     }
   }
   return force;

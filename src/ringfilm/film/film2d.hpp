@@ -107,9 +107,8 @@ std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInp
 /// The separations of a ring that bends, h_m and more, strip by strip; of a rigid one h_m alone [m].
 std::vector<double> separations(const Film2dProblem& problem, const FilmState& state);
 
-/// What holds the ring at each unknown beyond what film and asperities carry there: bore and bending, less the
-/// separation's own share [N]. @param ring as of FilmState
-std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, double h_m,
-                                  const std::vector<double>& ring);
+/// What pushes a ring that bends from the liner at each of its unknowns, film and asperities apart: bore and bending,
+/// eq-film-2d-ring [N]. @param ring as of FilmState
+std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring);
 
 }  // namespace ringfilm::film

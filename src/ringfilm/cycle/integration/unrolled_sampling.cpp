@@ -111,7 +111,7 @@ UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vect
 
 double ring_imbalance(const film::Film2dProblem& problem, const film::Film2dInputs& inputs,
                       const film::FilmState& state, const std::vector<film::StripIntegrals>& strips) {
-  std::vector<double> force = film::bending_force(problem.ring, inputs, state.h_m, state.ring);
+  std::vector<double> force = film::bending_force(problem.ring, inputs, state.ring);
   double left = 0;
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     const double carried = strips[j].hydrodynamic_load + strips[j].asperity_load - inputs.load_of(j);

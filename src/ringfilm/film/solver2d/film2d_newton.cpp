@@ -160,7 +160,8 @@ void Film2dNewton::set_separation(const Film2dProblem& problem, const Film2dInpu
   }
 }
 
-/// The lowest separation of a ring that bends is its h_m.
+/// The lowest separation of a ring that bends is its h_m, from which its bending counts. The slopes of the system take
+/// h_m as it is: what a ring resists a film that is alike all around is below a hundredth of what the film does.
 void Film2dNewton::set_lowest() {
   if (!beam_border_) return;
   double lowest = ring_[elastic_.of_strip(0)];
@@ -286,7 +287,7 @@ void Film2dNewton::set_loads_of_beam(const Film2dProblem& problem, const Film2dI
   const CircumferentialGrid& around = problem.around;
   const int n_strips = around.n_strips();
   kernels_->strip_loads(block_, strip_loads_.data());
-  excess_ = bending_force(elastic_, inputs, h_m_, ring_);
+  excess_ = bending_force(elastic_, inputs, ring_);
   for (double& force : excess_) force /= around.length;
   std::vector<double> contact_slope(n_strips);
   for (int j = 0; j < n_strips; ++j) {
@@ -400,6 +401,7 @@ double Film2dNewton::largest_move() const {
 void Film2dNewton::move_border(const Film2dProblem& problem, const Film2dInputs& inputs) {
   if (beam_border_) {
     for (std::size_t i = 0; i < ring_.size(); ++i) ring_[i] += border_step_[i] * h_m_;
+    set_lowest();
   } else {
     h_m_ *= std::exp(border_step_[0]);
   }
@@ -445,7 +447,6 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
     if (outcome.solved) break;
     advance_fronts(block_.to_film && !block_.to_cavity);
   }
-  set_lowest();
   state.h_m = h_m_;
   state.ring = ring_;
   read(problem, inputs, state);
