@@ -86,6 +86,36 @@ std::vector<double> separations(const Film2dProblem& problem, const FilmState& s
   return of;
 }
 
+bool factor_band(std::vector<double>& band) {
+  constexpr int kWidth = ElasticRing::kWidth;
+  const int n = static_cast<int>(band.size()) / kWidth;
+  for (int i = 0; i < n; ++i) {
+    double* row = band.data() + static_cast<std::size_t>(i) * kWidth;
+    if (!(row[0] > 0)) return false;
+    for (int k = 1; k < kWidth && i + k < n; ++k) {
+      const double share = row[k] / row[0];
+      double* other = row + static_cast<std::ptrdiff_t>(k) * kWidth;
+      for (int l = k; l < kWidth && i + l < n; ++l) other[l - k] -= share * row[l];
+    }
+    for (int k = 1; k < kWidth; ++k) row[k] /= row[0];
+  }
+  return true;
+}
+
+void solve_band(const std::vector<double>& factored, double* x) {
+  constexpr int kWidth = ElasticRing::kWidth;
+  const int n = static_cast<int>(factored.size()) / kWidth;
+  for (int i = 0; i < n; ++i) {
+    const double* row = factored.data() + static_cast<std::size_t>(i) * kWidth;
+    for (int k = 1; k < kWidth && i + k < n; ++k) x[i + k] -= row[k] * x[i];
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    const double* row = factored.data() + static_cast<std::size_t>(i) * kWidth;
+    x[i] /= row[0];
+    for (int k = 1; k < kWidth && i + k < n; ++k) x[i] -= row[k] * x[i + k];
+  }
+}
+
 std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring) {
   constexpr int kWidth = ElasticRing::kWidth;
   const int n = of.n_unknowns();

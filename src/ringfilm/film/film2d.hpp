@@ -107,6 +107,11 @@ std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInp
 /// The separations of a ring that bends, h_m and more, strip by strip; of a rigid one h_m alone [m].
 std::vector<double> separations(const Film2dProblem& problem, const FilmState& state);
 
+/// L D L^T of a band as ElasticRing has it, in its place. @returns false where it is not positive definite
+bool factor_band(std::vector<double>& band);
+/// Solves for a right-hand side in its place.
+void solve_band(const std::vector<double>& factored, double* x);
+
 /// What pushes a ring that bends from the liner at each of its unknowns, film and asperities apart: bore and bending,
 /// eq-film-2d-ring [N]. @param ring as of FilmState
 std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring);

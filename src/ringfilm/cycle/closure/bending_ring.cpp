@@ -1,13 +1,10 @@
 #include "ringfilm/cycle/closure/bending_ring.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/models/conformity/ring_closure.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -60,24 +57,6 @@ void BendingRing::press(double below_tdc, film::Film2dInputs& inputs) const {
   for (std::size_t i = 0; i < inputs.bore_force.size(); ++i) {
     inputs.bore_force[i] = (1 - share) * force_[next - 1][i] + share * force_[next][i];
   }
-}
-
-std::vector<double> BendingRing::without_film(double below_tdc, double gas_load) const {
-  std::vector<double> clearance(2 * static_cast<std::size_t>(elements_.n_nodes()), 0.0);
-  const double gas = std::max(gas_load, 0.0) * case_.engine.bore / 2;
-  try {
-    const models::RingClosure closed(models::RingAtWall(beam_, bore_at(below_tdc), gas));
-    for (int i = 0; i < elements_.n_nodes(); ++i) {
-      const double phi = elements_.phi()[i], step = 0.1 * elements_.slope_length(i);
-      const double before = std::max(phi - step, elements_.phi().front());
-      const double after = std::min(phi + step, elements_.phi().back());
-      clearance[2 * i] = closed.clearance(phi);
-      clearance[2 * i + 1] =
-          (closed.clearance(after) - closed.clearance(before)) / (after - before) * elements_.slope_length(i);
-    }
-  } catch (const ConvergenceError&) {
-  }
-  return clearance;
 }
 
 }  // namespace ringfilm::cycle

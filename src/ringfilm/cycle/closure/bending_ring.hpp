@@ -18,10 +18,6 @@ class BendingRing {
   /// pressure.
   /// @param below_tdc of the ring [m]
   void press(double below_tdc, film::Film2dInputs& inputs) const;
-  double elastic_load() const { return elastic_load_; }  ///< by the ring's own tension, p_e b [N/m]
-  /// Unknowns of the beam as it closes without film: the clearance. Zero where no closure is found.
-  /// @param gas_load on the back of the ring beyond that at its edges [N/m]
-  std::vector<double> without_film(double below_tdc, double gas_load) const;
 
  private:
   models::FourierSeries bore_at(double below_tdc) const;

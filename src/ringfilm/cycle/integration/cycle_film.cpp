@@ -5,6 +5,7 @@
 
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/solver2d/bent_ring_guess.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -119,9 +120,7 @@ film::FilmReport CycleFilm::solve_steady(const RingConditions& at, film::FilmSta
     film::FilmWorkspace workspace(across());
     film::FilmState strip = state;
     if (film::solve_film(across(), inputs, state, strip, workspace).converged) state = std::move(strip);
-    state = film::of_strips(*film2d_, state);
-    const double at_edges = 0.5 * (inputs.left.pressure + inputs.right.pressure) * across().grid.width;
-    if (ring_) state.ring = ring_->without_film(at.below_tdc, inputs.load - ring_->elastic_load() - at_edges);
+    state = ring_ ? film::guess_of_bent_ring(*film2d_, film2d_inputs(at), state) : film::of_strips(*film2d_, state);
   }
   before = state;
   return solve(at, before, state);

@@ -61,19 +61,7 @@ bool BeamBorder::factor() {
     // precedes GMRES must be definite.
     factor_[static_cast<std::size_t>(ring_.of_strip(j)) * kWidth] += std::max(of_film - contact_slope_[j], 0.0);
   }
-  // L D L^T of the band, row by row.
-  const int n = ring_.n_unknowns();
-  for (int i = 0; i < n; ++i) {
-    double* row = factor_.data() + static_cast<std::size_t>(i) * kWidth;
-    if (!(row[0] > 0)) return false;
-    for (int k = 1; k < kWidth && i + k < n; ++k) {
-      const double share = row[k] / row[0];
-      double* other = factor_.data() + static_cast<std::size_t>(i + k) * kWidth;
-      for (int l = k; l < kWidth && i + l < n; ++l) other[l - k] -= share * row[l];
-    }
-    for (int k = 1; k < kWidth; ++k) row[k] /= row[0];
-  }
-  return true;
+  return factor_band(factor_);
 }
 
 void BeamBorder::spread(const double* b) {
@@ -119,21 +107,13 @@ void BeamBorder::multiply(const double* x, const double* b, double* to) {
 }
 
 void BeamBorder::eliminate(const double* g, double* x, double* b) {
-  constexpr int kWidth = ElasticRing::kWidth;
   const ZebraShape& shape = block_->system.shape;
   const int n = ring_.n_unknowns();
   for (int i = 0; i < n; ++i) left_[i] = -g[i];
   kernels_->strip_sums(shape, block_->load_row, x, sums_.data());
   for (int s = 0; s < shape.n_strips; ++s) left_[ring_.of_strip(s + first_)] += sums_[shape.strip(s)];
-  for (int i = 0; i < n; ++i) {
-    const double* row = factor_.data() + static_cast<std::size_t>(i) * kWidth;
-    for (int k = 1; k < kWidth && i + k < n; ++k) left_[i + k] -= row[k] * left_[i];
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    const double* row = factor_.data() + static_cast<std::size_t>(i) * kWidth;
-    b[i] = left_[i] / row[0];
-    for (int k = 1; k < kWidth && i + k < n; ++k) b[i] -= row[k] * b[i + k];
-  }
+  solve_band(factor_, left_.data());
+  std::copy_n(left_.begin(), n, b);
   for (int s = 0; s < shape.n_strips; ++s) own_[shape.strip(s)] = b[ring_.of_strip(s + first_)];
   kernels_->take_columns(shape, solution_.data(), own_.data(), x);
 }
