@@ -39,10 +39,12 @@ BeamBorder::BeamBorder(const Film2dKernels& kernels, const Film2dBlock& block, c
       high_(own_),
       sums_(own_),
       factor_(ring_.band.size(), 0.0),
-      left_(ring_.n_unknowns(), 0.0) {}
+      left_(ring_.n_unknowns(), 0.0),
+      bent_(left_) {}
 
-void BeamBorder::set(double scale, std::vector<double> contact_slope) {
+void BeamBorder::set(double scale, int lowest, std::vector<double> contact_slope) {
   scale_ = scale;
+  lowest_ = lowest;
   contact_slope_ = std::move(contact_slope);
 }
 
@@ -90,12 +92,14 @@ void BeamBorder::multiply(const double* x, const double* b, double* to) {
   const int n = ring_.n_unknowns();
   const double scale = scale_ / length_;
   std::fill_n(to, n, 0.0);
+  std::copy_n(b, n, bent_.begin());
+  for (int i = 0; i < n; i += 2) bent_[i] -= b[ring_.of_strip(lowest_)];
   for (int i = 0; i < n; ++i) {
     const double* row = ring_.band.data() + static_cast<std::size_t>(i) * kWidth;
-    to[i] -= scale * row[0] * b[i];
+    to[i] -= scale * row[0] * bent_[i];
     for (int k = 1; k < kWidth && i + k < n; ++k) {
-      to[i] -= scale * row[k] * b[i + k];
-      to[i + k] -= scale * row[k] * b[i];
+      to[i] -= scale * row[k] * bent_[i + k];
+      to[i + k] -= scale * row[k] * bent_[i];
     }
   }
   kernels_->strip_sums(shape, block_->load_row, x, sums_.data());

@@ -61,9 +61,9 @@ class BeamBorder final : public Border {
   /// @param first the first strip that is solved
   BeamBorder(const Film2dKernels& kernels, const Film2dBlock& block, const Film2dProblem& problem, int first);
 
-  /// @param scale length that the unknowns count in [m] @param contact_slope of each strip's asperities, with its
-  /// share of the length, in those units [N/m]
-  void set(double scale, std::vector<double> contact_slope);
+  /// @param scale length that the unknowns count in [m] @param lowest strip, from which bending counts
+  /// @param contact_slope of each strip's asperities, with its share of the length, in those units [N/m]
+  void set(double scale, int lowest, std::vector<double> contact_slope);
 
   int count() const override { return ring_.n_unknowns(); }
   void solve_columns(const Solve& approximately) override;
@@ -83,10 +83,11 @@ class BeamBorder final : public Border {
   Ends ends_;
   double length_;  ///< of the film in y [m]
   double scale_ = 0;
+  int lowest_ = 0;
   std::vector<double> contact_slope_;
   std::vector<double> solution_;                 ///< Y of all strips displaced alike
   std::vector<double> own_, low_, high_, sums_;  ///< of strips, as the block has them
-  std::vector<double> factor_, left_;
+  std::vector<double> factor_, left_, bent_;
 };
 
 }  // namespace ringfilm::film

@@ -160,8 +160,7 @@ void Film2dNewton::set_separation(const Film2dProblem& problem, const Film2dInpu
   }
 }
 
-/// The lowest separation of a ring that bends is its h_m, from which its bending counts. The slopes of the system take
-/// h_m as it is: what a ring resists a film that is alike all around is below a hundredth of what the film does.
+/// The lowest separation of a ring that bends is its h_m, from which its bending counts.
 void Film2dNewton::set_lowest() {
   if (!beam_border_) return;
   double lowest = ring_[elastic_.of_strip(0)];
@@ -300,7 +299,8 @@ void Film2dNewton::set_loads_of_beam(const Film2dProblem& problem, const Film2dI
     excess_[elastic_.of_strip(j)] += share * (of_film + asperities - inputs.load_of(j));
     contact_slope[j] = share * slope * h_m_;
   }
-  beam_border_->set(h_m_, std::move(contact_slope));
+  const auto lowest = std::min_element(rise_.begin(), rise_.end()) - rise_.begin();
+  beam_border_->set(h_m_, static_cast<int>(lowest), std::move(contact_slope));
 }
 
 bool Film2dNewton::solve_at_border_step(double reduction) {
