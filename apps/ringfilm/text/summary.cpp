@@ -92,10 +92,11 @@ std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& r
                                            input.ring.gap_position_deg)
                              : ", joined without a gap";
   if (input.bends() && result.complete) {
-    text += fmt::format("; the ring bends: largest clearance {} ({}), open area where it is lifted off {} on average, "
-                        "{} at the most ({})",
-                        shown("peak_clearance"), shown("peak_clearance_angle"), shown("mean_open_area"),
-                        shown("peak_open_area"), shown("peak_open_area_angle"));
+    text += fmt::format(
+        "; the ring bends: largest clearance {} ({}), open area where it is lifted off {} on average, "
+        "{} at the most ({})",
+        shown("peak_clearance"), shown("peak_clearance_angle"), shown("mean_open_area"), shown("peak_open_area"),
+        shown("peak_open_area_angle"));
   }
   if (input.ring.end_gap && result.complete) {
     text += fmt::format(

@@ -68,7 +68,7 @@ TEST(BendingRing, WithoutMuchFilmClosesAsTheRingWithoutFilm) {
     c.ring.gap_position_deg = gap_position_deg;
     c.ring.end_gap = 0.35e-3;
     c.solver.cells_y = 240;
-    const Setup setup = prepare(c);
+    const cycle::Setup setup = prepare(c);
     CycleFilm film(setup);
     const RingConditions at = ring_conditions(setup, 270, film::kSteady);
     film::FilmState before, state;

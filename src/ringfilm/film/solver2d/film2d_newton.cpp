@@ -317,12 +317,23 @@ bool Film2dNewton::solve_at_border_step(double reduction) {
     multigrid_->solve(product_.data(), y);
     std::copy_n(x + n, border_->count(), y + n);
   };
-  left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
+  const Gmres::Report report = gmres_.solve(map, rhs_.data(), reduction, step_.data());
+  left_ = report.reduction;
+  krylov_ = report.iterations;
   return left_ < kUnsolved;
 }
 
-bool Film2dNewton::solve_linear(Unknowns unknowns, double reduction, int iteration) {
+/// Coarser two-dimensional films change little from one iteration to the next: they are renewed where GMRES has become
+/// slower with them.
+void Film2dNewton::prepare_multigrid(int iteration) {
+  constexpr int kSlower = 2;
+  if (iteration == 2) krylov_prepared_ = krylov_;
+  if (iteration > 1 && krylov_ <= krylov_prepared_ + kSlower) return multigrid_->prepare_finest();
   multigrid_->prepare(block_.z);
+}
+
+bool Film2dNewton::solve_linear(Unknowns unknowns, double reduction, int iteration) {
+  prepare_multigrid(iteration);
   const int count = border_->count();
   std::fill(border_step_.begin(), border_step_.end(), 0.0);
   if (unknowns == Unknowns::kFilmAlone) return solve_at_border_step(reduction);
@@ -354,7 +365,9 @@ bool Film2dNewton::solve_linear(Unknowns unknowns, double reduction, int iterati
   };
   for (int k = 0; k < count; ++k) g[k] = -excess_[k];
   precondition(block_.rhs, g.data(), rhs_.data());
-  left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
+  const Gmres::Report report = gmres_.solve(map, rhs_.data(), reduction, step_.data());
+  left_ = report.reduction;
+  krylov_ = report.iterations;
   if (!(left_ < kUnsolved)) return false;
   for (int k = 0; k < count; ++k) border_step_[k] = step_[n + k] / border_scale_;
   return !limit_border_step() || solve_at_border_step(reduction);

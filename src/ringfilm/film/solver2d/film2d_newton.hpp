@@ -47,6 +47,7 @@ class Film2dNewton {
   void set_loads_of_beam(const Film2dProblem& problem, const Film2dInputs& inputs);
   /// Fills step_ and border_step_; false if the system was not solved.
   bool solve_linear(Unknowns unknowns, double reduction, int iteration);
+  void prepare_multigrid(int iteration);
   /// At the border's step.
   bool solve_at_border_step(double reduction);
   bool limit_border_step();
@@ -83,6 +84,8 @@ class Film2dNewton {
   std::vector<double> p_;            ///< for laws that are given
   NodalOil oil_;
   double left_ = 1;          ///< of the last linear system [-]
+  int krylov_ = 0;           ///< iterations of GMRES that it took
+  int krylov_prepared_ = 0;  ///< of the one for which the multigrid was prepared
   double border_scale_ = 1;  ///< by which the border's step counts among pressures [Pa]
   FrontAdvance fronts_;
 };
