@@ -80,11 +80,11 @@ void print_table(const std::vector<Size>& sizes) {
     const Cost ring = cost_of(std::move(whole));
     const double strips = size.ring == Ring::kClosed ? size.cells_y : size.cells_y + 1;
     std::printf("| %5d | %7d | %-6s | %9.2f | %18.3f | %17.2f | %21.1f | %26.2f | %9.0f |\n", size.cells, size.cells_y,
-                size.ring == Ring::kClosed ? "none"
+                size.ring == Ring::kClosed  ? "none"
                 : size.ring == Ring::kBends ? "bends"
                                             : "0.3 mm",
-                ring.seconds, 1e6 * ring.seconds / (720 * (size.cells + 1) * strips),
-                ring.iterations_a_step, 1e3 * face.seconds, ring.seconds / (strips * face.seconds), most_memory());
+                ring.seconds, 1e6 * ring.seconds / (720 * (size.cells + 1) * strips), ring.iterations_a_step,
+                1e3 * face.seconds, ring.seconds / (strips * face.seconds), most_memory());
     std::fflush(stdout);
   }
 }

@@ -145,7 +145,7 @@ TEST_P(BentRingOf, TheFilmIsThatOfItsSeparations) {
 }
 
 TEST(BentRing, AStiffRingInARoundBoreIsDisplacedButNotBent) {
-  Piece piece(first_film(Cavitation::kMassConserving), uniform_around(16, kLength, Ends::kJoined), 1e-7, 0);
+  Piece piece(first_film(Cavitation::kMassConserving), uniform_around(16, kLength, Ends::kJoined), 1e-3, 0);
   const Solved stiff = solved(piece);
   ASSERT_TRUE(stiff.report.converged);
   // What is left is cos and sin of the angle: the variation of the load has the first order.
@@ -153,7 +153,7 @@ TEST(BentRing, AStiffRingInARoundBoreIsDisplacedButNotBent) {
   for (int order = 2; order <= 4; ++order) {
     double cosine = 0;
     for (int j = 0; j < 16; ++j) cosine += h[j] / 8 * std::cos(order * 2 * std::numbers::pi * (j + 0.5) / 16);
-    EXPECT_LT(std::abs(cosine), 1e-4 * stiff.state.h_m) << order;
+    EXPECT_LT(std::abs(cosine), 1e-3 * stiff.state.h_m) << order;
   }
   EXPECT_GT(range_of_separations(piece, stiff.state), 0.02);
 }

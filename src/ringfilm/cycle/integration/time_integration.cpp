@@ -65,7 +65,8 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
     default:
       break;
   }
-  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either%s", kTicks,
+  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either%s",
+                kTicks,
                 setup.input.bends() ? "; where a ring that bends presses in a point, as its tips do on a crest of the "
                                       "bore, contact must carry that: smoother surfaces carry less"
                                     : "");
@@ -268,27 +269,10 @@ void TimeIntegration::continue_ring(film::FilmState& to) const {
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
 }
 
-/// Pressure and film content of an unrolled film go on as they went; fronts stay where they are.
-void TimeIntegration::continue_film(film::FilmState& to) const {
-  if (time_step_before_ == 0) return;
-  constexpr double kLeast = 0.2;  // of what there was
-  const double ratio = step_.time_step / time_step_before_, p_c = step_.at.inputs.p_cavitation;
-  const auto next = [ratio](double now, double before) { return std::max(now + ratio * (now - before), kLeast * now); };
-  for (std::size_t i = 0; i < to.p.size(); ++i) {
-    const double over = state_.p[i] - p_c, over_before = before_.p[i] - p_c;
-    if (over > 0 && over_before > 0) {
-      to.p[i] = p_c + next(over, over_before);
-    } else if (state_.deficit[i] > 0 && before_.deficit[i] > 0) {
-      to.deficit[i] = next(state_.deficit[i], before_.deficit[i]);
-    }
-  }
-}
-
 film::FilmReport TimeIntegration::solve() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
   if (!state_.ring.empty()) continue_ring(candidate_);
-  if (film_.film2d() != nullptr) continue_film(candidate_);
   return film_.solve(step_.at, state_, candidate_);
 }
 

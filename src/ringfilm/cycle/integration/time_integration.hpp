@@ -150,7 +150,6 @@ class TimeIntegration {
   double time_error(const film::FilmState& to, double time_step) const;
   double change_of_trend(const film::FilmState& to, double ratio) const;
   void continue_ring(film::FilmState& to) const;
-  void continue_film(film::FilmState& to) const;
   HeatBefore heat_of_state(const RingConditions& at) const;
   void start_steady(RingConditions& at);
   void turn(film::FilmState& state) const;

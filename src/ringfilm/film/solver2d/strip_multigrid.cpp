@@ -77,8 +77,7 @@ StripMultigrid::Level StripMultigrid::part_of(const Level& whole, int begin, int
   part.system.shape.n_strips = end - begin;
   const int offset = begin / 2;
   StripSystem& to = part.system;
-  for (double** of :
-       {&to.west, &to.diagonal, &to.east, &to.low, &to.high, &to.inverse, &to.upper}) {
+  for (double** of : {&to.west, &to.diagonal, &to.east, &to.low, &to.high, &to.inverse, &to.upper}) {
     *of += offset;
   }
   part.film = whole.film + offset;
@@ -212,7 +211,8 @@ void StripMultigrid::relax(const Level& of, const double* rhs, double* x) {
 }
 
 void StripMultigrid::solve(const double* rhs, double* x) {
-  std::fill_n(x, finest_.system.shape.size(), 0.0);
+  const std::size_t of_colour = finest_.system.shape.colour_size();
+  std::fill_n(x + of_colour, of_colour, 0.0);  // the even strips are relaxed first
   for (Run& run : runs_) correct(run, 0, rhs + run.offset, x + run.offset);
   relax(finest_, rhs, x);
 }

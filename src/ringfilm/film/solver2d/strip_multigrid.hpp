@@ -19,8 +19,8 @@ struct StripPlaces {
 };
 
 /// Solves a system of strips approximately, for a Krylov method: one sawtooth cycle of a multigrid that joins strips in
-/// pairs, down to a few, where they lie close, and relaxes each two-dimensional film once, even strips first, every strip
-/// solved along its length.
+/// pairs, down to a few, where they lie close, and relaxes each two-dimensional film once, even strips first, every
+/// strip solved along its length.
 ///
 /// A coarse two-dimensional film stands for the slow changes in y of the pressure: its nodes are those where at least
 /// one strip of the pair has a film. Balances are summed over the pair; couplings between pairs and corrections between
