@@ -79,9 +79,10 @@ TEST(BendingRing, WithoutMuchFilmClosesAsTheRingWithoutFilm) {
     const std::vector<double> h = film::separations(*film.film2d(), state);
     const film::CircumferentialGrid& around = film.film2d()->around;
     for (int j = 0; j < around.n_strips(); ++j) {
-      const double phi = (0.5 * *c.ring.end_gap + around.y[j]) / (c.engine.bore / 2);
-      // Contact of this roughness gives way by about 50 nm.
-      EXPECT_NEAR(h[j] - state.h_m, closure.ring.clearance(phi), 0.06e-6) << phi;
+      const double first = ring_beam(c).half_gap();
+      const double phi = first + 2 * (std::numbers::pi - first) * around.y[j] / around.length;
+      // Contact of this roughness gives way by 80 nm at each place, and so the ring moves as a whole.
+      EXPECT_NEAR(h[j] - state.h_m, closure.ring.clearance(phi), 0.2e-6) << phi;
     }
     const double largest = *std::max_element(h.begin(), h.end()) - state.h_m;
     EXPECT_NEAR(largest / closure.values.max_clearance, 1, 0.02);

@@ -253,7 +253,7 @@ void TimeIntegration::propose() {
   }
 }
 
-/// A ring that bends goes on as it went, as far as no film becomes much thinner.
+/// A ring that bends continues its motion, as far as no film becomes much thinner.
 void TimeIntegration::continue_ring(film::FilmState& to) const {
   to.h_m = state_.h_m;
   if (time_step_before_ == 0) return;

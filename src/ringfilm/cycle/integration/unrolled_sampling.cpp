@@ -32,19 +32,22 @@ double total_friction(const Contact& contact, const film::StripIntegrals& strip,
 constexpr double kLiftedOff = 0.1;
 
 /// eq-film-2d-open-area.
-void add_clearance(const Setup& setup, const film::CircumferentialGrid& around, const film::FilmInputs& inputs,
+void add_clearance(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
                    const std::vector<film::StripIntegrals>& strips, UnrolledSample& s) {
+  const film::CircumferentialGrid& around = integration.film2d()->around;
+  const film::FilmInputs& inputs = instant.at.inputs;
   const double at_edges = 0.5 * (inputs.left.pressure + inputs.right.pressure) * setup.input.ring.face_width;
   const double gap = setup.input.ring.end_gap.value_or(0), radius = setup.input.engine.bore / 2;
   for (int j = 0; j < around.n_strips(); ++j) {
     const film::StripIntegrals& strip = strips[j];
     const double carried = strip.hydrodynamic_load + strip.asperity_load - at_edges;
-    if (strip.min_film_thickness > s.max_clearance) {
-      s.max_clearance = strip.min_film_thickness;
+    const double separation = instant.state->h_m + integration.rise(*instant.state, j);
+    if (separation > s.max_clearance) {
+      s.max_clearance = separation;
       s.max_clearance_place = degrees((0.5 * gap + around.y[j]) / radius);
     }
     if (carried >= kLiftedOff * (inputs.load - at_edges)) continue;
-    s.open_area += around.share[j] * strip.min_film_thickness;
+    s.open_area += around.share[j] * separation;
     s.lifted_angle += degrees(around.share[j] / radius);
   }
 }
@@ -67,7 +70,7 @@ UnrolledSample unrolled_sample(const Setup& setup, const TimeIntegration& integr
   s.friction_without_ends = total_friction(setup.input.contact, strip, area) * length;
   s.ends_share_friction = share_of_ends(whole.total_friction, s.friction_without_ends);
   s.ends_share_flow = share_of_ends(whole.oil_flow_middle, s.oil_flow_without_ends);
-  add_clearance(setup, around, instant.at.inputs, integrals.strips, s);
+  add_clearance(setup, integration, instant, integrals.strips, s);
   return s;
 }
 
