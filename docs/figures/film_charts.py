@@ -2,6 +2,7 @@
 
 import math
 
+import ringfilm
 from shipped import case
 from chart import LEFT, RIGHT, Panel, Style, from_firing, legend, mark_synthetic, shown
 from svg import BLACK, BLUE, GREEN, METAL, OIL, ORANGE, RED, WIDTH, Picture, number
@@ -171,6 +172,46 @@ def unrolled_film():
     return picture
 
 
+def bent_ring():
+    """Film thickness and load around a ring that bends, and where it is lifted off over the cycle."""
+    angles = ("0 degree", "90 degree", "180 degree")
+    bore = case("distorted-bore/not-followed.toml", solver__cells=60, output__fields=list(angles))
+    whole, closed = bore.run(), ringfilm.conform(bore)
+    picture = Picture("Film thickness and load around a ring that bends, and open area over the cycle", 640)
+    mark_synthetic(picture)
+    data = whole.to_xarray()
+    around = 360 * (data.y.values + 0.5 * 0.35e-3) / (math.pi * 89e-3)
+    styles = (Style(RED), Style(BLUE), Style(GREEN))
+    without = Style("#999", "5 3")
+    entries = [(style, angle) for style, angle in zip(styles, angles)] + [(without, "clearance without film")]
+    legend(picture, LEFT, 20, entries, [120, 130, 140, 0])
+    ticks = range(0, 361, 45)
+    film = Panel(picture, LEFT, 60, ACROSS, 140, (0, 360), (0, 6))
+    film.title("film thickness at the lowest place of each strip [µm]")
+    film.y_axis("", range(0, 7, 2))
+    film.x_axis("", ticks)
+    film.curve(closed["angle"], 1e6 * closed["clearance"], without)
+    load = Panel(picture, LEFT, 252, ACROSS, 120, (0, 360), (0, 2))
+    load.title("load carried by film and asperities beyond the gas, over its mean")
+    load.y_axis("", [0, 0.5, 1, 1.5, 2])
+    load.x_axis("angle from the middle of the end gap [degree]", ticks)
+    for k, style in enumerate(styles):
+        at = data.isel(field_crank_angle=k)
+        film.curve(around, 1e6 * at.strip_min_film_thickness.values, style)
+        carried = at.strip_hydrodynamic_load.values + at.strip_asperity_load.values
+        instant = data.sel(crank_angle=90 * k, method="nearest")
+        gas = 0.5 * float(instant.gas_pressure + instant.crankcase_pressure) * 1.2e-3
+        applied = float(instant.applied_load) / (math.pi * 89e-3 - 0.35e-3)
+        load.curve(around, (carried - gas) / (applied - gas), style, cut=True)
+    low = Panel(picture, LEFT, 460, ACROSS, 110, (-360, 360), (0, 0.6))
+    low.title("open area where the ring is lifted off [mm²]")
+    low.y_axis("", [0, 0.2, 0.4, 0.6], zero=True)
+    low.crank()
+    angle, area = from_firing(whole.crank_angle, whole.open_area)
+    low.curve(angle, [1e6 * value for value in area], Style(BLACK))
+    return picture
+
+
 def pads():
     """Film and pressure of the inclined slider and of Rayleigh's step."""
     picture = Picture("Film thickness and pressure of an inclined slider and of Rayleigh's step", 420)
@@ -290,6 +331,7 @@ PICTURES = {
     "film-states": film_states,
     "ring-film": ring_film,
     "unrolled-film": unrolled_film,
+    "bent-ring": bent_ring,
     "pads": pads,
     "pocket-pad": pocket_pad,
     "convergence": convergence,

@@ -83,14 +83,22 @@ std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& r
   const EngineeringText in_words;
   std::string text = fmt::format("film on the unrolled ring: {} x {} cells, {:.6g} mm around", input.solver.cells,
                                  input.solver.cells_y, input.ring_length() * 1e3);
-  if (!input.ring.end_gap) return wrapped(words(text + ", joined without a gap"));
-  text += fmt::format(", gap of {:.4g} mm at {:.4g} degree", *input.ring.end_gap * 1e3, input.ring.gap_position_deg);
-  if (result.complete) {
-    const auto shown = [&](const char* name) {
-      const auto& all = cycle::unrolled_cycle_quantities();
-      const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
-      return in_words(*found, result.unrolled_values.*found->value);
-    };
+  const auto shown = [&](const char* name) {
+    const auto& all = cycle::unrolled_cycle_quantities();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
+    return in_words(*found, result.unrolled_values.*found->value);
+  };
+  text += input.ring.end_gap ? fmt::format(", gap of {:.4g} mm at {:.4g} degree", *input.ring.end_gap * 1e3,
+                                           input.ring.gap_position_deg)
+                             : ", joined without a gap";
+  if (input.bends() && result.complete) {
+    text += fmt::format(
+        "; the ring bends: largest clearance {} ({}), open area where it is lifted off {} on average, "
+        "{} at the most ({})",
+        shown("peak_clearance"), shown("peak_clearance_angle"), shown("mean_open_area"), shown("peak_open_area"),
+        shown("peak_open_area_angle"));
+  }
+  if (input.ring.end_gap && result.complete) {
     text += fmt::format(
         "; oil into the gap {} on average, negative out of it; the largest flow either way {} ({}), to and fro {} of "
         "the flow at the middle section; share "

@@ -293,6 +293,17 @@ const std::vector<UnrolledQuantity>& unrolled_quantities() {
       {{"oil_flow_without_ends", "kg/s", "mg/s",
         "oil flow at the middle section if all were like the strip opposite the gap", "L m'_mid", "eq-end-share"},
        &S::oil_flow_without_ends},
+      {{"open_area", "m2", "mm2", "open area between ring and bore where the ring is lifted off", "A_o",
+        "eq-film-2d-open-area"},
+       &S::open_area},
+      {{"lifted_angle", "degree", "degree", "angle around the bore where the ring is lifted off", "phi_o",
+        "eq-film-2d-open-area"},
+       &S::lifted_angle},
+      {{"max_clearance", "m", "um", "largest clearance around the ring", "h_max", "eq-film-2d-ring"},
+       &S::max_clearance},
+      {{"max_clearance_place", "degree", "degree", "where that is, from the middle of the gap", "phi_max",
+        "eq-film-2d-ring"},
+       &S::max_clearance_place},
   };
   return table;
 }
@@ -323,6 +334,19 @@ const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities() {
       {{"ends_share_absolute_flow", "1", "%",
         "share of the gap's ends in the mean absolute oil flow at the middle section", "e_m,abs", "eq-end-share"},
        &V::ends_share_absolute_flow},
+      {{"mean_open_area", "m2", "mm2", "mean open area where the ring is lifted off", "A_o,mean",
+        "eq-film-2d-open-area"},
+       &V::mean_open_area},
+      {{"peak_open_area", "m2", "mm2", "largest open area where the ring is lifted off", "A_o,max",
+        "eq-film-2d-open-area"},
+       &V::peak_open_area},
+      {{"peak_open_area_angle", "degree", "degree", "crank angle of the largest open area", "phi",
+        "eq-film-2d-open-area"},
+       &V::peak_open_area_angle},
+      {{"peak_clearance", "m", "um", "largest clearance around the ring over the cycle", "h_max", "eq-film-2d-ring"},
+       &V::peak_clearance},
+      {{"peak_clearance_angle", "degree", "degree", "crank angle of the largest clearance", "phi", "eq-film-2d-ring"},
+       &V::peak_clearance_angle},
   };
   return table;
 }
@@ -355,6 +379,8 @@ const std::vector<UnrolledField>& strip_fields() {
        &F::strip_cavitated_fraction},
       {{"strip_min_film_thickness", "m", "um", "minimum film thickness across the face", "h_m", "eq-film-thickness"},
        &F::strip_min_film_thickness},
+      {{"strip_total_friction", "N/m", "N/mm", "total friction per length of ring", "f_t", "eq-total-friction"},
+       &F::strip_total_friction},
       {{"strip_oil_flow_middle", "kg/(m s)", "mg/(m s)",
         "oil flow at the middle section, positive to the crankcase, per length of ring", "m'_mid", "eq-mass-flow"},
        &F::strip_oil_flow_middle},

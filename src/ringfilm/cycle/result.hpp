@@ -166,6 +166,10 @@ struct UnrolledSample {
   double gap_leakage_low_end = 0;    ///< of it, through the end y = 0 [kg/s]
   double gap_leakage_high_end = 0;   ///< of it, through the end y = length [kg/s]
   double oil_flow_without_ends = 0;  ///< at the middle section, if all were like the strip opposite the gap [kg/s]
+  double open_area = 0;              ///< between ring and bore where the ring is lifted off [m2]
+  double lifted_angle = 0;           ///< angle around the bore of these parts [degree]
+  double max_clearance = 0;          ///< largest film thickness of all strips, each at its lowest place [m]
+  double max_clearance_place = 0;    ///< where that is, from the middle of the gap [degree]
   double load_without_ends = 0;  ///< load carried likewise: the shares over the cycle are made of it; in no file [N]
   double friction_without_ends = 0;  ///< total friction likewise; in no file [N]
 };
@@ -187,6 +191,11 @@ struct UnrolledValues {
   double ends_share_mean_load = 0;       ///< 1 - mean as if without ends / mean of the whole ring [-]
   double ends_share_friction_power = 0;  ///< the same of the mean friction power [-]
   double ends_share_absolute_flow = 0;   ///< the same of the mean absolute flow at the middle section [-]
+  double mean_open_area = 0;             ///< between ring and bore where the ring is lifted off [m2]
+  double peak_open_area = 0;             ///< [m2]
+  double peak_open_area_angle = 0;       ///< crank angle of it [degree]
+  double peak_clearance = 0;             ///< largest film thickness of all strips over the cycle [m]
+  double peak_clearance_angle = 0;       ///< crank angle of it [degree]
 };
 
 /// A value of the cycle of an unrolled film and where `UnrolledValues` has it.
@@ -214,6 +223,7 @@ struct UnrolledFields {
   std::vector<float> strip_peak_film_pressure;  ///< largest across the face, absolute [Pa]
   std::vector<float> strip_cavitated_fraction;  ///< share of the width [-]
   std::vector<float> strip_min_film_thickness;  ///< smallest across the face [m]
+  std::vector<float> strip_total_friction;      ///< of oil and asperities, per length in y [N/m]
   std::vector<float> strip_oil_flow_middle;     ///< positive to the crankcase, per length in y [kg/(m s)]
 
   bool empty() const { return crank_angle_deg.empty(); }  ///< no angle was asked for

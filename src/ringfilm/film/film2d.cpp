@@ -71,14 +71,64 @@ CircumferentialGrid refined_around(int n_cells, double length, double end_cell) 
 }
 
 std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInputs& inputs,
-                                   const std::vector<double>& amplitudes) {
+                                   const std::vector<double>& ring) {
   std::vector<double> rise = inputs.rise;
-  if (amplitudes.empty()) return rise;
+  if (ring.empty()) return rise;
   rise.resize(problem.around.y.size(), 0.0);
-  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
-    for (std::size_t j = 0; j < rise.size(); ++j) rise[j] += amplitudes[k] * problem.shapes.shape[k][j];
-  }
+  for (std::size_t j = 0; j < rise.size(); ++j) rise[j] += ring[problem.ring.of_strip(static_cast<int>(j))];
   return rise;
+}
+
+std::vector<double> separations(const Film2dProblem& problem, const FilmState& state) {
+  if (state.ring.empty()) return {state.h_m};
+  std::vector<double> of;
+  for (int j = 0; j < problem.around.n_strips(); ++j) of.push_back(state.h_m + state.ring[problem.ring.of_strip(j)]);
+  return of;
+}
+
+bool factor_band(std::vector<double>& band) {
+  constexpr int kWidth = ElasticRing::kWidth;
+  const int n = static_cast<int>(band.size()) / kWidth;
+  for (int i = 0; i < n; ++i) {
+    double* row = band.data() + static_cast<std::size_t>(i) * kWidth;
+    if (!(row[0] > 0)) return false;
+    for (int k = 1; k < kWidth && i + k < n; ++k) {
+      const double share = row[k] / row[0];
+      double* other = row + static_cast<std::ptrdiff_t>(k) * kWidth;
+      for (int l = k; l < kWidth && i + l < n; ++l) other[l - k] -= share * row[l];
+    }
+    for (int k = 1; k < kWidth; ++k) row[k] /= row[0];
+  }
+  return true;
+}
+
+void solve_band(const std::vector<double>& factored, double* x) {
+  constexpr int kWidth = ElasticRing::kWidth;
+  const int n = static_cast<int>(factored.size()) / kWidth;
+  for (int i = 0; i < n; ++i) {
+    const double* row = factored.data() + static_cast<std::size_t>(i) * kWidth;
+    for (int k = 1; k < kWidth && i + k < n; ++k) x[i + k] -= row[k] * x[i];
+  }
+  for (int i = n - 1; i >= 0; --i) {
+    const double* row = factored.data() + static_cast<std::size_t>(i) * kWidth;
+    x[i] /= row[0];
+    for (int k = 1; k < kWidth && i + k < n; ++k) x[i] -= row[k] * x[i + k];
+  }
+}
+
+std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring) {
+  constexpr int kWidth = ElasticRing::kWidth;
+  const int n = of.n_unknowns();
+  std::vector<double> force = inputs.bore_force;
+  force.resize(n, 0.0);
+  for (int i = 0; i < n; ++i) {
+    force[i] -= of.band[i * kWidth] * ring[i];
+    for (int k = 1; k < kWidth && i + k < n; ++k) {
+      force[i] -= of.band[i * kWidth + k] * ring[i + k];
+      force[i + k] -= of.band[i * kWidth + k] * ring[i];
+    }
+  }
+  return force;
 }
 
 Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around) {

@@ -58,14 +58,18 @@ struct Film2dGap {
 /// The same in each strip, that of the grid across.
 Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around);
 
-/// Shapes in which the ring stands off from `h_m` as far as film and asperities bend it (eq-film-2d-shapes).
-struct RingShapes {
-  std::vector<std::vector<double>> shape;  ///< phi_k at each strip; none: the ring is rigid [-]
-  /// S_kl, row after row: the force per length in y in shape k by which the ring resists an amplitude of shape l.
-  /// Symmetric, not negative [N/m2].
-  std::vector<double> stiffness;
+/// A ring that bends (eq-film-2d-ring): a beam with two unknowns at each of its nodes, its separation from the liner
+/// and the change of that over the length of a cell [m]. Strip j is at node `first_node` + j.
+struct ElasticRing {
+  static constexpr int kWidth = 4;  ///< an unknown is coupled to itself and the three after it
 
-  int count() const { return static_cast<int>(shape.size()); }
+  int first_node = 0;  ///< 1 where free ends lie beyond the first and the last strip
+  /// Upper band of the symmetric stiffness, kWidth entries for each unknown; empty: the ring is rigid [N/m].
+  std::vector<double> band;
+
+  bool bends() const { return !band.empty(); }
+  int n_unknowns() const { return static_cast<int>(band.size()) / kWidth; }
+  int of_strip(int j) const { return 2 * (first_node + j); }
 };
 
 /// What does not change over a cycle.
@@ -73,7 +77,7 @@ struct Film2dProblem {
   FilmProblem strip;  ///< grid across, contact, cavitation, tolerance; heights of its grid: of contact alone
   CircumferentialGrid around;
   Film2dGap gap;
-  RingShapes shapes;
+  ElasticRing ring;
 
   int n_across() const { return strip.grid.n_cells() + 1; }
   std::size_t n_nodes() const { return static_cast<std::size_t>(n_across()) * around.n_strips(); }
@@ -88,13 +92,28 @@ struct Film2dInputs {
   std::vector<double> rise;
   /// Load of each strip, with the mean `strip.load`. Empty: that of all [N/m].
   std::vector<double> strip_loads;
+  /// By which the shape of the bore keeps a ring that bends from the liner, at each of its unknowns; empty: a bore that
+  /// is round [N].
+  std::vector<double> bore_force;
 
   double load_of(int strip_number) const { return strip_loads.empty() ? strip.load : strip_loads[strip_number]; }
 };
 
-/// How much the separation at each strip exceeds `h_m`, the shapes of the ring included; empty: by nothing [m].
-/// @param amplitudes of the shapes; none: all 0 [m]
+/// How much the separation at each strip exceeds `h_m`, that of a ring that bends included; empty: by nothing [m].
+/// @param ring as of FilmState; empty: it is rigid [m]
 std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInputs& inputs,
-                                   const std::vector<double>& amplitudes);
+                                   const std::vector<double>& ring);
+
+/// The separations of a ring that bends, h_m and more, strip by strip; of a rigid one h_m alone [m].
+std::vector<double> separations(const Film2dProblem& problem, const FilmState& state);
+
+/// L D L^T of a band as ElasticRing has it, in its place. @returns false where it is not positive definite
+bool factor_band(std::vector<double>& band);
+/// Solves for a right-hand side in its place.
+void solve_band(const std::vector<double>& factored, double* x);
+
+/// What pushes a ring that bends from the liner at each of its unknowns, film and asperities apart: bore and bending,
+/// eq-film-2d-ring [N]. @param ring as of FilmState
+std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring);
 
 }  // namespace ringfilm::film

@@ -16,7 +16,7 @@ class Strips {
         inputs_(inputs),
         previous_(previous),
         state_(state),
-        rise_(rise_of_strips(problem, inputs, state.amplitudes)),
+        rise_(rise_of_strips(problem, inputs, state.ring)),
         strip_(problem.strip) {}
 
   FilmIntegrals integrals(int j) {
@@ -120,8 +120,9 @@ Film2dIntegrals film2d_integrals(const Film2dProblem& problem, const Film2dInput
   Strips strips(problem, inputs, previous, state);
   for (int j = 0; j < n_strips; ++j) {
     const FilmIntegrals of = strips.integrals(j);
-    sums.strips.push_back({of.hydrodynamic_load, of.asperity_load, of.shear_couette, of.shear_poiseuille, of.flow_left,
-                           of.flow_middle, of.flow_right, of.peak_pressure, of.cavitated_fraction, strips.lowest()});
+    sums.strips.push_back({of.hydrodynamic_load, of.asperity_load, of.asperity_area, of.shear_couette,
+                           of.shear_poiseuille, of.flow_left, of.flow_middle, of.flow_right, of.peak_pressure,
+                           of.cavitated_fraction, strips.lowest()});
     const double share = around.share[j] / around.length;
     FilmIntegrals& mean = sums.mean;
     for (double FilmIntegrals::*sum :

@@ -9,6 +9,7 @@ namespace ringfilm::film {
 /// What one strip does, per length in y.
 struct StripIntegrals {
   double hydrodynamic_load = 0, asperity_load = 0;        ///< [N/m]
+  double asperity_area = 0;                               ///< [m2/m]
   double shear_couette = 0, shear_poiseuille = 0;         ///< [N/m]
   double flow_left = 0, flow_middle = 0, flow_right = 0;  ///< mass flux in +x [kg/(m s)]
   double peak_pressure = 0;                               ///< [Pa]

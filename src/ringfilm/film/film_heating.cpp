@@ -47,7 +47,8 @@ double FilmHeating::rise(double conductivity, double specific_heat) const {
   return per_kelvin > 0 ? dissipation / per_kelvin : 0;
 }
 
-FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip) {
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip,
+                         double rise) {
   const FilmGrid& grid = problem.grid;
   const std::size_t n_nodes = grid.x.size(), first = strip * n_nodes;
   const std::span<const double> p(state.p.data() + first, n_nodes), deficit(state.deficit.data() + first, n_nodes);
@@ -59,7 +60,7 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
     if (ends && begins) continue;
     const double cell =
         ends || begins ? filled_length(grid, inputs, p.data(), static_cast<int>(i), ends) : grid.spacing[i];
-    const double h = state.h_m + grid.face_height[i];
+    const double h = state.h_m + rise + grid.face_height[i];
     const double slope = ends || begins ? 0 : (p[i + 1] - p[i]) / cell;
     const double eta = 0.5 * (oil.eta[i] + oil.eta[i + 1]), rho = 0.5 * (oil.rho[i] + oil.rho[i + 1]);
     const double pressure_flow = h * h * h * slope / (12 * eta);

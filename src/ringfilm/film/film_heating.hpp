@@ -17,6 +17,7 @@ struct FilmHeating {
 
 /// Of a state that was solved with `inputs`. @param strip of an unrolled film, whose strips follow each other in the
 /// state; 0 of a film across the face
-FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip = 0);
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip = 0,
+                         double rise = 0);
 
 }  // namespace ringfilm::film

@@ -149,9 +149,9 @@ struct FilmState {
   double h_m = 0;               ///< minimum film thickness [m]
   std::vector<double> p;        ///< pressure at the nodes, absolute [Pa]
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
-  std::vector<double> mass_per_area;           ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
-  std::vector<double> amplitudes;              ///< of a ring that bends, in its shapes; empty: none [m]
-  LaneLaws laws = LaneLaws::kGiven;            ///< whose oil a solved film holds: kGiven, that of the laws themselves
+  std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
+  std::vector<double> ring;           ///< unknowns of a ring that bends (ElasticRing), over h_m; empty: none [m]
+  LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
   std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };
 

@@ -111,8 +111,37 @@ class ConformTest(program.ProgramTest):
 
     def test_a_cycle_states_that_its_bore_is_round(self):
         shipped = program.SOURCES / "cases/distorted-bore/followed.toml"
-        checked = json.loads(self.run_well("check", str(shipped), "--json"))
+        checked = json.loads(self.run_well("check", str(shipped), "--set", "ring.conformity=rigid", "--json"))
         self.assertIn("bore-taken-as-round", json.dumps(checked["notes"]))
+        bends = json.loads(self.run_well("check", str(shipped), "--json"))
+        self.assertNotIn("bore-taken-as-round", json.dumps(bends["notes"]))
+
+    def test_the_shipped_rings_bend_over_the_whole_cycle(self):
+        coarse = ("--set", "solver.cells=50", "--set", "solver.cells_y=60", "--set", "solver.crank_step=4 degree")
+        coarse += ("--set", "output.crank_angles=4 degree")
+        clearance = {}
+        for name in ("followed", "not-followed"):
+            shipped = str(program.SOURCES / f"cases/distorted-bore/{name}.toml")
+            found = json.loads(self.run_well("run", shipped, *coarse, "--json"))
+            clearance[name] = found["peak_clearance"]
+            self.assertLess(found["effort"]["max_load_residual"], 1e-6)
+            self.assertGreater(found["mean_open_area"], 0)
+        self.assertGreater(clearance["not-followed"], clearance["followed"])
+        printed = " ".join(self.run_well("run", shipped, *coarse).split())
+        self.assertIn("the ring bends: largest clearance", printed)
+
+    def test_a_ring_that_bends_needs_its_thickness_and_the_whole_stroke(self):
+        shipped = str(program.SOURCES / "cases/distorted-bore/followed.toml")
+        for setting, words in (
+            ("ring.radial_thickness=", "ring.radial_thickness is missing"),
+            ("ring.conformity=soft", "ring.conformity"),
+            (
+                "liner.distortion=[{ order = 2, amplitude = '9 um', height = '0 mm' }, "
+                "{ order = 2, amplitude = '5 um', height = '50 mm' }]",
+                "the ring passes 0 to 79.5 mm",
+            ),
+        ):
+            self.assert_refused(self.run_program("check", shipped, "--set", setting), words)
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ TEST(TimeScheme, Bdf2IsExactOnParabolas) {
   const double remembered = scheme.of_state * y(0) - scheme.of_before * y(-last);
   EXPECT_NEAR((y(step) - remembered) / scheme.time_step, 3 - 10 * step, 1e-12);
   const Prediction prediction = Prediction::parabola(step, last, older);
-  EXPECT_NEAR(prediction.of_state * y(0) + prediction.of_before * y(-last) + prediction.of_older * y(-last - older),
+  EXPECT_NEAR(prediction.expected(y(0), y(-last), y(-last - older)),
               y(step), 1e-12);
   EXPECT_NEAR(Prediction::parabola(1, 1, 1).error_share, 2.0 / 9, 1e-15);
 }
@@ -33,7 +33,7 @@ TEST(TimeScheme, ErrorOfBdf2IsThatOfTheCubicItMeets) {
   const double remembered = scheme.of_state * y(0) - scheme.of_before * y(-last);
   const double found = remembered + scheme.time_step * 3 * step * step;
   const Prediction p = Prediction::parabola(step, last, older);
-  const double expected = p.of_state * y(0) + p.of_before * y(-last) + p.of_older * y(-last - older);
+  const double expected = p.expected(y(0), y(-last), y(-last - older));
   EXPECT_NEAR(p.error_share * std::abs(y(step) - expected), std::abs(found - y(step)), 1e-12);
 }
 

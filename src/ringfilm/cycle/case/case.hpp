@@ -222,9 +222,10 @@ struct Ring {
   bool has_computed_gas = false;     ///< was the gas path of the pack computed for this ring?
   std::optional<double> land_below;  ///< height of the piston land down to the next ring [m]
   // film.dimension = "unrolled"; the end gap also where the gas path is computed
-  std::optional<double> end_gap;  ///< between the ends of the ring in the bore; absent: a closed ring [m]
-  double gap_position_deg = 0;    ///< of the gap's middle around the bore [degree]
-  RingGasPath gas_path;           ///< what the gas meets at the ring
+  std::optional<double> end_gap;               ///< between the ends of the ring in the bore; absent: a closed ring [m]
+  double gap_position_deg = 0;                 ///< of the gap's middle around the bore [degree]
+  Conformity conformity = Conformity::kRigid;  ///< does the ring of an unrolled film bend?
+  RingGasPath gas_path;                        ///< what the gas meets at the ring
   /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
   std::vector<FourierTerm> pressure_orders;
   RingFace face;    ///< shape of the face across its width
@@ -239,7 +240,7 @@ struct Liner {
   double thermal_conductivity = 55;  ///< [W/(m K)]
   double density = 7200;             ///< [kg/m3]
   double specific_heat = 490;        ///< [J/(kg K)]
-  // out of roundness, for the static closure: deviations of the radius that add up
+  // out of roundness, for rings that bend: deviations of the radius that add up
   std::vector<FourierTerm> distortion;          ///< of the cold bore [m]
   std::vector<FourierTerm> thermal_distortion;  ///< by heat [m]
   std::optional<std::string> distortion_map;    ///< CSV of the measured bore, as named
@@ -521,9 +522,11 @@ struct Case {
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
-  /// Is anything stated that only the static closure of the ring uses?
+  /// Does its ring bend in the bore?
+  bool bends() const { return is_unrolled() && ring.conformity == Conformity::kBeam; }
+  /// Is anything stated that only a ring that bends uses?
   bool has_closure() const {
-    return problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
+    return bends() || problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
            conform.gas_pressure > 0 || conform.height;
   }
   /// Does the film of a pad enter out of gas, with a surface that moves that way?

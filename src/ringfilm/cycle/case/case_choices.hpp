@@ -157,6 +157,12 @@ enum class FilmDimension {
   kUnrolled  ///< the whole unrolled ring, with the ends of its gap
 };
 
+/// `ring.conformity`: how the ring meets the bore.
+enum class Conformity {
+  kRigid,  ///< one separation all around, in a round bore
+  kBeam    ///< a beam with free ends that bends in a bore out of round
+};
+
 /// `film.cavitation`: how the film ruptures.
 enum class Cavitation {
   kReynoldsExit,   ///< pressure is never below p_c (Reynolds)

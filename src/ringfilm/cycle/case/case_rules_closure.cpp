@@ -15,7 +15,7 @@ using Breaches = std::vector<RuleBreach>;
 void check_section(const Case& c, Breaches& breaches) {
   const auto& t = c.ring.radial_thickness;
   if (!t) {
-    if (c.problem != Problem::kClosure) return;  // a cycle has a round bore
+    if (c.problem != Problem::kClosure && !c.bends()) return;
     breaches.push_back({"ring.radial_thickness",
                         "the key ring.radial_thickness is missing: how a ring bends follows from it",
                         "write, for example, radial_thickness = \"3.5 mm\" in [ring]", RuleBreach::By::kMissingKey});
@@ -94,6 +94,18 @@ void check_covered(const char* key, const std::vector<double>& heights, double h
                       "heights are not extrapolated: state one between these, or more sections of the bore"});
 }
 
+/// A ring that bends over a cycle passes the whole stroke.
+void check_stroke_covered(const char* key, const std::vector<double>& heights, const Case& c, Breaches& breaches) {
+  if (!c.bends() || heights.empty()) return;
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  if (*low <= 0 && *high >= c.engine.stroke) return;
+  breaches.push_back({key,
+                      std::string("the bore is known by ") + key + " from " + number_text(*low * 1e3) + " to " +
+                          in_mm(*high) + ", and the ring passes 0 to " + in_mm(c.engine.stroke),
+                      "heights count from the ring at TDC and are not extrapolated: state sections at or beyond both "
+                      "ends of the stroke"});
+}
+
 std::vector<double> heights_of(const std::vector<FourierTerm>& terms) {
   std::vector<double> heights;
   for (const FourierTerm& term : terms) {
@@ -114,6 +126,9 @@ void check_place(const Case& c, Breaches& breaches) {
     breaches.push_back({"conform.height", "conform.height is stated, and the bore is the same at all heights",
                         "take it out, or state heights in liner.distortion or a liner.distortion_map"});
   }
+  check_stroke_covered("liner.distortion", cold, c, breaches);
+  check_stroke_covered("liner.thermal_distortion", hot, c, breaches);
+  if (map.size() > 1) check_stroke_covered("liner.distortion_map", map, c, breaches);
   if (!c.conform.height) return;
   check_covered("liner.distortion", cold, *c.conform.height, breaches);
   check_covered("liner.thermal_distortion", hot, *c.conform.height, breaches);

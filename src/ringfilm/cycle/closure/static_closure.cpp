@@ -77,10 +77,11 @@ void append_at(const Sections& sections, double height, std::vector<FourierOrder
   append_scaled(sections.series[above], share, orders);
 }
 
-void append_terms(const std::vector<FourierTerm>& terms, const Conform& conform, std::vector<FourierOrder>& orders) {
+void append_terms(const std::vector<FourierTerm>& terms, std::optional<double> height,
+                  std::vector<FourierOrder>& orders) {
   if (terms.empty()) return;
   if (terms.front().height) {
-    append_at(sections_of(terms), conform.height.value_or(0), orders);
+    append_at(sections_of(terms), height.value_or(0), orders);
   } else {
     append_scaled(series_of(terms, std::nullopt), 1, orders);
   }
@@ -170,15 +171,26 @@ const std::vector<ClosureQuantity>& closure_quantities() {
   return table;
 }
 
-FourierSeries bore_deviation(const Case& c) {
+FourierSeries bore_deviation(const Case& c, std::optional<double> height) {
   std::vector<FourierOrder> orders;
-  append_terms(c.liner.distortion, c.conform, orders);
-  append_terms(c.liner.thermal_distortion, c.conform, orders);
+  append_terms(c.liner.distortion, height, orders);
+  append_terms(c.liner.thermal_distortion, height, orders);
   if (c.liner.distortion_map && !c.liner.map->height.empty()) {
     const Sections map = sections_of(*c.liner.map, c.liner.map_orders);
-    append_at(map, c.conform.height.value_or(map.height.front()), orders);
+    append_at(map, map.height.size() > 1 ? height.value_or(map.height.front()) : map.height.front(), orders);
   }
   return FourierSeries(std::move(orders));
+}
+
+std::vector<double> bore_heights(const Case& c) {
+  std::set<double> heights;
+  for (const auto* terms : {&c.liner.distortion, &c.liner.thermal_distortion}) {
+    for (const FourierTerm& term : *terms) {
+      if (term.height) heights.insert(*term.height);
+    }
+  }
+  if (c.liner.map->height.size() > 1) heights.insert(c.liner.map->height.begin(), c.liner.map->height.end());
+  return {heights.begin(), heights.end()};
 }
 
 models::RingBeam ring_beam(const Case& c) {
@@ -192,7 +204,7 @@ models::RingBeam ring_beam(const Case& c) {
 StaticClosure static_closure(const Case& whole) {
   const Case& c = whole.rings.empty() ? whole : whole.rings.front();
   const models::RingBeam beam = ring_beam(c);
-  const FourierSeries bore = bore_deviation(c).turned(in_rad(c.ring.gap_position_deg));
+  const FourierSeries bore = bore_deviation(c, c.conform.height).turned(in_rad(c.ring.gap_position_deg));
   const double gas = c.conform.gas_pressure * c.ring.face_width * c.engine.bore / 2;
   models::RingClosure closure(models::RingAtWall(beam, bore, gas));
   const ClosureValues values = values_of(c, closure);

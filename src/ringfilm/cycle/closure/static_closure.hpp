@@ -37,8 +37,12 @@ struct StaticClosure {
   std::vector<std::string> notes;  ///< on models used outside their range
 };
 
-/// Deviation of the bore's radius around the bore at the height of the case, all its parts together [m over rad].
-models::FourierSeries bore_deviation(const Case& c);
+/// Deviation of the bore's radius around the bore, all its parts together [m over rad]. @param height along the stroke;
+/// without a meaning where the bore does not change [m]. Throws InputError where the bore is not known.
+models::FourierSeries bore_deviation(const Case& c, std::optional<double> height);
+
+/// Heights of the sections by which the bore is known, rising; empty where it does not change [m].
+std::vector<double> bore_heights(const Case& c);
 
 /// The ring as a beam.
 models::RingBeam ring_beam(const Case& c);

@@ -5,6 +5,7 @@
 
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/solver2d/bent_ring_guess.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -33,12 +34,19 @@ film::FilmProblem film_across(const Setup& setup) {
   return problem;
 }
 
-std::optional<film::Film2dProblem> film_on_ring(const Setup& setup, const film::FilmProblem& across) {
+std::optional<BendingRing> bending_ring(const Case& c) {
+  if (!c.bends()) return std::nullopt;
+  return BendingRing(c, strips_of(c));
+}
+
+std::optional<film::Film2dProblem> film_on_ring(const Setup& setup, const film::FilmProblem& across,
+                                                const std::optional<BendingRing>& ring) {
   if (!setup.input.is_unrolled()) return std::nullopt;
   film::Film2dProblem problem;
   problem.strip = across;
   problem.around = strips_of(setup.input);
   problem.gap = film::gap_of_strips(across.grid, problem.around);
+  if (ring) problem.ring = ring->elastic_ring();
   return problem;
 }
 
@@ -77,13 +85,22 @@ film::FilmGrid face_grid(const Setup& setup) {
 
 film::CircumferentialGrid strips_of(const Case& c) {
   const double length = c.ring_length();
-  return c.ring.end_gap ? film::refined_around(c.solver.cells_y, length, c.end_cell())
-                        : film::uniform_around(c.solver.cells_y, length, film::Ends::kJoined);
+  if (c.ring.end_gap) return film::refined_around(c.solver.cells_y, length, c.end_cell());
+  film::CircumferentialGrid joined = film::uniform_around(c.solver.cells_y, length, film::Ends::kJoined);
+  // The ends of a ring that bends are free, and no strip has both.
+  for (std::size_t j = 0; j < joined.y.size() && c.bends(); ++j) joined.y[j] += 0.5 * length / c.solver.cells_y;
+  return joined;
 }
 
 film::Film2dInputs film2d_inputs(const film::FilmInputs& inputs) {
   const double p_end = 0.5 * (inputs.left.pressure + inputs.right.pressure);
-  return {inputs, p_end, p_end, {}, {}};
+  return {inputs, p_end, p_end, {}, {}, {}};
+}
+
+film::Film2dInputs CycleFilm::film2d_inputs(const RingConditions& at) const {
+  film::Film2dInputs inputs = cycle::film2d_inputs(at.inputs);
+  if (ring_) ring_->press(at.below_tdc, inputs);
+  return inputs;
 }
 
 CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm& film) {
@@ -94,31 +111,30 @@ CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm
 CycleFilm::CycleFilm(const Setup& setup)
     : across_(film_across(setup)),
       factors_(across_, setup.ring.factors),
-      film2d_(film_on_ring(setup, across_)),
+      ring_(bending_ring(setup.input)),
+      film2d_(film_on_ring(setup, across_, ring_)),
       workspace_(workspace_of(setup, *this)) {}
 
-film::FilmReport CycleFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
-                                  film::FilmState& state) {
+film::FilmReport CycleFilm::solve(const RingConditions& at, const film::FilmState& previous, film::FilmState& state) {
   if (!film2d_) {
-    return factors_.solve(inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+    return factors_.solve(at.inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
       return film::solve_film(across_, held, previous, found, std::get<film::MethodWorkspace>(workspace_));
     });
   }
-  return film::solve_film2d(*film2d_, film2d_inputs(inputs), previous, state,
-                            std::get<film::Film2dWorkspace>(workspace_));
+  return film::solve_film2d(*film2d_, film2d_inputs(at), previous, state, std::get<film::Film2dWorkspace>(workspace_));
 }
 
-film::FilmReport CycleFilm::solve_steady(const film::FilmInputs& inputs, film::FilmState& before,
-                                         film::FilmState& state) {
+film::FilmReport CycleFilm::solve_steady(const RingConditions& at, film::FilmState& before, film::FilmState& state) {
+  const film::FilmInputs& inputs = at.inputs;
   state = film::first_guess(across(), inputs);
   if (film2d_) {
     film::FilmWorkspace workspace(across());
     film::FilmState strip = state;
     if (film::solve_film(across(), inputs, state, strip, workspace).converged) state = std::move(strip);
-    state = film::of_strips(*film2d_, state);
+    state = ring_ ? film::guess_of_bent_ring(*film2d_, film2d_inputs(at), state) : film::of_strips(*film2d_, state);
   }
   before = state;
-  return solve(inputs, before, state);
+  return solve(at, before, state);
 }
 
 }  // namespace ringfilm::cycle

@@ -2,6 +2,8 @@
 #include <optional>
 #include <variant>
 
+#include "ringfilm/cycle/closure/bending_ring.hpp"
+#include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/film/factors/factor_iteration.hpp"
 #include "ringfilm/film/film_heating.hpp"
@@ -25,18 +27,27 @@ class CycleFilm {
   const film::Film2dProblem* film2d() const { return film2d_ ? &*film2d_ : nullptr; }
 
   /// A steady film from nothing. @param before what it was solved from; only its `mass_per_area` enters
-  film::FilmReport solve_steady(const film::FilmInputs& inputs, film::FilmState& before, film::FilmState& state);
+  film::FilmReport solve_steady(const RingConditions& at, film::FilmState& before, film::FilmState& state);
 
   /// By the method of the case; parameters as of film::solve_film.
-  film::FilmReport solve(const film::FilmInputs& inputs, const film::FilmState& previous, film::FilmState& state);
+  film::FilmReport solve(const RingConditions& at, const film::FilmState& previous, film::FilmState& state);
+
+  /// What acts on an unrolled film, and on its ring.
+  film::Film2dInputs film2d_inputs(const RingConditions& at) const;
 
   /// What heats a film that was solved with `inputs`; of an unrolled film its strip halfway.
   film::FilmHeating heating(const film::FilmInputs& inputs, const film::FilmState& state) const {
-    return film::film_heating(across_, inputs, state, film2d_ ? film2d_->around.halfway() : 0);
+    const int strip = film2d_ ? film2d_->around.halfway() : 0;
+    return film::film_heating(across_, inputs, state, strip, rise(state, strip));
   }
 
   /// Length of the ring that node `i` of a state represents, to a factor common to all.
   double weight(std::size_t i) const { return film2d_ ? film2d_->around.share[i / film2d_->n_across()] : 1; }
+
+  /// By how much the separation of a strip exceeds h_m: that of a ring that bends [m].
+  double rise(const film::FilmState& state, int strip) const {
+    return state.ring.empty() ? 0 : state.ring[film2d_->ring.of_strip(strip)];
+  }
 
  private:
   using Workspace = std::variant<film::MethodWorkspace, film::Film2dWorkspace>;
@@ -44,6 +55,7 @@ class CycleFilm {
 
   film::FilmProblem across_;
   film::FactorIteration factors_;              ///< of the film across the face
+  std::optional<BendingRing> ring_;            ///< nothing: it is rigid
   std::optional<film::Film2dProblem> film2d_;  ///< of an unrolled film
   Workspace workspace_;
 };

@@ -53,14 +53,18 @@ bool Recorder::is_field_angle(double crank_angle_deg) const {
 
 double Recorder::keep(const TimeIntegration& integration, const Instant& instant, Sample& slot) {
   film::Film2dIntegrals of_film2d;
+  film::Film2dInputs acting;
   film::FilmIntegrals& integrals = of_film2d.mean;
   if (unrolled_) {
-    of_film2d = film::film2d_integrals(*integration.film2d(), film2d_inputs(instant.at.inputs), *instant.previous,
-                                       *instant.state);
+    acting = integration.film2d_inputs(instant.at);
+    of_film2d = film::film2d_integrals(*integration.film2d(), acting, *instant.previous, *instant.state);
   } else {
     integrals = film::film_integrals(integration.problem(), instant.at.inputs, *instant.previous, *instant.state);
   }
   slot = sample(setup_, integration, instant, integrals);
+  if (setup_.input.bends()) {
+    slot.load_residual = ring_imbalance(*integration.film2d(), acting, *instant.state, of_film2d.strips);
+  }
   if (unrolled_) unrolled_->keep(integration, instant, of_film2d, slot);
   max_load_residual_ = std::max(max_load_residual_, slot.load_residual);
   largest_flow_ = std::max(largest_flow_, std::abs(integrals.flow_middle));

@@ -154,16 +154,17 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
   const int n = problem.grid.n_cells();
   const int strip = integration.film2d() == nullptr ? 0 : integration.film2d()->around.halfway();
   fields.crank_angle_deg.push_back(instant.crank_angle_deg);
+  const double separation = state.h_m + integration.rise(state, strip);
   for (int k = 0; k <= n; ++k) {
     const int i = instant.at.axis == Axis::kFromChamber ? k : n - k;
-    const double h = state.h_m + problem.grid.node_height[i];
+    const double h = separation + problem.grid.node_height[i];
     const bool local = problem.contact_spread == film::ContactSpread::kLocal;
     fields.film_thickness.push_back(h);
     const std::size_t at = static_cast<std::size_t>(strip) * (n + 1) + i;
     fields.film_pressure.push_back(state.p[at]);
     fields.film_content.push_back(film::film_content(problem.cavitation, state.deficit[at]));
     fields.lambda_ratio.push_back(h / setup.ring.sigma);
-    fields.asperity_pressure.push_back(setup.ring.contact->contact(local ? h : state.h_m).pressure);
+    fields.asperity_pressure.push_back(setup.ring.contact->contact(local ? h : separation).pressure);
   }
 }
 

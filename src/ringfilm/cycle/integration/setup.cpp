@@ -79,10 +79,12 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 models::CyclePressure computed_pressure(const SampledTrace& trace) { return {trace.crank_angle_deg, trace.value}; }
 /// Keys of the static closure in a cycle.
 void append_bore_note(const Case& c, std::vector<Note>& notes) {
+  if (c.bends()) return;
   if (c.liner.is_round() && c.ring.pressure_orders.empty() && !(c.conform.gas_pressure > 0)) return;
   notes.push_back({"bore-taken-as-round",
-                   "liner.distortion, ring.pressure_orders and [conform] are used by ringfilm conform alone: film and "
-                   "friction are those of a ring that fits a round bore with uniform pressure",
+                   "liner.distortion, ring.pressure_orders and [conform] are not used: film and friction are those of "
+                   "a ring that fits a round bore with uniform pressure; film.dimension = \"unrolled\" with "
+                   "ring.conformity = \"beam\" computes the ring in this bore",
                    1});
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "ringfilm/cycle/integration/time_scheme.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
@@ -68,7 +67,11 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
     default:
       break;
   }
-  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
+  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either%s",
+                kTicks,
+                setup.input.bends() ? "; where a ring that bends presses in a point, as its tips do on a crest of the "
+                                      "bore, contact must carry that: smoother surfaces carry less"
+                                    : "");
   return text;
 }
 
@@ -116,17 +119,30 @@ void TimeIntegration::count(const film::FilmReport& report) {
   }
 }
 
+/// By how much the separation of another film differs from what the films before lead to expect, relative; the mean
+/// around a ring that bends.
+double TimeIntegration::change_of_trend(const film::FilmState& to, const Prediction& prediction,
+                                        const film::FilmState& older) const {
+  const auto change = [&prediction](double h, double state, double before, double oldest) {
+    return std::abs(prediction.expected(std::log(state / h), std::log(before / h), std::log(oldest / h)));
+  };
+  if (to.ring.empty()) return change(to.h_m, state_.h_m, before_.h_m, older.h_m);
+  const film::CircumferentialGrid& around = film2d()->around;
+  double sum = 0;
+  for (int j = 0; j < around.n_strips(); ++j) {
+    const auto at = [&](const film::FilmState& state) { return state.h_m + film_.rise(state, j); };
+    sum += around.share[j] / around.length * change(at(to), at(state_), at(before_), at(older));
+  }
+  return sum;
+}
+
 double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
   if (time_step_before_ == 0) return 0;
   const bool by_three = step_.is_second_order && time_step_older_ > 0;
   const Prediction prediction = by_three ? Prediction::parabola(time_step, time_step_before_, time_step_older_)
                                          : Prediction::line(time_step, time_step_before_);
   const film::FilmState& older = by_three ? older_ : before_;
-  const auto expected = [&prediction](double state, double before, double oldest) {
-    return prediction.of_state * state + prediction.of_before * before + prediction.of_older * oldest;
-  };
-  const double film =
-      std::abs(expected(std::log(state_.h_m / to.h_m), std::log(before_.h_m / to.h_m), std::log(older.h_m / to.h_m)));
+  const double film = change_of_trend(to, prediction, older);
   double content = 0;
   double total = 0;
   const bool with_gas = step_.at.inputs.has_gas();
@@ -137,7 +153,7 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
         step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr) {
       continue;
     }
-    const double predicted = expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
+    const double predicted = prediction.expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
   }
@@ -179,8 +195,10 @@ double TimeIntegration::viscous_heating_rise(const film::FilmInputs& inputs, con
 /// have to leave at once, at a pressure that rises without limit as the step is cut.
 void TimeIntegration::turn(film::FilmState& state) const {
   const std::vector<double>& rise = film_.film2d() ? film_.film2d()->gap.node : problem().grid.node_height;
-  const auto gap = [&](std::size_t i) { return state.h_m + rise[i]; };
   const std::size_t n_across = problem().grid.x.size();
+  const auto gap = [&](std::size_t i) {
+    return state.h_m + film_.rise(state, static_cast<int>(i / n_across)) + rise[i];
+  };
   for (std::size_t i = 0; i < state.mass_per_area.size(); ++i) state.mass_per_area[i] /= gap(i);
   for (std::vector<double>* nodal : {&state.p, &state.deficit, &state.mass_per_area}) {
     for (auto strip = nodal->begin(); strip < nodal->end(); strip += static_cast<std::ptrdiff_t>(n_across)) {
@@ -200,7 +218,7 @@ void TimeIntegration::start_steady(RingConditions& at) {
   for (film::EdgeState* edge : {&at.inputs.left, &at.inputs.right}) {
     if (std::isfinite(edge->supply)) *edge = {edge->pressure};
   }
-  const film::FilmReport report = film_.solve_steady(at.inputs, before_, state_);
+  const film::FilmReport report = film_.solve_steady(at, before_, state_);
   count(report);
   if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
 }
@@ -259,10 +277,27 @@ void TimeIntegration::propose() {
   }
 }
 
+/// A ring that bends continues its motion, as far as no film becomes much thinner.
+void TimeIntegration::continue_ring(film::FilmState& to) const {
+  to.h_m = state_.h_m;
+  if (time_step_before_ == 0) return;
+  constexpr double kMost = 0.5;
+  double ratio = step_.time_step / time_step_before_;
+  const int n_strips = film2d()->around.n_strips();
+  const auto at = [&](const film::FilmState& state, int j) { return state.h_m + film_.rise(state, j); };
+  for (int j = 0; j < n_strips; ++j) {
+    const double now = at(state_, j), fall = at(before_, j) - now;
+    if (ratio * fall > kMost * now) ratio = kMost * now / fall;
+  }
+  to.h_m += ratio * (state_.h_m - before_.h_m);
+  for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
+}
+
 film::FilmReport TimeIntegration::solve() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
-  return film_.solve(step_.at.inputs, remembered(), candidate_);
+  if (!state_.ring.empty()) continue_ring(candidate_);
+  return film_.solve(step_.at, remembered(), candidate_);
 }
 
 void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& waypoints) {
@@ -326,7 +361,7 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;
-      report = film_.solve(at.inputs, side_before_, to);
+      report = film_.solve(at, side_before_, to);
       if (!report.converged) break;
     }
   }
@@ -342,6 +377,10 @@ TimeIntegration::Distance TimeIntegration::distance(const Snapshot& snapshot) co
   const film::FilmState& other = snapshot.film;
   const double scale = instant_.at.inputs.mean_pressure(problem().grid);
   Distance distance{std::abs(std::log(state_.h_m / other.h_m)), 0};
+  for (int j = 0; !state_.ring.empty() && j < film2d()->around.n_strips(); ++j) {
+    const double now = state_.h_m + film_.rise(state_, j), then = other.h_m + film_.rise(other, j);
+    distance.film = std::max(distance.film, std::abs(std::log(now / then)));
+  }
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
     distance.film = std::max(distance.film, std::abs(state_.p[i] - other.p[i]) / scale);
     if (problem().cavitation == film::Cavitation::kMassConserving) {

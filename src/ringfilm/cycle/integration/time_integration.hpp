@@ -10,6 +10,7 @@
 #include "ringfilm/cycle/integration/liner_oil.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/integration/time_scheme.hpp"
 
 namespace ringfilm::cycle {
 
@@ -111,6 +112,10 @@ class TimeIntegration {
   const film::FilmProblem& problem() const { return film_.across(); }
   /// Of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
+  /// What acts on an unrolled film.
+  film::Film2dInputs film2d_inputs(const RingConditions& at) const { return film_.film2d_inputs(at); }
+  /// By how much the separation of a strip of a ring that bends exceeds h_m, else 0 [m].
+  double rise(const film::FilmState& state, int strip) const { return film_.rise(state, strip); }
 
   /// Rise of the film's temperature above that of its walls by its own shear, eq-viscous-heating; of an unrolled film
   /// that of its strip halfway [K].
@@ -146,6 +151,8 @@ class TimeIntegration {
  private:
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
+  double change_of_trend(const film::FilmState& to, const Prediction& prediction, const film::FilmState& older) const;
+  void continue_ring(film::FilmState& to) const;
   HeatBefore heat_of_state(const RingConditions& at) const;
   void start_steady(RingConditions& at);
   void turn(film::FilmState& state) const;

@@ -23,6 +23,10 @@ struct Prediction {
   double of_state, of_before, of_older;  ///< weights of the last three films [-]
   double error_share;                    ///< of the difference [-]
 
+  double expected(double state, double before, double older) const {
+    return of_state * state + of_before * before + of_older * older;
+  }
+
   /// Backward Euler against the line through the last two. @param step that is taken @param last the one before it [s]
   static Prediction line(double step, double last) {
     const double ratio = step / last;

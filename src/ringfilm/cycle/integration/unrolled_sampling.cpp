@@ -21,9 +21,35 @@ double flow_from_chamber(double flow_middle, Axis axis) {
   return axis == Axis::kFromChamber ? flow_middle : -flow_middle;
 }
 
+double degrees(double angle) { return angle * 180 / std::numbers::pi; }
+
 double total_friction(const Contact& contact, const film::StripIntegrals& strip, double asperity_area) {
   return boundary_friction(contact, strip.asperity_load, asperity_area) +
          std::abs(strip.shear_couette + strip.shear_poiseuille);
+}
+
+/// A ring is lifted off where it is carried by less than this share of what presses it on beyond the gas at its edges.
+constexpr double kLiftedOff = 0.1;
+
+/// eq-film-2d-open-area.
+void add_clearance(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
+                   const std::vector<film::StripIntegrals>& strips, UnrolledSample& s) {
+  const film::CircumferentialGrid& around = integration.film2d()->around;
+  const film::FilmInputs& inputs = instant.at.inputs;
+  const double at_edges = 0.5 * (inputs.left.pressure + inputs.right.pressure) * setup.input.ring.face_width;
+  const double gap = setup.input.ring.end_gap.value_or(0), radius = setup.input.engine.bore / 2;
+  for (int j = 0; j < around.n_strips(); ++j) {
+    const film::StripIntegrals& strip = strips[j];
+    const double carried = strip.hydrodynamic_load + strip.asperity_load - at_edges;
+    const double separation = instant.state->h_m + integration.rise(*instant.state, j);
+    if (separation > s.max_clearance) {
+      s.max_clearance = separation;
+      s.max_clearance_place = degrees((0.5 * gap + around.y[j]) / radius);
+    }
+    if (carried >= kLiftedOff * (inputs.load - at_edges)) continue;
+    s.open_area += around.share[j] * separation;
+    s.lifted_angle += degrees(around.share[j] / radius);
+  }
 }
 
 }  // namespace
@@ -40,10 +66,11 @@ UnrolledSample unrolled_sample(const Setup& setup, const TimeIntegration& integr
   s.oil_flow_without_ends = flow_from_chamber(strip.flow_middle, instant.at.axis) * length;
   s.load_without_ends = (strip.hydrodynamic_load + strip.asperity_load) * length;
   s.ends_share_load = share_of_ends(whole.hydrodynamic_load + whole.asperity_load, s.load_without_ends);
-  // One separation: spots of contact cover as much of each strip.
-  s.friction_without_ends = total_friction(setup.input.contact, strip, integrals.mean.asperity_area) * length;
+  const double area = setup.input.bends() ? strip.asperity_area : integrals.mean.asperity_area;
+  s.friction_without_ends = total_friction(setup.input.contact, strip, area) * length;
   s.ends_share_friction = share_of_ends(whole.total_friction, s.friction_without_ends);
   s.ends_share_flow = share_of_ends(whole.oil_flow_middle, s.oil_flow_without_ends);
+  add_clearance(setup, integration, instant, integrals.strips, s);
   return s;
 }
 
@@ -58,6 +85,15 @@ UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vect
       v.peak_gap_leakage = s.gap_leakage;
       v.peak_gap_leakage_angle = whole[k].crank_angle_deg;
     }
+    v.mean_open_area += s.open_area;
+    if (k == 0 || s.open_area > v.peak_open_area) {
+      v.peak_open_area = s.open_area;
+      v.peak_open_area_angle = whole[k].crank_angle_deg;
+    }
+    if (k == 0 || s.max_clearance > v.peak_clearance) {
+      v.peak_clearance = s.max_clearance;
+      v.peak_clearance_angle = whole[k].crank_angle_deg;
+    }
     load += whole[k].hydrodynamic_load + whole[k].asperity_load;
     load_without_ends += s.load_without_ends;
     power += whole[k].power_loss;
@@ -67,12 +103,24 @@ UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vect
   }
   const auto n = static_cast<double>(whole.size());
   v.mean_gap_leakage /= n;
+  v.mean_open_area /= n;
   v.mean_absolute_gap_leakage /= n;
   v.gap_leakage_share = flow == 0 ? kNone : v.mean_absolute_gap_leakage / (flow / n);
   v.ends_share_mean_load = share_of_ends(load, load_without_ends);
   v.ends_share_friction_power = share_of_ends(power, power_without_ends);
   v.ends_share_absolute_flow = share_of_ends(flow, flow_without_ends);
   return v;
+}
+
+double ring_imbalance(const film::Film2dProblem& problem, const film::Film2dInputs& inputs,
+                      const film::FilmState& state, const std::vector<film::StripIntegrals>& strips) {
+  std::vector<double> force = film::bending_force(problem.ring, inputs, state.ring);
+  double left = 0;
+  for (int j = 0; j < problem.around.n_strips(); ++j) {
+    const double carried = strips[j].hydrodynamic_load + strips[j].asperity_load - inputs.load_of(j);
+    left += std::abs(force[problem.ring.of_strip(j)] + problem.around.share[j] * carried);
+  }
+  return left / (inputs.strip.load * problem.around.length);
 }
 
 UnrolledValues no_unrolled_values() {
@@ -97,6 +145,7 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
       keep(kept.strip_peak_film_pressure, strip.peak_pressure);
       keep(kept.strip_cavitated_fraction, strip.cavitated_fraction);
       keep(kept.strip_min_film_thickness, strip.min_film_thickness);
+      keep(kept.strip_total_friction, total_friction(setup_.input.contact, strip, strip.asperity_area));
       keep(kept.strip_oil_flow_middle, flow_from_chamber(strip.flow_middle, instant.at.axis));
     }
     fields_[instant.crank_angle_deg] = std::move(kept);
@@ -107,13 +156,14 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
   const bool local = problem.strip.contact_spread == film::ContactSpread::kLocal;
   const int n = problem.n_across();
   for (int j = 0; j < problem.around.n_strips(); ++j) {
+    const double separation = state.h_m + integration.rise(state, j);
     for (int k = 0; k < n; ++k) {
       const std::size_t at = static_cast<std::size_t>(j) * n + (instant.at.axis == Axis::kFromChamber ? k : n - 1 - k);
-      const double h = state.h_m + problem.gap.node[at];
+      const double h = separation + problem.gap.node[at];
       keep(kept.film_thickness, h);
       keep(kept.film_pressure, state.p[at]);
       keep(kept.film_content, film::film_content(problem.strip.cavitation, state.deficit[at]));
-      keep(kept.asperity_pressure, setup_.ring.contact->contact(local ? h : state.h_m).pressure);
+      keep(kept.asperity_pressure, setup_.ring.contact->contact(local ? h : separation).pressure);
     }
   }
   fields_[instant.crank_angle_deg] = std::move(kept);

@@ -12,6 +12,10 @@ namespace ringfilm::cycle {
 UnrolledSample unrolled_sample(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
                                const film::Film2dIntegrals& integrals, const Sample& whole);
 
+/// What is left of the balance of a ring that bends: forces on all strips, each by its modulus, over its load [-].
+double ring_imbalance(const film::Film2dProblem& problem, const film::Film2dInputs& inputs,
+                      const film::FilmState& state, const std::vector<film::StripIntegrals>& strips);
+
 /// Values of the cycle from samples at all base angles, equally spaced, and as many of the whole ring.
 UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vector<UnrolledSample>& samples);
 

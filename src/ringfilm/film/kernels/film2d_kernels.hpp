@@ -27,6 +27,14 @@ struct Film2dKernels {
   /// The odd strips of a finer two-dimensional film, each between the strip that stands for it and the one after.
   void (*from_coarse)(const ZebraShape& coarse, const double* x, const ZebraShape& fine, const double* own,
                       const double* beside, double* to);
+  /// y += the balance's slopes by the separations: of the strip itself, and at the faces to the strips beside.
+  void (*add_columns)(const Film2dBlock&, const double* own, const double* low, const double* high, double* y);
+  /// Of each strip the sum over its nodes of `row` times `x`.
+  void (*strip_sums)(const ZebraShape&, const double* row, const double* x, double* sums);
+  /// Of each strip the load that its film carries [N/m].
+  void (*strip_loads)(const Film2dBlock&, double* loads);
+  /// x -= column times the number of the strip.
+  void (*take_columns)(const ZebraShape&, const double* column, const double* of_strip, double* x);
   double (*dot)(const double* a, const double* b, std::size_t n);
   /// y += c x.
   void (*add)(double c, const double* x, double* y, std::size_t n);

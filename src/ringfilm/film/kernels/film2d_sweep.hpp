@@ -15,9 +15,9 @@ RINGFILM_INLINE void for_packs(const ZebraShape& shape, const Body& body) {
   }
 }
 
-/// @tparam kShapes the ring bends: slopes by the separations of the strips apart. A choice of the compiler, not of the
+/// @tparam kBends the ring bends: slopes by the separations of the strips apart. A choice of the compiler, not of the
 /// machine: which products and sums it fuses, and so the last bit, depends on all that is done with them.
-template <class Real, LaneCavity kCavity, bool kSteps, Terms kTerms, bool kShapes>
+template <class Real, LaneCavity kCavity, bool kSteps, Terms kTerms, bool kBends>
 class Film2dBalance {
   using Mask = typename Real::Mask;
   static constexpr bool kFilmContent = kCavity == LaneCavity::kFilmContent;
@@ -154,7 +154,7 @@ class Film2dBalance {
     (-(from.by_left * per_diagonal)).store(to.low + place);
     (on.by_right * per_diagonal).store(to.high + place);
     (by_h * per_diagonal).store(b_.column + place);
-    if constexpr (kShapes) {
+    if constexpr (kBends) {
       const Real scale = per_diagonal * ln_h_scale_;
       ((volume * filled + (out.by_h - in.by_h)) * scale).store(b_.own_column + place);
       (-(from.by_h * scale)).store(b_.low_column + place);
@@ -399,6 +399,54 @@ void from_coarse(const ZebraShape& coarse, const double* x, const ZebraShape& fi
   }
 }
 
+/// Calls body(place, strip) for the packs of all nodes across, edges included.
+template <class Real, class Body>
+RINGFILM_INLINE void for_strips(const ZebraShape& shape, const Body& body) {
+  for (int colour = 0; colour < 2; ++colour) {
+    const std::size_t strips = static_cast<std::size_t>(colour) * shape.stride + kPackPadding;
+    const int slots = shape.slots(colour);
+    for (int i = 0; i < shape.n_across; ++i) {
+      const std::size_t row = static_cast<std::size_t>(colour * shape.n_across + i) * shape.stride + kPackPadding;
+      for (int k = 0; k < slots; k += Real::kWidth) body(i, row + k, strips + k);
+    }
+  }
+}
+
+template <class Real>
+void add_columns(const Film2dBlock& b, const double* own, const double* low, const double* high, double* y) {
+  for_strips<Real>(b.system.shape, [&](int, std::size_t place, std::size_t strip) RINGFILM_INLINE_BODY {
+    const Real sum = Real::load(b.own_column + place) * Real::load(own + strip) +
+                     Real::load(b.low_column + place) * Real::load(low + strip) +
+                     Real::load(b.high_column + place) * Real::load(high + strip);
+    (Real::load(y + place) + sum).store(y + place);
+  });
+}
+
+template <class Real>
+void strip_sums(const ZebraShape& shape, const double* row, const double* x, double* sums) {
+  for (std::size_t strip = 0; strip < shape.strip_size(); ++strip) sums[strip] = 0;
+  for_strips<Real>(shape, [&](int, std::size_t place, std::size_t strip) RINGFILM_INLINE_BODY {
+    (Real::load(sums + strip) + Real::load(row + place) * Real::load(x + place)).store(sums + strip);
+  });
+}
+
+template <class Real>
+void strip_loads(const Film2dBlock& b, double* loads) {
+  const ZebraShape& shape = b.system.shape;
+  for (std::size_t strip = 0; strip < shape.strip_size(); ++strip) loads[strip] = 0;
+  for_strips<Real>(shape, [&](int i, std::size_t place, std::size_t strip) RINGFILM_INLINE_BODY {
+    const Real p = Real(b.p_cavitation) + Real::load(b.bound + place) + max(Real(0), Real::load(b.z + place));
+    (Real::load(loads + strip) + Real(b.share[i]) * p).store(loads + strip);
+  });
+}
+
+template <class Real>
+void take_columns(const ZebraShape& shape, const double* column, const double* of_strip, double* x) {
+  for_strips<Real>(shape, [&](int, std::size_t place, std::size_t strip) RINGFILM_INLINE_BODY {
+    (Real::load(x + place) - Real::load(column + place) * Real::load(of_strip + strip)).store(x + place);
+  });
+}
+
 template <class Real>
 double dot(const double* a, const double* b, std::size_t n) {
   Real sum[4] = {Real(0), Real(0), Real(0), Real(0)};
@@ -426,8 +474,21 @@ void add(double c, const double* x, double* y, std::size_t n) {
 template <int kWidth, base::InstructionSet kSet>
 constexpr Film2dKernels film2d_kernels_of(std::string_view name) {
   using Real = base::Pack<kWidth, kSet>;
-  return {name,          oil<Real>,       balance<Real>,     update<Real>, factor<Real>, relax<Real>,
-          product<Real>, to_coarse<Real>, from_coarse<Real>, dot<Real>,    add<Real>};
+  return {name,
+          oil<Real>,
+          balance<Real>,
+          update<Real>,
+          factor<Real>,
+          relax<Real>,
+          product<Real>,
+          to_coarse<Real>,
+          from_coarse<Real>,
+          add_columns<Real>,
+          strip_sums<Real>,
+          strip_loads<Real>,
+          take_columns<Real>,
+          dot<Real>,
+          add<Real>};
 }
 
 }  // namespace ringfilm::film

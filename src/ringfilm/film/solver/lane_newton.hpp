@@ -13,8 +13,7 @@ namespace ringfilm::film {
 LaneLaws best_laws(const FilmInputs& inputs);
 
 enum class Unknowns {
-  kFilmAndSeparation,  ///< in two dimensions with the amplitudes of the ring's shapes
-  kFilmAndShapes,      ///< at the h_m that is given; in two dimensions alone
+  kFilmAndSeparation,  ///< that of each strip where a ring bends
   kFilmAlone,          ///< at the separation that is given
 };
 

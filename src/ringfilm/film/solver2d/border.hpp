@@ -2,54 +2,92 @@
 #include <functional>
 #include <vector>
 
+#include "ringfilm/film/film2d.hpp"
 #include "ringfilm/film/kernels/film2d_kernels.hpp"
 
 namespace ringfilm::film {
 
-/// The border of a linear system: a few unknowns b of the whole two-dimensional film next to those of its nodes x,
+/// The border of a linear system: unknowns b of the ring next to those of the film's nodes x,
 ///
 ///     A x + C b = f,   R x + D b = g.
 ///
-/// It is eliminated with Y, what an approximate solve makes of A Y = C: (D - R Y) b = g - R x, then x - Y b.
+/// It is eliminated with what an approximate solve makes of C, Y: (D - R Y) b = g - R x, then x - Y b.
 class Border {
  public:
   using Solve = std::function<void(const double* rhs, double* x)>;
 
-  /// @param n numbers of a vector x; @param column, row of the first unknown, which the caller keeps and fills
-  Border(const Film2dKernels& kernels, std::size_t n, int count, double* column, double* row);
-
-  int count() const { return count_; }
-  double* column(int k) { return column_[k]; }                                                ///< of C
-  double* row(int k) { return row_[k]; }                                                      ///< of R
-  double& corner(int k, int l) { return corner_[static_cast<std::size_t>(k) * count_ + l]; }  ///< of D
-
-  /// Columns of Y.
-  void solve_columns(const Solve& approximately);
-
-  /// D - R Y, of the unknowns from `first` on. @returns false where it does not fall with each of them
-  bool factor(int first);
-
+  virtual ~Border() = default;
+  virtual int count() const = 0;
+  /// Y, from the columns of now.
+  virtual void solve_columns(const Solve& approximately) = 0;
+  /// D - R Y. @returns false where the load of a rigid ring does not fall with its separation
+  virtual bool factor() = 0;
   /// y += C b.
-  void add_columns(const double* b, double* y) const;
+  virtual void add_columns(const double* b, double* y) = 0;
   /// `to` = R x + D b.
-  void multiply(const double* x, const double* b, double* to) const;
-  /// Brings f's approximate solution x and g to those of the whole system. Unknowns before that of factor() are 0.
-  void eliminate(const double* g, double* x, double* b);
+  virtual void multiply(const double* x, const double* b, double* to) = 0;
+  /// Brings f's approximate solution x and g to those of the whole system.
+  virtual void eliminate(const double* g, double* x, double* b) = 0;
+};
+
+/// Of a rigid ring: one unknown, ln h_m.
+class RigidBorder final : public Border {
+ public:
+  /// @param n numbers of a vector x; column and row are those of the block
+  RigidBorder(const Film2dKernels& kernels, const Film2dBlock& block, std::size_t n)
+      : kernels_(&kernels), block_(&block), n_(n), solution_(n, 0.0) {}
+
+  double& corner() { return corner_; }  ///< D
+
+  int count() const override { return 1; }
+  void solve_columns(const Solve& approximately) override;
+  bool factor() override;
+  void add_columns(const double* b, double* y) override;
+  void multiply(const double* x, const double* b, double* to) override;
+  void eliminate(const double* g, double* x, double* b) override;
 
  private:
-  double slope(int k, int l) const { return corner_[static_cast<std::size_t>(k) * count_ + l]; }
-  double& lu(int k, int l) { return lu_[static_cast<std::size_t>(k) * count_ + l]; }
-  double lu(int k, int l) const { return lu_[static_cast<std::size_t>(k) * count_ + l]; }
+  const Film2dKernels* kernels_;
+  const Film2dBlock* block_;
+  std::size_t n_;
+  std::vector<double> solution_;  ///< Y
+  double corner_ = 0, slope_ = 0;
+};
+
+/// Of a ring that bends: the unknowns of its beam, over a length. A strip's film is eliminated as if all strips were
+/// displaced alike: what differs between near strips is held by the stiffness of the ring. So D - R Y is a band.
+class BeamBorder final : public Border {
+ public:
+  /// @param first the first strip that is solved
+  BeamBorder(const Film2dKernels& kernels, const Film2dBlock& block, const Film2dProblem& problem, int first);
+
+  /// @param scale length that the unknowns count in [m] @param lowest strip, from which bending counts
+  /// @param contact_slope of each strip's asperities, with its share of the length, in those units [N/m]
+  void set(double scale, int lowest, std::vector<double> contact_slope);
+
+  int count() const override { return ring_.n_unknowns(); }
+  void solve_columns(const Solve& approximately) override;
+  bool factor() override;
+  void add_columns(const double* b, double* y) override;
+  void multiply(const double* x, const double* b, double* to) override;
+  void eliminate(const double* g, double* x, double* b) override;
+
+ private:
+  /// Those of the strips that are solved, at the strips and at the faces between them, as the block has strips.
+  void spread(const double* b);
 
   const Film2dKernels* kernels_;
-  std::size_t n_;
-  int count_, first_ = 0;
-  std::vector<std::vector<double>> memory_;  ///< of the columns and rows but the first
-  std::vector<double*> column_, row_;
-  std::vector<std::vector<double>> solution_;  ///< Y
-  std::vector<double> corner_, lu_;
-  std::vector<double> left_;  ///< of g, while it is eliminated
-  std::vector<int> order_;    ///< of the rows after the exchanges of pivots
+  const Film2dBlock* block_;
+  ElasticRing ring_;
+  int n_strips_, first_;  ///< of the film; the first that is solved
+  Ends ends_;
+  double length_;  ///< of the film in y [m]
+  double scale_ = 0;
+  int lowest_ = 0;
+  std::vector<double> contact_slope_;
+  std::vector<double> solution_;                 ///< Y of all strips displaced alike
+  std::vector<double> own_, low_, high_, sums_;  ///< of strips, as the block has them
+  std::vector<double> factor_, left_, bent_;
 };
 
 }  // namespace ringfilm::film

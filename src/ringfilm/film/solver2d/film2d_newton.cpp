@@ -37,6 +37,8 @@ std::pair<int, int> neighbour_strips(int j, int n_strips, Ends ends) {
   return {j > 0 ? j - 1 : (joined ? n_strips - 1 : j), j + 1 < n_strips ? j + 1 : (joined ? 0 : j)};
 }
 
+int border_count(const Film2dProblem& problem) { return problem.ring.bends() ? problem.ring.n_unknowns() : 1; }
+
 int solved_strips(const CircumferentialGrid& around) {
   return around.ends == Ends::kOpen ? around.n_strips() - 2 : around.n_strips();
 }
@@ -48,13 +50,16 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
       shape_(problem.n_across(), solved_strips(problem.around)),
       ends_(problem.around.ends),
       first_(problem.around.ends == Ends::kOpen ? 1 : 0),
-      gmres_(*kernels_, shape_.size() + 1 + problem.shapes.count()),
-      step_(shape_.size() + 1 + problem.shapes.count(), 0.0),
+      gmres_(*kernels_, shape_.size() + border_count(problem)),
+      elastic_(problem.ring),
+      rigid_border_(*kernels_, block_, shape_.size()),
+      border_(&rigid_border_),
+      step_(shape_.size() + border_count(problem), 0.0),
       rhs_(step_),
       product_(shape_.size(), 0.0),
-      excess_(1 + problem.shapes.count(), 0.0),
+      excess_(border_count(problem), 0.0),
       border_step_(excess_),
-      shapes_(problem.shapes.shape) {
+      strip_loads_(shape_.strip_size(), 0.0) {
   StripSystem& system = block_.system;
   system.shape = shape_;
   block_.has_steps = !problem.gap.face_x_second.empty();
@@ -69,7 +74,7 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
       nodal.push_back(moment);
     }
   }
-  if (!shapes_.empty()) {
+  if (elastic_.bends()) {
     for (double** slopes : {&block_.own_column, &block_.low_column, &block_.high_column}) nodal.push_back(slopes);
   }
   const std::vector<double**> of_strips = {
@@ -97,7 +102,7 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
   for (double* ones : {block_.z, block_.rho, block_.K, system.diagonal}) std::fill_n(ones, shape_.size(), 1.0);
   for (double* ones : {block_.h_m, block_.low_h_m, block_.high_h_m}) std::fill_n(ones, shape_.strip_size(), 1.0);
   set_gap(problem);
-  border_.emplace(*kernels_, shape_.size(), 1 + problem.shapes.count(), block_.column, block_.load_row);
+  if (elastic_.bends()) border_ = &beam_border_.emplace(*kernels_, block_, problem, first_);
   multigrid_.emplace(*kernels_, system, places_of(problem.around, first_, shape_.n_strips), grid.width);
 }
 
@@ -142,7 +147,7 @@ void Film2dNewton::set_gap(const Film2dProblem& problem) {
 }
 
 void Film2dNewton::set_separation(const Film2dProblem& problem, const Film2dInputs& inputs) {
-  rise_ = rise_of_strips(problem, inputs, amplitudes_);
+  rise_ = rise_of_strips(problem, inputs, ring_);
   block_.ln_h_scale = h_m_;
   const auto rise = [&](int strip) { return rise_.empty() ? 0.0 : rise_[strip]; };
   for (int s = 0; s < shape_.n_strips; ++s) {
@@ -153,6 +158,16 @@ void Film2dNewton::set_separation(const Film2dProblem& problem, const Film2dInpu
     block_.low_h_m[place] = h_m_ + 0.5 * (rise(low) + rise(j));
     block_.high_h_m[place] = h_m_ + 0.5 * (rise(j) + rise(high));
   }
+}
+
+/// The lowest separation of a ring that bends is its h_m, from which its bending counts.
+void Film2dNewton::set_lowest() {
+  if (!beam_border_) return;
+  double lowest = ring_[elastic_.of_strip(0)];
+  const int n = static_cast<int>(lowest_.size());
+  for (int j = 1; j < n; ++j) lowest = std::min(lowest, ring_[elastic_.of_strip(j)]);
+  h_m_ += lowest;
+  for (std::size_t i = 0; i < ring_.size(); i += 2) ring_[i] -= lowest;
 }
 
 void Film2dNewton::set_given(const Film2dInputs& inputs) {
@@ -194,7 +209,8 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
     block_.fit_rho = fit->rho.data();
     block_.fit_drho = fit->drho_dp.data();
   }
-  border_scale_ = block_.scale * std::sqrt(static_cast<double>(shape_.n_across) * shape_.n_strips);
+  const int of_each = beam_border_ ? 1 : shape_.n_strips;
+  border_scale_ = block_.scale * std::sqrt(static_cast<double>(shape_.n_across) * of_each);
   fronts_.restart();
 
   const double beyond = kBeyondKink * block_.scale, content_scale = block_.content_scale, rate = block_.rate;
@@ -216,8 +232,9 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   if (ends_ == Ends::kJoined) StripMultigrid::join_ends(shape_, ends_, block_.bound);
   set_given(inputs);
   h_m_ = guess.h_m;
-  amplitudes_ = guess.amplitudes;
-  amplitudes_.resize(shapes_.size(), 0.0);
+  ring_ = guess.ring;
+  ring_.resize(elastic_.n_unknowns(), 0.0);
+  set_lowest();
   set_separation(problem, inputs);
 }
 
@@ -240,73 +257,50 @@ void Film2dNewton::give_oil(const models::OilAtTemperature& oil) {
   }
 }
 
-double Film2dNewton::film_load(int j) const {
-  double load = 0;
-  for (int i = 0; i < shape_.n_across; ++i) {
-    const std::size_t place = shape_.at(i, strip_of(j));
-    load += block_.share[i] * (block_.p_cavitation + block_.bound[place] + std::max(0.0, block_.z[place]));
+void Film2dNewton::set_loads(const Film2dProblem& problem, const Film2dInputs& inputs) {
+  if (beam_border_) {
+    set_loads_of_beam(problem, inputs);
+  } else {
+    set_load_of_rigid_ring(problem, inputs);
   }
-  return load;
 }
 
-void Film2dNewton::set_loads(const Film2dProblem& problem, const Film2dInputs& inputs) {
+void Film2dNewton::set_load_of_rigid_ring(const Film2dProblem& problem, const Film2dInputs& inputs) {
   const CircumferentialGrid& around = problem.around;
-  const int count = border_->count();
-  for (int k = 0; k < count; ++k) {
-    excess_[k] = 0;
-    for (int l = 0; l < count; ++l) border_->corner(k, l) = 0;
-  }
+  double& corner = rigid_border_.corner();
+  corner = 0;
   excess_[0] = block_.load - inputs.strip.load;
   const auto add = [&](double rise, double share) {
     double slope = 0;
-    const double load = asperity_load(problem.strip, h_m_ + rise, &slope);
-    excess_[0] += share * load;
-    border_->corner(0, 0) += share * slope * h_m_;
-    return std::pair(load, slope);
+    excess_[0] += share * asperity_load(problem.strip, h_m_ + rise, &slope);
+    corner += share * slope * h_m_;
   };
   if (rise_.empty()) {
     if (problem.strip.contact != nullptr) add(0, 1);
     return;
   }
-  for (int j = 0; j < around.n_strips(); ++j) {
-    const double share = around.share[j] / around.length;
-    const auto [asperities, slope] = add(rise_[j], share);
-    if (count == 1) continue;
-    const double excess = film_load(j) + asperities - inputs.load_of(j);
-    for (int k = 1; k < count; ++k) {
-      const double in_shape = share * shapes_[k - 1][j];
-      excess_[k] += in_shape * excess;
-      border_->corner(0, k) += in_shape * slope * h_m_;
-      border_->corner(k, 0) += in_shape * slope * h_m_;
-      for (int l = 1; l < count; ++l) border_->corner(k, l) += in_shape * shapes_[l - 1][j] * slope * h_m_;
-    }
-  }
-  const auto stiffness = [&](int k, int l) { return problem.shapes.stiffness[(k - 1) * (count - 1) + l - 1]; };
-  for (int k = 1; k < count && !problem.shapes.stiffness.empty(); ++k) {
-    for (int l = 1; l < count; ++l) {
-      excess_[k] -= stiffness(k, l) * amplitudes_[l - 1];
-      border_->corner(k, l) -= stiffness(k, l) * h_m_;
-    }
-  }
+  for (int j = 0; j < around.n_strips(); ++j) add(rise_[j], around.share[j] / around.length);
 }
 
-void Film2dNewton::set_border(const Film2dProblem& problem) {
-  const int n_strips = problem.around.n_strips();
-  for (int k = 1; k < border_->count(); ++k) {
-    const std::vector<double>& shape = shapes_[k - 1];
-    double *column = border_->column(k), *row = border_->row(k);
-    for (int s = 0; s < shape_.n_strips; ++s) {
-      const int j = s + first_;
-      const auto [low, high] = neighbour_strips(j, n_strips, ends_);
-      const double at_low = 0.5 * (shape[low] + shape[j]), at_high = 0.5 * (shape[j] + shape[high]);
-      for (int i = 1; i + 1 < shape_.n_across; ++i) {
-        const std::size_t place = shape_.at(i, s);
-        column[place] = block_.own_column[place] * shape[j] + block_.low_column[place] * at_low +
-                        block_.high_column[place] * at_high;
-        row[place] = block_.load_row[place] * shape[j];
-      }
-    }
+void Film2dNewton::set_loads_of_beam(const Film2dProblem& problem, const Film2dInputs& inputs) {
+  const CircumferentialGrid& around = problem.around;
+  const int n_strips = around.n_strips();
+  kernels_->strip_loads(block_, strip_loads_.data());
+  excess_ = bending_force(elastic_, inputs, ring_);
+  for (double& force : excess_) force /= around.length;
+  std::vector<double> contact_slope(n_strips);
+  for (int j = 0; j < n_strips; ++j) {
+    const double share = around.share[j] / around.length;
+    const bool is_given = ends_ == Ends::kOpen && (j == 0 || j == n_strips - 1);
+    const double given = (j == 0 ? inputs.p_low : inputs.p_high) * problem.strip.grid.width;
+    const double of_film = is_given ? given : strip_loads_[shape_.strip(strip_of(j))];
+    double slope = 0;
+    const double asperities = asperity_load(problem.strip, h_m_ + rise_[j], &slope);
+    excess_[elastic_.of_strip(j)] += share * (of_film + asperities - inputs.load_of(j));
+    contact_slope[j] = share * slope * h_m_;
   }
+  const auto lowest = std::min_element(rise_.begin(), rise_.end()) - rise_.begin();
+  beam_border_->set(h_m_, static_cast<int>(lowest), std::move(contact_slope));
 }
 
 bool Film2dNewton::solve_at_border_step(double reduction) {
@@ -323,24 +317,36 @@ bool Film2dNewton::solve_at_border_step(double reduction) {
     multigrid_->solve(product_.data(), y);
     std::copy_n(x + n, border_->count(), y + n);
   };
-  left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
+  const Gmres::Report report = gmres_.solve(map, rhs_.data(), reduction, step_.data());
+  left_ = report.reduction;
+  krylov_ = report.iterations;
   return left_ < kUnsolved;
 }
 
-bool Film2dNewton::solve_linear(int first, double reduction, int iteration) {
+/// Coarser two-dimensional films change little from one iteration to the next: they are renewed where GMRES has become
+/// slower with them.
+void Film2dNewton::prepare_multigrid(int iteration) {
+  constexpr int kSlower = 2;
+  if (iteration == 2) krylov_prepared_ = krylov_;
+  if (iteration > 1 && krylov_ <= krylov_prepared_ + kSlower) return multigrid_->prepare_finest();
   multigrid_->prepare(block_.z);
+}
+
+bool Film2dNewton::solve_linear(Unknowns unknowns, double reduction, int iteration) {
+  prepare_multigrid(iteration);
   const int count = border_->count();
   std::fill(border_step_.begin(), border_step_.end(), 0.0);
-  if (first == count) return solve_at_border_step(reduction);
+  if (unknowns == Unknowns::kFilmAlone) return solve_at_border_step(reduction);
   // The border is eliminated with what the preconditioner makes of its columns. These change little within a step, and
   // GMRES makes up for it.
-  bool falls = iteration > 1 && border_->factor(first);
+  bool falls = iteration > 1 && border_->factor();
   if (!falls) {
     border_->solve_columns([&](const double* rhs, double* x) { multigrid_->solve(rhs, x); });
-    falls = border_->factor(first);
+    falls = border_->factor();
   }
   if (!falls) {
-    if (first == 0) border_step_[0] = excess_[0] < 0 ? -kSignOnlyStep : kSignOnlyStep;
+    if (beam_border_) return false;
+    border_step_[0] = excess_[0] < 0 ? -kSignOnlyStep : kSignOnlyStep;
     return solve_at_border_step(reduction);
   }
   const std::size_t n = shape_.size();
@@ -359,20 +365,18 @@ bool Film2dNewton::solve_linear(int first, double reduction, int iteration) {
   };
   for (int k = 0; k < count; ++k) g[k] = -excess_[k];
   precondition(block_.rhs, g.data(), rhs_.data());
-  left_ = gmres_.solve(map, rhs_.data(), reduction, step_.data()).reduction;
+  const Gmres::Report report = gmres_.solve(map, rhs_.data(), reduction, step_.data());
+  left_ = report.reduction;
+  krylov_ = report.iterations;
   if (!(left_ < kUnsolved)) return false;
   for (int k = 0; k < count; ++k) border_step_[k] = step_[n + k] / border_scale_;
   return !limit_border_step() || solve_at_border_step(reduction);
 }
 
-double Film2dNewton::change_of_strip(int j) const {
-  double change = border_step_[0];
-  for (std::size_t k = 0; k < shapes_.size(); ++k) change += border_step_[k + 1] * shapes_[k][j];
-  return change * h_m_;
-}
+double Film2dNewton::change_of_strip(int j) const { return border_step_[elastic_.of_strip(j)] * h_m_; }
 
 bool Film2dNewton::has_film_everywhere() const {
-  for (std::size_t j = 0; j < rise_.size() && !shapes_.empty(); ++j) {
+  for (std::size_t j = 0; j < rise_.size() && beam_border_; ++j) {
     if (h_m_ + rise_[j] + lowest_[j] < kThinnest) return false;
   }
   return true;
@@ -380,12 +384,14 @@ bool Film2dNewton::has_film_everywhere() const {
 
 /// True if the step would have changed the film by too much.
 bool Film2dNewton::limit_border_step() {
-  const double d_ln_h = border_step_[0], limited = std::clamp(d_ln_h, kLargestFall, kLargestRise);
-  if (shapes_.empty()) {
-    border_step_[0] = limited;
-    return limited != d_ln_h;
-  }
-  double share = limited != d_ln_h ? limited / d_ln_h : 1;
+  if (beam_border_) return limit_step_of_beam();
+  const double d_ln_h = border_step_[0];
+  border_step_[0] = std::clamp(d_ln_h, kLargestFall, kLargestRise);
+  return border_step_[0] != d_ln_h;
+}
+
+bool Film2dNewton::limit_step_of_beam() {
+  double share = 1;
   for (std::size_t j = 0; j < rise_.size(); ++j) {
     const double film = h_m_ + rise_[j] + lowest_[j], change = change_of_strip(static_cast<int>(j));
     const double most = (change < 0 ? std::expm1(kLargestFall) : std::expm1(kLargestRise)) * film;
@@ -395,9 +401,23 @@ bool Film2dNewton::limit_border_step() {
   return share < 1;
 }
 
+double Film2dNewton::largest_move() const {
+  if (!beam_border_) return std::abs(border_step_[0]);
+  double moved = 0;
+  for (std::size_t j = 0; j < rise_.size(); ++j) {
+    const double film = h_m_ + rise_[j] + lowest_[j];
+    moved = std::max(std::abs(change_of_strip(static_cast<int>(j))) / film, moved);  // a NaN stays
+  }
+  return moved;
+}
+
 void Film2dNewton::move_border(const Film2dProblem& problem, const Film2dInputs& inputs) {
-  for (std::size_t k = 0; k < shapes_.size(); ++k) amplitudes_[k] += border_step_[k + 1] * h_m_;
-  h_m_ *= std::exp(border_step_[0]);
+  if (beam_border_) {
+    for (std::size_t i = 0; i < ring_.size(); ++i) ring_[i] += border_step_[i] * h_m_;
+    set_lowest();
+  } else {
+    h_m_ *= std::exp(border_step_[0]);
+  }
   set_separation(problem, inputs);
 }
 
@@ -414,26 +434,19 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
                                           FilmState& state) {
   set_step(problem, inputs, previous, laws, state);
   const double enough = enough_of_newton(problem.strip);
-  const int count = border_->count();
   const int most_iterations =
       unknowns == Unknowns::kFilmAndSeparation ? kMostIterationsOfStrips : kMostIterationsOfStrips + shape_.n_across;
   Outcome outcome;
   outcome.last_step = 1;
-  const int first = unknowns == Unknowns::kFilmAndSeparation ? 0 : unknowns == Unknowns::kFilmAndShapes ? 1 : count;
   while (outcome.iterations < most_iterations && has_film_everywhere()) {
     ++outcome.iterations;
     give_oil(*inputs.strip.oil);
     kernels_->balance(block_);
     set_loads(problem, inputs);
-    set_border(problem);
     const double reduction = outcome.last_step > kFarStep ? std::max(kLooseReduction, enough) : enough;
-    if (!solve_linear(first, reduction, outcome.iterations)) break;
+    if (!solve_linear(unknowns, reduction, outcome.iterations)) break;
     kernels_->update(block_, step_.data());
-    double moved = std::abs(border_step_[0]);
-    for (std::size_t j = 0; j < rise_.size() && count > 1; ++j) {
-      const double film = h_m_ + rise_[j] + lowest_[j];
-      moved = std::max(std::abs(change_of_strip(static_cast<int>(j))) / film, moved);  // a NaN stays
-    }
+    const double moved = largest_move();
     if (!std::isfinite(block_.check) || !std::isfinite(block_.largest) || !std::isfinite(moved)) break;
     outcome.last_step = std::max(block_.largest, moved);
     if (moved != 0) {
@@ -448,7 +461,7 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
     advance_fronts(block_.to_film && !block_.to_cavity);
   }
   state.h_m = h_m_;
-  state.amplitudes = amplitudes_;
+  state.ring = ring_;
   read(problem, inputs, state);
   outcome.peak_pressure =
       std::max({inputs.strip.p_cavitation + block_.peak, inputs.strip.left.pressure, inputs.strip.right.pressure});

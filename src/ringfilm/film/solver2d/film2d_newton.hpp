@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -12,10 +13,10 @@
 
 namespace ringfilm::film {
 
-/// Newton's method on pressure and film content of all nodes of a two-dimensional film, on ln h_m and on the amplitudes
-/// of the ring's shapes (docs/theory/two-dimensional-film.md, "the solver"). Nodes stop at the kink, fronts that only
-/// advance are helped along each strip, h_m moves by at most -60 % or +150 % an iteration, as in LaneNewton; with
-/// shapes the film of each strip does.
+/// Newton's method on pressure and film content of all nodes of a two-dimensional film and on ln h_m, or on separation
+/// and slope of a ring that bends (docs/theory/two-dimensional-film.md, "the solver"). Nodes stop at the kink, fronts
+/// that only advance are helped along each strip, h_m moves by at most -60 % or +150 % an iteration, as in LaneNewton;
+/// of a ring that bends the film of each strip does.
 class Film2dNewton {
  public:
   explicit Film2dNewton(const Film2dProblem& problem);
@@ -28,8 +29,7 @@ class Film2dNewton {
     double last_step = 0;      ///< largest relative change of film or pressure in the last iteration [-]
     double peak_pressure = 0;  ///< of the film, given strips and edges included [Pa]
   };
-  /// From `state`, at its h_m and amplitudes or from them. `state` receives h_m, amplitudes, pressure and deficit,
-  /// solved or not.
+  /// From `state`, at its separation or from it. `state` receives separation, pressure and deficit, solved or not.
   Outcome solve(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous, Unknowns unknowns,
                 LaneLaws laws, FilmState& state);
 
@@ -38,18 +38,22 @@ class Film2dNewton {
   void set_step(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous, LaneLaws laws,
                 const FilmState& guess);
   void set_separation(const Film2dProblem& problem, const Film2dInputs& inputs);
+  void set_lowest();
   void set_given(const Film2dInputs& inputs);
   void give_oil(const models::OilAtTemperature& oil);
-  /// Excess of the load carried, in all and in each shape, and its slopes in the border's unknowns at fixed pressures.
+  /// Excess of what is carried over the load, and its slopes in the border's unknowns at fixed pressures.
   void set_loads(const Film2dProblem& problem, const Film2dInputs& inputs);
-  double film_load(int j) const;  ///< of a strip [N/m]
-  void set_border(const Film2dProblem& problem);
-  /// Fills step_ and border_step_; false if the system was not solved. @param first of the border's unknowns sought
-  bool solve_linear(int first, double reduction, int iteration);
+  void set_load_of_rigid_ring(const Film2dProblem& problem, const Film2dInputs& inputs);
+  void set_loads_of_beam(const Film2dProblem& problem, const Film2dInputs& inputs);
+  /// Fills step_ and border_step_; false if the system was not solved.
+  bool solve_linear(Unknowns unknowns, double reduction, int iteration);
+  void prepare_multigrid(int iteration);
   /// At the border's step.
   bool solve_at_border_step(double reduction);
   bool limit_border_step();
+  bool limit_step_of_beam();
   double change_of_strip(int j) const;  ///< of its separation in the border's step [m]
+  double largest_move() const;          ///< of the border's step, relative [-]
   bool has_film_everywhere() const;
   void move_border(const Film2dProblem& problem, const Film2dInputs& inputs);
   void advance_fronts(bool only_advanced);
@@ -66,17 +70,22 @@ class Film2dNewton {
   Film2dBlock block_{};
   std::optional<StripMultigrid> multigrid_;
   Gmres gmres_;
-  std::optional<Border> border_;              ///< of ln h_m and the amplitudes over h_m
+  ElasticRing elastic_;
+  RigidBorder rigid_border_;
+  std::optional<BeamBorder> beam_border_;
+  Border* border_;
   std::vector<double> step_, rhs_, product_;  ///< zebras, the first two with the border's step behind them
   std::vector<double> excess_, border_step_;  ///< of the border's equations [N/m]; of its unknowns
-  std::vector<std::vector<double>> shapes_;   ///< of the ring, at each strip
   double h_m_ = 0;
-  std::vector<double> amplitudes_;  ///< [m]
-  std::vector<double> rise_;        ///< of strips over h_m; empty: none [m]
-  std::vector<double> lowest_;      ///< height of the gap at each strip [m]
-  std::vector<double> p_;           ///< for laws that are given
+  std::vector<double> ring_;         ///< unknowns of a ring that bends, over h_m [m]
+  std::vector<double> rise_;         ///< of strips over h_m; empty: none [m]
+  std::vector<double> lowest_;       ///< height of the gap at each strip [m]
+  std::vector<double> strip_loads_;  ///< of films, as the block has strips [N/m]
+  std::vector<double> p_;            ///< for laws that are given
   NodalOil oil_;
   double left_ = 1;          ///< of the last linear system [-]
+  int krylov_ = 0;           ///< iterations of GMRES that it took
+  int krylov_prepared_ = 0;  ///< of the one for which the multigrid was prepared
   double border_scale_ = 1;  ///< by which the border's step counts among pressures [Pa]
   FrontAdvance fronts_;
 };

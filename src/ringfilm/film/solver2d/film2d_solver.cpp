@@ -58,7 +58,7 @@ class Film2dSearch : public FilmAtSeparation {
     return report_;
   }
   FilmReport balanced() {
-    if (solve(Unknowns::kFilmAndSeparation) || solve_by_search()) {
+    if (solve(Unknowns::kFilmAndSeparation) || (!problem_.ring.bends() && solve_by_search())) {
       accept(*inputs_.strip.oil, inputs_.strip.p_cavitation, state_, report_);
     }
     return report_;
@@ -67,8 +67,7 @@ class Film2dSearch : public FilmAtSeparation {
   bool solve_at(double h_m) override {
     state_ = solved_;
     state_.h_m = h_m;
-    for (double& amplitude : state_.amplitudes) amplitude *= h_m / solved_.h_m;
-    const bool solved = solve(Unknowns::kFilmAndShapes, LaneLaws::kGiven);
+    const bool solved = solve(Unknowns::kFilmAlone, LaneLaws::kGiven);
     if (solved) solved_ = state_;
     return solved;
   }
@@ -115,7 +114,7 @@ film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip) 
   FilmState film2d;
   film2d.h_m = strip.h_m;
   film2d.laws = strip.laws;
-  film2d.amplitudes.assign(problem.shapes.count(), 0.0);
+  film2d.ring.assign(problem.ring.n_unknowns(), 0.0);
   const auto repeat = [&](const std::vector<double>& along) {
     std::vector<double> all;
     all.reserve(problem.n_nodes());
@@ -132,7 +131,7 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
   const int n_across = problem.n_across();
   const models::OilAtTemperature& oil = *inputs.strip.oil;
   const bool fitted = state.laws == LaneLaws::kFitted;
-  const std::vector<double> rise = rise_of_strips(problem, inputs, state.amplitudes);
+  const std::vector<double> rise = rise_of_strips(problem, inputs, state.ring);
   state.mass_per_area.resize(problem.n_nodes());
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     const double h_m = state.h_m + (rise.empty() ? 0.0 : rise[j]);
@@ -149,7 +148,7 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
 double mean_load(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& state) {
   const CircumferentialGrid& around = problem.around;
   const FilmGrid& grid = problem.strip.grid;
-  const std::vector<double> rise = rise_of_strips(problem, inputs, state.amplitudes);
+  const std::vector<double> rise = rise_of_strips(problem, inputs, state.ring);
   const bool bent = !rise.empty();
   double load = bent ? 0 : asperity_load(problem.strip, state.h_m);
   for (int j = 0; j < around.n_strips(); ++j) {

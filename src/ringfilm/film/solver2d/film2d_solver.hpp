@@ -20,19 +20,20 @@ class Film2dWorkspace {
 };
 
 /// Finds pressure, film content and the one separation of the whole two-dimensional film such that mass, cavitation and
-/// load balance (eq-film-2d-balance); of a ring that bends the amplitudes of its shapes, too (eq-film-2d-shapes).
+/// load balance (eq-film-2d-balance); of a ring that bends the separation of each strip (eq-film-2d-ring).
 ///
-/// By Newton's method on all nodes, ln h_m and the amplitudes; its linear systems by GMRES, preconditioned by strips:
-/// each solved as in film/, the slow changes in y on coarser two-dimensional films
+/// By Newton's method on all nodes and ln h_m, or the separations; its linear systems by GMRES, preconditioned by
+/// strips: each solved as in film/, the slow changes in y on coarser two-dimensional films
 /// (docs/theory/two-dimensional-film.md, "the solver"). A film whose pressure leaves the range of the fitted laws is
-/// solved again with the laws themselves. If Newton's method fails: a bracketed search on ln h_m, as in film/.
+/// solved again with the laws themselves. If Newton's method fails: a bracketed search on ln h_m, as in film/; for a
+/// ring that bends none: take a shorter step.
 ///
 /// @param previous the state one time step ago; only its `mass_per_area` enters
 /// @param state in: first guess; out: the solution if `converged`, else unusable
 film::FilmReport solve_film2d(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous,
                               FilmState& state, Film2dWorkspace& workspace);
 
-/// The same at the h_m and the amplitudes of `state`, which stay. `inputs.strip.load` is only the scale of pressures.
+/// The same at the separation of `state`, which stays. `inputs.strip.load` is only the scale of pressures.
 film::FilmReport solve_film2d_at_separation(const Film2dProblem& problem, const Film2dInputs& inputs,
                                             const FilmState& previous, FilmState& state, Film2dWorkspace& workspace);
 

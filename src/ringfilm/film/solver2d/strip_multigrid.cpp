@@ -63,31 +63,70 @@ StripMultigrid::Level StripMultigrid::coarser(Level& fine) {
   return coarse;
 }
 
+StripMultigrid::Level StripMultigrid::part_of(const Level& whole, int begin, int end) {
+  const int n = whole.places.n_strips();
+  const StripPlaces& places = whole.places;
+  Level part;
+  part.places = places;
+  if (begin > 0 || end < n) {
+    part.places.ends = Ends::kOpen;
+    part.places.centre.assign(places.centre.begin() + begin, places.centre.begin() + end);
+    part.places.share.assign(places.share.begin() + begin, places.share.begin() + end);
+  }
+  part.system = whole.system;
+  part.system.shape.n_strips = end - begin;
+  const int offset = begin / 2;
+  StripSystem& to = part.system;
+  for (double** of : {&to.west, &to.diagonal, &to.east, &to.low, &to.high, &to.inverse, &to.upper}) {
+    *of += offset;
+  }
+  part.film = whole.film + offset;
+  return part;
+}
+
 StripMultigrid::StripMultigrid(const Film2dKernels& kernels, const StripSystem& system, StripPlaces places,
                                double width)
     : kernels_(&kernels) {
-  Level first;
-  first.places = std::move(places);
-  first.system = system;
-  first.memory.assign(system.shape.size(), 0.0);
-  first.film = first.memory.data();
-  levels_.push_back(std::move(first));
+  finest_.places = std::move(places);
+  finest_.system = system;
+  finest_.memory.assign(system.shape.size(), 0.0);
+  finest_.film = finest_.memory.data();
   const auto nearest = [](const StripPlaces& of) {
     double least = of.length;
     for (int s = 1; s < of.n_strips(); ++s) least = std::min(least, of.distance(s));
     return least;
   };
-  while (levels_.back().places.n_strips() > 1 && nearest(levels_.back().places) < kFarApart * width) {
-    levels_.push_back(coarser(levels_.back()));
+  const int n = finest_.places.n_strips();
+  const auto is_close = [&](int s) { return finest_.places.distance(s) < kFarApart * width; };  // to the one before
+  int begin = 0;
+  while (begin < n) {
+    int end = begin + 1;
+    while (end < n && is_close(end)) ++end;
+    if (end > begin + 1) {
+      // Pairs begin at even strips.
+      Run run{static_cast<std::size_t>(begin / 2), {}};
+      run.levels.push_back(part_of(finest_, begin - begin % 2, end));
+      while (run.levels.back().places.n_strips() > 1 && nearest(run.levels.back().places) < kFarApart * width) {
+        run.levels.push_back(coarser(run.levels.back()));
+      }
+      runs_.push_back(std::move(run));
+    }
+    begin = end;
   }
 }
 
 void StripMultigrid::prepare(const double* z) {
-  Level& first = levels_.front();
-  for (std::size_t k = 0; k < first.memory.size(); ++k) first.film[k] = z[k] > 0 ? 1 : 0;
-  for (std::size_t level = 0; level + 1 < levels_.size(); ++level) coarsen(levels_[level], levels_[level + 1]);
-  for (Level& level : levels_) kernels_->factor(level.system);
+  for (std::size_t k = 0; k < finest_.memory.size(); ++k) finest_.film[k] = z[k] > 0 ? 1 : 0;
+  for (Run& run : runs_) {
+    for (std::size_t level = 0; level + 1 < run.levels.size(); ++level) {
+      coarsen(run.levels[level], run.levels[level + 1]);
+      kernels_->factor(run.levels[level + 1].system);
+    }
+  }
+  prepare_finest();
 }
+
+void StripMultigrid::prepare_finest() { kernels_->factor(finest_.system); }
 
 void StripMultigrid::coarsen(Level& fine, Level& coarse) {
   const StripSystem &from = fine.system, &to = coarse.system;
@@ -163,26 +202,39 @@ void StripMultigrid::start_ends(const Level& coarse, const Level& fine, double* 
   }
 }
 
-void StripMultigrid::solve(const double* rhs, double* x) { solve_level(0, rhs, x); }
-
-void StripMultigrid::solve_level(std::size_t level, const double* rhs, double* x) {
-  const Level& here = levels_[level];
-  const ZebraShape& shape = here.system.shape;
-  const Ends ends = here.places.ends;
-  if (level + 1 < levels_.size()) {
-    Level& coarse = levels_[level + 1];
-    kernels_->to_coarse(shape, here.to_coarse.data(), rhs, coarse.system.shape, coarse.rhs);
-    solve_level(level + 1, coarse.rhs, coarse.x);
-    kernels_->from_coarse(coarse.system.shape, coarse.x, shape, here.of_own.data(), here.of_beside.data(), x);
-    if (ends == Ends::kJoined && shape.n_strips % 2 == 1) start_ends(coarse, here, x);
-  } else {
-    std::fill_n(x, shape.size(), 0.0);
-  }
+void StripMultigrid::relax(const Level& of, const double* rhs, double* x) {
   for (const int colour : {0, 1}) {
-    join_ends(shape, ends, x);
-    kernels_->relax(here.system, colour, rhs, x);
+    join_ends(of.system.shape, of.places.ends, x);
+    kernels_->relax(of.system, colour, rhs, x);
   }
-  join_ends(shape, ends, x);
+  join_ends(of.system.shape, of.places.ends, x);
+}
+
+void StripMultigrid::solve(const double* rhs, double* x) {
+  const std::size_t of_colour = finest_.system.shape.colour_size();
+  std::fill_n(x + of_colour, of_colour, 0.0);  // the even strips are relaxed first
+  for (Run& run : runs_) correct(run, 0, rhs + run.offset, x + run.offset);
+  relax(finest_, rhs, x);
+}
+
+void StripMultigrid::correct(Run& run, std::size_t level, const double* rhs, double* x) {
+  const Level& here = run.levels[level];
+  const ZebraShape& shape = here.system.shape;
+  Level& coarse = run.levels[level + 1];
+  kernels_->to_coarse(shape, here.to_coarse.data(), rhs, coarse.system.shape, coarse.rhs);
+  solve_level(run, level + 1, coarse.rhs, coarse.x);
+  kernels_->from_coarse(coarse.system.shape, coarse.x, shape, here.of_own.data(), here.of_beside.data(), x);
+  if (here.places.ends == Ends::kJoined && shape.n_strips % 2 == 1) start_ends(coarse, here, x);
+}
+
+void StripMultigrid::solve_level(Run& run, std::size_t level, const double* rhs, double* x) {
+  const Level& here = run.levels[level];
+  if (level + 1 < run.levels.size()) {
+    correct(run, level, rhs, x);
+  } else {
+    std::fill_n(x, here.system.shape.size(), 0.0);
+  }
+  relax(here, rhs, x);
 }
 
 }  // namespace ringfilm::film

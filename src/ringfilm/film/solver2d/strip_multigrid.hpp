@@ -19,8 +19,8 @@ struct StripPlaces {
 };
 
 /// Solves a system of strips approximately, for a Krylov method: one sawtooth cycle of a multigrid that joins strips in
-/// pairs, down to a few, and relaxes each two-dimensional film once, even strips first, every strip solved along its
-/// length.
+/// pairs, down to a few, where they lie close, and relaxes each two-dimensional film once, even strips first, every
+/// strip solved along its length.
 ///
 /// A coarse two-dimensional film stands for the slow changes in y of the pressure: its nodes are those where at least
 /// one strip of the pair has a film. Balances are summed over the pair; couplings between pairs and corrections between
@@ -37,6 +37,8 @@ class StripMultigrid {
 
   /// For the numbers that the system holds now. @param z > 0 where there is a film
   void prepare(const double* z);
+  /// For the same on the finest two-dimensional film alone: the coarser ones stay as they were prepared.
+  void prepare_finest();
 
   /// x = about A^-1 rhs. Slots without a strip stay as they are in `x`: 0.
   void solve(const double* rhs, double* x);
@@ -56,14 +58,24 @@ class StripMultigrid {
     std::vector<double> to_coarse;          ///< weights of its row in that of the coarse node
     std::vector<double> of_own, of_beside;  ///< of an odd strip's corrections
   };
+  /// Strips next to each other that are close enough to need coarser two-dimensional films.
+  struct Run {
+    std::size_t offset = 0;     ///< of their first number in that of the whole
+    std::vector<Level> levels;  ///< the first is a part of the given system, without memory of its own
+  };
+  static Level part_of(const Level& whole, int begin, int end);
   static Level coarser(Level& fine);
   static void coarsen(Level& fine, Level& coarse);
   /// Of an odd number of joined strips, the first and the last are beside each other, both even.
   static void start_ends(const Level& coarse, const Level& fine, double* x);
-  void solve_level(std::size_t level, const double* rhs, double* x);
+  void solve_level(Run& run, std::size_t level, const double* rhs, double* x);
+  /// What the coarser two-dimensional films make of a right-hand side, in the odd strips of x.
+  void correct(Run& run, std::size_t level, const double* rhs, double* x);
+  void relax(const Level& of, const double* rhs, double* x);
 
   const Film2dKernels* kernels_;
-  std::vector<Level> levels_;  ///< the first is the given system, without memory of its own but for `film`
+  Level finest_;  ///< the given system, without memory of its own but for `film`
+  std::vector<Run> runs_;
 };
 
 }  // namespace ringfilm::film

@@ -381,11 +381,24 @@ Assumption smooth_gap_flow(const Case& c) {
                     others);
 }
 
+Assumption conformity(const Case& c) {
+  if (c.bends()) {
+    return assumption("round-bore",
+                      "the ring follows the bore as a thin beam with free ends; dynamic deformation and twist are zero",
+                      "where it cannot follow, the film is full of oil up to its edges, as elsewhere",
+                      other_choices("ring.conformity", c));
+  }
+  Assumption round = assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
+                                "a ring follows smooth distortions of low order; what it cannot follow opens gaps; "
+                                "ring.conformity = \"beam\" of an unrolled film computes it");
+  round.entry.can_be_lifted = true;
+  return round;
+}
+
 std::vector<Assumption> always_open(const cycle::Setup& setup) {
   const Case& c = setup.input;
   return {
-      assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
-                 "a ring follows smooth distortions of low order; what it cannot follow opens gaps"),
+      conformity(c),
       assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
                  "holds where film pressures stay far below the moduli, as under piston rings"),
       ring_gap(c),

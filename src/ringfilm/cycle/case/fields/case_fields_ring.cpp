@@ -14,14 +14,17 @@ constexpr When kFourModuliOrFreeGap{
 constexpr When kGap{[](const Case& c) { return c.is_unrolled() || c.gas_path.is_computed() || c.has_closure(); },
                     "film.dimension = \"unrolled\", or gas_path.model = \"orifice-volume\", or for ringfilm conform, "
                     "with liner.distortion or [conform]"};
+constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
 constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); }, "gas_path.model = \"given\""};
 constexpr When kGapped{[](const Case& c) { return (c.is_unrolled() && c.ring.end_gap.has_value()) || c.has_closure(); },
                        "ring.end_gap is stated"};
 constexpr When kBends{
     [](const Case& c) { return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed(); },
-    "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or for ringfilm conform"};
-constexpr When kCloses{[](const Case& c) { return c.has_closure(); },
-                       "a bore or a ring is stated for ringfilm conform, as with liner.distortion"};
+    "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or ring.conformity = \"beam\", or for ringfilm "
+    "conform"};
+constexpr When kCloses{
+    [](const Case& c) { return c.has_closure(); },
+    "a bore or a ring is stated for ringfilm conform, as with liner.distortion, or ring.conformity = \"beam\""};
 constexpr When kDistortionMap{[](const Case& c) { return c.liner.distortion_map.has_value(); },
                               "liner.distortion_map is stated"};
 using TermPlace = FourierTermsKind::Place;
@@ -63,8 +66,9 @@ void append_ring_fields(std::vector<Field>& fields) {
                "\"10.5 mm\""}),
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
                 above(0, 0.2), Need::kOptional, kBends,
-                {"radial thickness of the ring, t; with ring.free_gap one of the three ways; for gas_path and for "
-                 "ringfilm conform",
+                {"radial thickness of the ring, t; with ring.free_gap one of the three ways; for gas_path, "
+                 "ring.conformity "
+                 "and ringfilm conform",
                  "\"3.5 mm\""}),
           field("ring.pressure_above", OptionalNumberOrFileKind{member<&Case::ring, &Ring::pressure_above>},
                 {"Pa", "bar"}, above(0, 1e8), Need::kOptional, kGivenPressures,
@@ -87,10 +91,16 @@ void append_ring_fields(std::vector<Field>& fields) {
                 between(-360, 360), Need::kDefault, kGapped,
                 {"where around the bore the middle of the gap is; in a round bore a label of the results alone",
                  "\"0 degree\""}),
+          field("ring.conformity", choice<&Case::ring, &Ring::conformity>({"rigid", "beam"}), kNoUnit, {},
+                Need::kDefault, kUnrolled,
+                {"how the ring of an unrolled film meets the bore: one separation all around in a round bore, or as a "
+                 "beam that bends in the bore of liner.distortion",
+                 "\"beam\""}),
           field("ring.pressure_orders",
                 FourierTermsKind{member<&Case::ring, &Ring::pressure_orders>, 2, TermPlace::kOneSection}, kPlainNumber,
                 between(-10, 10), Need::kOptional, {},
-                {"for ringfilm conform: orders of the pressure of the ring on a round bore, relative to its mean, "
+                {"for ringfilm conform and ring.conformity: orders of the pressure of the ring on a round bore, "
+                 "relative to its mean, "
                  "angles from the gap's middle; if omitted, uniform pressure",
                  "[{ order = 2, amplitude = 0.25, phase = \"0 degree\" }]"}),
           field(
@@ -176,17 +186,19 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("liner.distortion",
                 FourierTermsKind{member<&Case::liner, &Liner::distortion>, 0, TermPlace::kAlongStroke}, {"m", "um"},
                 between(-1, 1), Need::kOptional, {},
-                {"for ringfilm conform: orders of the cold bore; the radius grows by the sum of amplitude "
+                {"for ringfilm conform and ring.conformity: orders of the cold bore; the radius grows by the sum of "
+                 "amplitude "
                  "cos(order (angle - phase)), with a height along the stroke where it changes",
                  "[{ order = 2, amplitude = \"15 um\", phase = \"0 degree\" }]"}),
           field("liner.thermal_distortion",
                 FourierTermsKind{member<&Case::liner, &Liner::thermal_distortion>, 0, TermPlace::kAlongStroke},
                 {"m", "um"}, between(-1, 1), Need::kOptional, {},
-                {"for ringfilm conform: the same of the part that heat adds",
+                {"for ringfilm conform and ring.conformity: the same of the part that heat adds",
                  "[{ order = 4, amplitude = \"2 um\", phase = \"45 degree\" }]"}),
           field("liner.distortion_map", OptionalFileKind{member<&Case::liner, &Liner::distortion_map>}, kNoUnit, {},
                 Need::kOptional, {},
-                {"for ringfilm conform: CSV of the measured bore, height [mm],angle [degree],deviation [um] of the "
+                {"for ringfilm conform and ring.conformity: CSV of the measured bore, height [mm],angle "
+                 "[degree],deviation [um] of the "
                  "radius, whole turns of evenly spaced angles; adds to the orders",
                  "\"bore.csv\""}),
           field("liner.distortion_map_orders", CountKind{member<&Case::liner, &Liner::map_orders>}, kPlainNumber,

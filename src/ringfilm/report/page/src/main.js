@@ -1,5 +1,5 @@
 // Puts the page together from the data that it carries.
-import { gapFigure } from './cycle/around_figures.js';
+import { clearanceFigure, gapFigure } from './cycle/around_figures.js';
 import { AroundView } from './cycle/around_view.js';
 import { CycleGroup } from './plot/chart.js';
 import {
@@ -188,6 +188,7 @@ function buildPage(model) {
   const unrolled = unrolledCases(model);
   const around = [
     unrolled.length ? new AroundView(model, unrolled, context) : null,
+    hasCurves ? view(clearanceFigure(model)) : null,
     hasCurves ? view(gapFigure(model)) : null,
   ].filter(Boolean);
   const influence = view(influenceFigure(model));

@@ -82,10 +82,21 @@ export function fieldMaps(data, k, { ends, own }) {
   });
 }
 
+/** Does a number of the strips differ around the ring by more than rounding? */
+function variesAround(data, name) {
+  const kRounding = 1e-3;
+  const [low, high] = data.strips[name].range;
+  const first = data.y.map((_, j) => data.stripValue(name, 0, j));
+  return high > low && Math.max(...first) - Math.min(...first) > kRounding * Math.max(...first);
+}
+
 /** Sums of strips over crank angle and y, where the result holds no more. */
 export function stripMaps(data, { ends, face }) {
   const rows = { ...ringAxis(data, { ends, face }), title: ends ? 'y from the gap' : 'y' };
-  const maps = ['strip_hydrodynamic_load', 'strip_peak_film_pressure']
+  const bends = data.strips.strip_min_film_thickness && variesAround(data, 'strip_min_film_thickness');
+  const names = ['strip_hydrodynamic_load', 'strip_peak_film_pressure'];
+  if (bends) names.push('strip_min_film_thickness', 'strip_asperity_load');
+  const maps = names
     .filter((name) => data.strips[name])
     .map((name) => ({
       title: data.strips[name].longName,
@@ -243,5 +254,31 @@ export function gapFigure(model) {
       `${valueText('ends_share_mean_load')}; in the friction power: ` +
       `${valueText('ends_share_friction_power')}; in the mean flow without sign: ` +
       `${valueText('ends_share_absolute_flow')}.${bandSentence(panels)}`,
+  };
+}
+
+/** Clearance and open area of rings that bend over the cycle; null where no ring does. */
+export function clearanceFigure(model) {
+  const names = ['max_clearance', 'min_film_thickness', 'open_area', 'lifted_angle'];
+  const kRigid = 1e-3;
+  const bends = (c) =>
+    names.every((name) => c.curves[name]) &&
+    c.curves.max_clearance.some((v, k) => v > (1 + kRigid) * c.curves.min_film_thickness[k]);
+  const bent = model.cases.filter(bends);
+  if (bent.length === 0) return null;
+  const shown = model.withCases(bent);
+  const panels = names.map((name) => cyclePanel(shown, name, { zeroLine: true }));
+  const valueText = (name) => ofEachCycle(shown, (c) => valueWithUnit(shown, c, name, 2));
+  return {
+    id: 'clearance-of-the-ring',
+    title: 'How the ring follows the bore',
+    group: 'cycle',
+    layout: 'row',
+    panels,
+    caption:
+      'Largest and smallest film thickness around the ring, each at the lowest place of the face, and ' +
+      'area and angle where film and contact carry less than a tenth of the mean load: there the ring ' +
+      `is lifted off. Largest clearance: ${valueText('peak_clearance')}; largest open area: ` +
+      `${valueText('peak_open_area')}, on average ${valueText('mean_open_area')}.${bandSentence(panels)}`,
   };
 }

@@ -1,0 +1,62 @@
+#include "ringfilm/cycle/closure/bending_ring.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "ringfilm/cycle/closure/static_closure.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using std::numbers::pi;
+
+/// Angles of the nodes: those of the strips, and the ends of a ring without end gap.
+std::vector<double> angles_of_nodes(const models::RingBeam& beam, const film::CircumferentialGrid& around) {
+  const double first = beam.half_gap(), turn = 2 * (pi - first);
+  std::vector<double> phi;
+  if (around.ends == film::Ends::kJoined) phi.push_back(0);
+  for (const double y : around.y) phi.push_back(first + turn * y / around.length);
+  if (around.ends == film::Ends::kJoined) phi.push_back(2 * pi);
+  return phi;
+}
+
+}  // namespace
+
+BendingRing::BendingRing(const Case& c, const film::CircumferentialGrid& around)
+    : case_(c),
+      beam_(ring_beam(c)),
+      first_node_(around.ends == film::Ends::kJoined ? 1 : 0),
+      elements_(beam_, angles_of_nodes(beam_, around)),
+      elastic_load_(elastic_pressure(c) * c.ring.face_width),
+      heights_(bore_heights(c)) {
+  for (int j = 0; j < around.n_strips(); ++j) {
+    target_.push_back(beam_.target_force()(elements_.phi()[j + first_node_]) / beam_.size().tangential_force);
+  }
+  if (heights_.empty()) force_.push_back(elements_.force_of_shape(bore_at(0)));
+  for (const double height : heights_) force_.push_back(elements_.force_of_shape(bore_at(height)));
+}
+
+models::FourierSeries BendingRing::bore_at(double below_tdc) const {
+  return bore_deviation(case_, below_tdc).turned(case_.ring.gap_position_deg * pi / 180);
+}
+
+film::ElasticRing BendingRing::elastic_ring() const {
+  static_assert(film::ElasticRing::kWidth == models::BeamElements::kWidth);
+  return {first_node_, elements_.stiffness()};
+}
+
+void BendingRing::press(double below_tdc, film::Film2dInputs& inputs) const {
+  inputs.strip_loads.clear();
+  for (const double share : target_) inputs.strip_loads.push_back(inputs.strip.load + elastic_load_ * (share - 1));
+  const auto above = std::upper_bound(heights_.begin(), heights_.end(), below_tdc);
+  const auto next = static_cast<std::size_t>(above - heights_.begin());
+  inputs.bore_force = force_[std::min(next, force_.size() - 1)];
+  if (next == 0 || next == heights_.size()) return;
+  const double share = (below_tdc - heights_[next - 1]) / (heights_[next] - heights_[next - 1]);
+  for (std::size_t i = 0; i < inputs.bore_force.size(); ++i) {
+    inputs.bore_force[i] = (1 - share) * force_[next - 1][i] + share * force_[next][i];
+  }
+}
+
+}  // namespace ringfilm::cycle

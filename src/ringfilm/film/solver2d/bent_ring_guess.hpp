@@ -1,0 +1,12 @@
+#pragma once
+#include "ringfilm/film/film2d.hpp"
+
+namespace ringfilm::film {
+
+/// A first guess of the film below a ring that bends: each strip carries by asperities, and by a film whose load beyond
+/// that of its edges falls with the separation by a power. The energy of that ring is convex, so that damped Newton
+/// steps find its balance from anywhere.
+/// @param across steady film below a straight ring of the mean load
+FilmState guess_of_bent_ring(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& across);
+
+}  // namespace ringfilm::film

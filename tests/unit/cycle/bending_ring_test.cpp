@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "batch_cases.hpp"
+#include "ringfilm/cycle/closure/static_closure.hpp"
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "unrolled_cases.hpp"
+
+/// Film, contact, gas and bending of the ring in a bore out of round.
+namespace ringfilm::cycle::testing {
+namespace {
+
+Case bending_ring() {
+  Case c = unrolled_ring();
+  c.ring.conformity = Conformity::kBeam;
+  c.ring.radial_thickness = 3.5e-3;
+  c.solver.cells = 50;
+  c.solver.cells_y = 60;
+  c.solver.crank_step_deg = 4;
+  c.output.crank_angle_step_deg = 4;
+  return c;
+}
+
+TEST(BendingRing, InARoundBoreWithoutGapIsTheFilmAcrossTheFace) {
+  for (const Cavitation cavitation : {Cavitation::kReynoldsExit, Cavitation::kMassConserving}) {
+    Case c = bending_ring();
+    c.ring.end_gap.reset();
+    c.solver.cells_y = 24;
+    c.film.cavitation = cavitation;
+    const CycleResult ring = simulated(c);
+    c.film.dimension = FilmDimension::kFace;
+    const CycleResult face = simulated(c);
+    ASSERT_EQ(ring.samples.size(), face.samples.size());
+    for (std::size_t k = 0; k < face.samples.size(); ++k) {
+      const Sample &a = ring.samples[k], &b = face.samples[k];
+      EXPECT_NEAR(a.min_film_thickness / b.min_film_thickness, 1, 1e-6) << a.crank_angle_deg;
+      EXPECT_NEAR(a.total_friction / b.total_friction, 1, 1e-6) << a.crank_angle_deg;
+      EXPECT_NEAR(ring.unrolled_samples[k].max_clearance / b.min_film_thickness, 1, 1e-6) << a.crank_angle_deg;
+    }
+    EXPECT_NEAR(ring.values.mean_power_loss / face.values.mean_power_loss, 1, 1e-7);
+  }
+}
+
+TEST(BendingRing, ForcesAroundItAndMassBalanceThroughTheCycle) {
+  Case c = bending_ring();
+  c.film.cavitation = Cavitation::kMassConserving;
+  c.liner.distortion = {{2, 15e-6, 0, {}}, {4, 6e-6, 30, {}}};
+  const CycleResult result = simulated(c);
+  EXPECT_TRUE(result.complete);
+  EXPECT_LT(result.effort.max_load_residual, 1e-6);
+  EXPECT_LT(result.effort.max_mass_residual, 1e-4);
+  EXPECT_GT(result.unrolled_values.peak_clearance, 2 * result.values.max_film_thickness);
+  EXPECT_GT(result.unrolled_values.peak_open_area, 0);
+}
+
+/// Hardly any film and stiff contact: a clearance that is that of the ring without film, over its thinnest film.
+TEST(BendingRing, WithoutMuchFilmClosesAsTheRingWithoutFilm) {
+  for (const double gap_position_deg : {45.0, 225.0}) {
+    Case c = bending_ring();
+    c.operating.speed = 1;
+    c.contact.roughness = 0.05e-6;
+    c.contact.asperity_radius = 1e-6;
+    c.contact.asperity_density = 5e12;
+    c.liner.distortion = {{4, 8e-6, 0, {}}};
+    c.ring.gap_position_deg = gap_position_deg;
+    c.ring.end_gap = 0.35e-3;
+    c.solver.cells_y = 240;
+    const cycle::Setup setup = prepare(c);
+    CycleFilm film(setup);
+    const RingConditions at = ring_conditions(setup, 270, film::kSteady);
+    film::FilmState before, state;
+    ASSERT_TRUE(film.solve_steady(at, before, state).converged);
+    const double edges = 0.5 * (at.inputs.left.pressure + at.inputs.right.pressure);
+    c.conform.gas_pressure = std::max(at.inputs.load / c.ring.face_width - setup.ring.elastic_pressure - edges, 0.0);
+    const StaticClosure closure = static_closure(c);
+    const std::vector<double> h = film::separations(*film.film2d(), state);
+    const film::CircumferentialGrid& around = film.film2d()->around;
+    for (int j = 0; j < around.n_strips(); ++j) {
+      const double first = ring_beam(c).half_gap();
+      const double phi = first + 2 * (std::numbers::pi - first) * around.y[j] / around.length;
+      // Contact of this roughness gives way by 80 nm at each place, and so the ring moves as a whole.
+      EXPECT_NEAR(h[j] - state.h_m, closure.ring.clearance(phi), 0.2e-6) << phi;
+    }
+    const double largest = *std::max_element(h.begin(), h.end()) - state.h_m;
+    EXPECT_NEAR(largest / closure.values.max_clearance, 1, 0.02);
+  }
+}
+
+TEST(BendingRing, ABoreThatChangesAlongTheStrokeIsThatOfItsHeights) {
+  Case c = bending_ring();
+  const double stroke = c.engine.stroke;
+  c.liner.distortion = {{2, 4e-6, 0, 0.0}, {2, 12e-6, 0, stroke}};
+  const film::CircumferentialGrid around = strips_of(c);
+  const BendingRing varying(c, around);
+  c.liner.distortion = {{2, 6e-6, 0, {}}};
+  const BendingRing quarter(c, around);
+  film::Film2dInputs at_quarter, straight;
+  varying.press(stroke / 4, at_quarter);
+  quarter.press(0, straight);
+  ASSERT_EQ(at_quarter.bore_force.size(), straight.bore_force.size());
+  for (std::size_t i = 0; i < straight.bore_force.size(); ++i) {
+    EXPECT_NEAR(at_quarter.bore_force[i], straight.bore_force[i], 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace ringfilm::cycle::testing
