@@ -472,7 +472,7 @@ class Pack(program.ProgramTest):
     def test_a_mistake_in_a_common_key_is_reported_once(self):
         for setting, words in (
             ("engine.bore=", "the key engine.bore is missing"),
-            ("contact.roughness=", "the key contact.roughness is missing"),
+            ("contact.asperity_radius=", "the key contact.asperity_radius is missing"),
             ("engine.bore=5 m", 'engine.bore = "5 m" is out of range'),
         ):
             refused = self.refused("run", "pack.toml", "--set", setting)

@@ -8,6 +8,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/rails_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/result/result_json.hpp"
@@ -33,7 +34,7 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
     cycle::ring_beam(input);
     return check;
   }
-  const cycle::Case with_gas = cycle::with_gas_path(input);
+  const cycle::Case with_gas = cycle::with_gas_path(cycle::with_rails(input));
   const std::vector<cycle::Case> rings = input.is_pack() ? with_gas.rings : std::vector{with_gas};
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check.assumptions.push_back(study::assumptions(rings[i]));

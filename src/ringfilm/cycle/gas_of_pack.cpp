@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
@@ -90,10 +91,10 @@ gas_path::Pack gas_pack(const Case& c) {
   return pack;
 }
 
-Case with_gas_path(Case c) {
-  if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return c;
+CaseWithGas solve_gas_of_case(Case c) {
+  if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return {std::move(c), std::nullopt};
   const gas_path::Pack pack = gas_pack(c);
-  const gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
+  gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
   const gas_path::Network network(pack);
   set_pressures(c.ring, result, network.borders(0));
   for (std::size_t i = 0; i < c.rings.size(); ++i) set_pressures(c.rings[i].ring, result, network.borders(i));
@@ -106,8 +107,10 @@ Case with_gas_path(Case c) {
     const bool is_of_trace = note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic";
     if (!is_of_trace) notes.push_back(note.message);
   }
-  return c;
+  return {std::move(c), std::move(result)};
 }
+
+Case with_gas_path(Case c) { return solve_gas_of_case(std::move(c)).input; }
 
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
   std::vector<Note> notes;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
@@ -10,9 +11,18 @@ namespace ringfilm::cycle {
 /// The gas path of a checked case, of a ring pack or of one ring. Throws InputError where its traces cannot be used.
 gas_path::Pack gas_pack(const Case& c);
 
+/// A case whose rings have the pressures of their gas path.
+struct CaseWithGas {
+  Case input;
+  std::optional<gas_path::GasPathResult> gas;  ///< absent where the pressures are given
+};
+
 /// The case with the gas path of its pack computed, where gas_path.model asks for it: each ring has the pressures of
 /// the piston lands at its edges and that of its groove behind it, and the first a note on the blow-by. Others as they
 /// are. Throws ConvergenceError where the gas is not found.
+CaseWithGas solve_gas_of_case(Case c);
+
+/// Likewise, without what the gas does.
 Case with_gas_path(Case c);
 
 /// Notes on the gas of a pack: those of its cylinder pressure, rings that flutter, cycles that do not repeat.

@@ -100,6 +100,7 @@ LandPressures land_pressures(const Case& c) {
   LandPressures lands{above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
                       below.is_stated() ? land_pressure(c, below) : crankcase_pressure(c)};
   if (c.ring.pressure_behind) lands.behind = computed_pressure(**c.ring.pressure_behind);
+  if (c.ring.gas_path.kind == RingKind::kOil) lands.behind = lands.below;  // holes drain the groove
   return lands;
 }
 
@@ -157,8 +158,8 @@ std::string usual_tension() {
 double elastic_pressure(const Case& c) {
   const Ring& r = c.ring;
   if (r.elastic_pressure) return *r.elastic_pressure;
-  if (r.tangential_force) {
-    return models::elastic_pressure_from_tangential_force(*r.tangential_force, r.face_width, c.engine.bore);
+  if (const auto& force = r.tangential_force ? r.tangential_force : r.expander_force) {
+    return models::elastic_pressure_from_tangential_force(*force, r.rails * r.face_width, c.engine.bore);
   }
   return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
                                                 c.engine.bore);

@@ -97,7 +97,9 @@ ResultDocument read_pack(const std::string& path, ResultFileReader& file) {
     file.choose_ring(i);
     rings.push_back(read_ring(path, file));
   }
-  return pack_document(pack.title, std::move(rings));
+  ResultDocument whole = pack_document(pack.title, std::move(rings));
+  whole.gas = std::move(pack.gas);
+  return whole;
 }
 
 }  // namespace
