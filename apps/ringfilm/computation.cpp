@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "progress.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/gas_through_films.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/cycle/rails_of_pack.hpp"
@@ -158,8 +158,9 @@ std::vector<Computation> of_rings(const Rings& rings, const study::BatchOptions&
 }
 
 /// The rings of a pack as requests of their own; of others the request as it is.
-void append_rings(const RunRequest& requested, Rings& rings) {
-  cycle::CaseWithGas pack = cycle::solve_gas_of_case(cycle::with_rails(requested.input));
+void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& watch) {
+  if (requested.input.gas_path.passes_films()) watch.begins(requested);
+  cycle::CaseWithGas pack = cycle::solve_gas_through_films(cycle::with_rails(requested.input), &watch);
   const std::size_t n = pack.input.rings.size();
   RequestedRings& of = rings.of_request.emplace_back(RequestedRings{n, {}});
   if (pack.gas) of.gas = io::pack_gas(*pack.gas, pack.input.gas_path.gas_constant);
@@ -208,7 +209,7 @@ std::vector<Computation> computations(const std::vector<RunRequest>& requested, 
 std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
                                       ComputationWatch& watch) {
   Rings rings;
-  for (const RunRequest& one : requested) append_rings(one, rings);
+  for (const RunRequest& one : requested) append_rings(one, rings, watch);
   std::vector<Computation> singles = of_rings(rings, options, watch);
   std::vector<Computation> all;
   auto next = std::make_move_iterator(singles.begin());

@@ -230,9 +230,10 @@ class Commands {
     auto& command = add("gas", "Compute the gas between the rings of a pack: pressures, blow-by, ring motion", [this] {
       const std::string case_path = gas_words_.case_path();
       if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
-      gas({case_path, gas_words_.overrides(), csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable});
+      gas({case_path, gas_words_.overrides(), csv_, output_, json_ ? SummaryForm::kJson : SummaryForm::kTable});
     });
     gas_words_.add_to(command);
+    command.add_option("-o,--output", output_, "write values and curves of the gas as NetCDF-4")->type_name("X.nc");
     command
         .add_option("--csv", csv_,
                     "write pressures, flows and ring positions over crank angle as CSV, SI units; without a name: "

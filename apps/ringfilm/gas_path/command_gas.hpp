@@ -11,7 +11,7 @@ namespace ringfilm::app {
 struct GasOptions {
   std::string case_path;
   std::vector<io::Override> overrides;
-  std::optional<std::string> csv;
+  std::optional<std::string> csv, output;
   SummaryForm summary = SummaryForm::kTable;
 };
 

@@ -181,8 +181,9 @@ std::string pack_oil_lines(const io::ResultDocument& pack) {
 
 std::string pack_gas_lines(const io::ResultDocument& pack) {
   if (!pack.gas) return "";
-  std::string text = fmt::format("blow-by {:.4g} mg per cycle, {:.4g} l/min at 1.01325 bar and 25 degC; peaks of pressure",
-                                 pack.gas->blow_by_per_cycle * 1e6, pack.gas->blow_by_flow * 6e4);
+  std::string text =
+      fmt::format("blow-by {:.4g} mg per cycle, {:.4g} l/min at 1.01325 bar and 25 degC; peaks of pressure",
+                  pack.gas->blow_by_per_cycle * 1e6, pack.gas->blow_by_flow * 6e4);
   for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
     const gas_path::RegionValues& region = pack.gas->regions[i];
     text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, region.peak_pressure * 1e-5);

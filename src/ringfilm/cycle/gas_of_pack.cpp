@@ -32,14 +32,15 @@ gas_path::Ring gas_ring(const Case& c) {
   of.gap_area = gas.gap_area ? *gas.gap_area : ring.end_gap.value() * gas.land_clearance.value();
   of.volume_below = gas.volume_below;
   of.temperature_below = gas.temperature_below;
+  of.face_opening = gas.face_opening;
+  of.face_width = ring.face_width;
   if (of.kind == RingKind::kOil) return of;
   of.groove_volume = gas.groove_volume.value();
   of.groove_temperature = gas.groove_temperature;
   of.side_clearance = gas.side_clearance.value();
   of.land_clearance = gas.land_clearance.value();
   of.radial_thickness = ring.radial_thickness.value();
-  if (c.gas_path.ring_motion == RingMotion::kSeated) return of;
-  of.face_width = ring.face_width;
+  if (c.gas_path.ring_motion == RingMotion::kSeated) return of;  // its mass may be missing
   of.elastic_pressure = elastic_pressure(c);
   of.mass = ring_mass(c);
   of.bore_friction_coefficient = gas.bore_friction_coefficient;
@@ -129,11 +130,13 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
                      static_cast<int>(fluttering.size())});
   }
   if (!result.repeats) {
-    notes.push_back({"gas-path-not-periodic",
-                     "the gas between the rings does not repeat from cycle to cycle: after " +
-                         std::to_string(result.cycles) + " cycles a pressure changes by a share of " +
-                         number_text(result.periodicity),
-                     1});
+    const std::string when =
+        result.period > 0 ? "it repeats every " + std::to_string(result.period) +
+                                " cycles: blow-by is their mean, curves are those of the last"
+                          : "after " + std::to_string(result.cycles) + " cycles a pressure changes by a share of " +
+                                number_text(result.periodicity) + ", and no period of several cycles is found";
+    notes.push_back(
+        {"gas-path-not-periodic", "the gas between the rings does not repeat from cycle to cycle: " + when, 1});
   }
   sort_notes(notes);
   return notes;

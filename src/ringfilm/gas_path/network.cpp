@@ -20,6 +20,11 @@ models::GasChannel side_channel(const Pack& pack, const Ring& ring) {
           ring.groove_temperature};
 }
 
+/// The gap over the face of a ring, around the bore. @param temperature of the gas above the ring [K]
+models::GasChannel face_channel(const Pack& pack, const Ring& ring, double temperature) {
+  return {std::numbers::pi * pack.bore, ring.face_width, pack.gas.viscosity, pack.gas.gas_constant, temperature};
+}
+
 double disc(double diameter) { return std::numbers::pi / 4 * diameter * diameter; }
 
 }  // namespace
@@ -33,6 +38,8 @@ std::string path_name(const Path& path) {
       return numbered("above ring ", number);
     case PathKind::kBelowRing:
       return numbered("below ring ", number);
+    case PathKind::kFace:
+      return numbered("face of ring ", number);
   }
   return "";
 }
@@ -70,6 +77,10 @@ void Network::add_ring(std::size_t ring, std::size_t above, std::size_t below) {
   borders_[ring].above = above;
   borders_[ring].below = below;
   if (above != below) paths_.push_back({PathKind::kEndGap, ring, above, below});
+  faces_.push_back(face_channel(pack_, pack_.rings[ring], regions_[above].temperature));
+  if (above != below && !pack_.rings[ring].face_opening.empty()) {
+    paths_.push_back({PathKind::kFace, ring, above, below});
+  }
   if (!has_groove(ring)) return;
   paths_.push_back({PathKind::kAboveRing, ring, above, borders_[ring].groove});
   if (pack_.ring_motion == RingMotion::kAxial) {
@@ -83,24 +94,40 @@ double Network::flow(const Path& path, double p_from, double p_to, double positi
     return orifice_flow(law_, pack_.gas.discharge_coefficient * ring.gap_area, pack_.gas.gas_constant,
                         {p_from, regions_[path.from].temperature}, {p_to, regions_[path.to].temperature});
   }
+  if (path.kind == PathKind::kFace) return faces_[path.ring].limited_flow(law_, position, p_from, p_to);
   const models::GasChannel& channel = channels_[path.ring];
   if (pack_.ring_motion == RingMotion::kSeated) return channel.flow(ring.side_clearance, p_from, p_to);
   const double clearance = path.kind == PathKind::kAboveRing ? ring.side_clearance - position : position;
   return channel.limited_flow(law_, clearance, p_from, p_to);
 }
 
-double Network::acceleration(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
-                             double p_crankcase) const {
+double Network::face_opening(std::size_t ring, double angle) const {
+  const std::vector<double>& opening = pack_.rings[ring].face_opening;
+  const std::size_t n = opening.size();
+  const double at = std::fmod(angle, static_cast<double>(n));
+  const auto before = static_cast<std::size_t>(at);
+  const double share = at - static_cast<double>(before);
+  return (1 - share) * opening[before % n] + share * opening[(before + 1) % n];
+}
+
+double Network::axial_force(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
+                            double p_crankcase) const {
   const Ring& ring = pack_.rings[index];
   const double outer = pack_.bore - 2 * ring.land_clearance, inner = pack_.bore - 2 * ring.radial_thickness;
   const double edge = disc(pack_.bore) - disc(outer), flank = disc(outer) - disc(inner);
   const double gas = edge * (p_below - p_above) + flank * (models::mean_channel_pressure(p_groove, p_below) -
                                                            models::mean_channel_pressure(p_above, p_groove));
+  if (ring.mass == 0) return gas;
   const double sliding = pack_.crank.velocity(crank_angle, pack_.speed) / pack_.sliding_smoothing_speed;
   const double on_bore =
       std::numbers::pi * pack_.bore * ring.face_width * (ring.elastic_pressure + p_groove - p_crankcase);
   const double friction = -ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
-  return (gas + friction) / ring.mass - pack_.crank.acceleration(crank_angle, pack_.speed);
+  return gas + friction - ring.mass * pack_.crank.acceleration(crank_angle, pack_.speed);
+}
+
+double Network::acceleration(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                             double p_crankcase) const {
+  return axial_force(ring, crank_angle, p_above, p_groove, p_below, p_crankcase) / pack_.rings[ring].mass;
 }
 
 }  // namespace ringfilm::gas_path

@@ -19,7 +19,8 @@ struct Region {
 enum class PathKind {
   kEndGap,     ///< of the ring
   kAboveRing,  ///< side clearance between the upper flanks of groove and ring
-  kBelowRing   ///< that between the lower flanks
+  kBelowRing,  ///< that between the lower flanks
+  kFace        ///< gap over the face, Ring::face_opening
 };
 
 /// A connection of two regions; flow is positive from `from` to `to`.
@@ -29,7 +30,7 @@ struct Path {
   std::size_t from = 0, to = 0;  ///< indices of regions
 };
 
-/// Of "end gap 1", "above ring 1", "below ring 1".
+/// Of "end gap 1", "above ring 1", "below ring 1", "face of ring 1".
 std::string path_name(const Path& path);
 
 /// What borders a compression ring in its groove: indices of regions.
@@ -52,8 +53,16 @@ class Network {
   bool has_groove(std::size_t ring) const { return pack_.rings[ring].kind == RingKind::kCompression; }
 
   /// Mass flow along that path [kg/s]. @param p_from @param p_to [Pa]
-  /// @param position of the ring above its lower flank [m]
+  /// @param position of the ring above its lower flank; of kFace its opening [m]
   double flow(const Path& path, double p_from, double p_to, double position) const;
+
+  /// Gap over the face of a ring that gas passes at a crank angle, 0 where it is sealed [m]. @param angle [degree]
+  double face_opening(std::size_t ring, double angle) const;
+
+  /// Force of gas, friction on the bore and inertia on a ring towards the chamber, eq-seating-force [N]. Without a
+  /// stated mass or friction that of the gas alone. @param as of acceleration()
+  double axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                     double p_crankcase) const;
 
   /// Acceleration of a ring relative to its groove, where nothing supports it, eq-ring-acceleration [m/s2].
   /// @param ring of RingMotion::kAxial @param crank_angle 0 = firing TDC [rad] @param p_above @param p_groove
@@ -70,6 +79,7 @@ class Network {
   std::vector<Path> paths_;
   std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
   std::vector<models::GasChannel> channels_;  ///< likewise
+  std::vector<models::GasChannel> faces_;     ///< over the face of each ring
 };
 
 }  // namespace ringfilm::gas_path

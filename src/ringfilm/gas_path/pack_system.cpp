@@ -60,8 +60,13 @@ void PackSystem::fill_pressures(double angle, std::span<const double> y, std::sp
   for (std::size_t i = 0; i < n_inner_; ++i) pressure[i + 1] = std::max(kPressureUnit * y[i], kLeastPressure);
 }
 
-double PackSystem::flow(const Path& path, double p_from, double p_to, double position) const {
-  return network_.flow(path, p_from, p_to, position * network_.pack().rings[path.ring].side_clearance);
+double PackSystem::flow(const Path& path, double p_from, double p_to, double at) const {
+  const double unit = path.kind == PathKind::kFace ? 1 : network_.pack().rings[path.ring].side_clearance;
+  return network_.flow(path, p_from, p_to, at * unit);
+}
+
+double PackSystem::place_of(const Path& path, double angle, std::span<const double> y) const {
+  return path.kind == PathKind::kFace ? network_.face_opening(path.ring, angle) : position(path.ring, y);
 }
 
 void PackSystem::flows(double angle, std::span<const double> y, std::span<double> pressure,
@@ -69,7 +74,7 @@ void PackSystem::flows(double angle, std::span<const double> y, std::span<double
   fill_pressures(angle, y, pressure);
   const auto& paths = network_.paths();
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], position(paths[k].ring, y));
+    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], place_of(paths[k], angle, y));
   }
 }
 
@@ -89,7 +94,7 @@ void PackSystem::rates(double angle, std::span<const double> y, std::span<double
   fill_pressures(angle, y, pressure_);
   std::fill(f.begin(), f.end(), 0.0);
   for (const Path& path : network_.paths()) {
-    const double m = flow(path, pressure_[path.from], pressure_[path.to], position(path.ring, y));
+    const double m = flow(path, pressure_[path.from], pressure_[path.to], place_of(path, angle, y));
     if (is_inner(path.from)) f[path.from - 1] -= m;
     if (is_inner(path.to)) f[path.to - 1] += m;
   }
@@ -107,7 +112,8 @@ PackSystem::FlowSlopes PackSystem::slopes(const Path& path, double at) const {
   const double d_from = kProbe * p_from, d_to = kProbe * p_to;
   FlowSlopes slope{(flow(path, p_from + d_from, p_to, at) - m) / d_from,
                    (flow(path, p_from, p_to + d_to, at) - m) / d_to, 0};
-  const bool moves = path.kind != PathKind::kEndGap && place_[path.ring] != kNotFree;
+  const bool is_at_flank = path.kind == PathKind::kAboveRing || path.kind == PathKind::kBelowRing;
+  const bool moves = is_at_flank && place_[path.ring] != kNotFree;
   if (moves) slope.position = (flow(path, p_from, p_to, at + kProbe) - m) / kProbe;
   return slope;
 }
@@ -140,7 +146,7 @@ void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<
 
 void PackSystem::jacobian(double angle, std::span<const double> y, std::span<double> J) {
   fill_pressures(angle, y, pressure_);
-  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, position(path.ring, y)), J);
+  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, place_of(path, angle, y)), J);
   for (const std::size_t ring : free_) add_ring_to_jacobian(ring, angle, J);
 }
 

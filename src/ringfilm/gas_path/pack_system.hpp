@@ -62,7 +62,9 @@ class PackSystem : public OdeSystem {
 
   double position(std::size_t ring, std::span<const double> y) const;
   void fill_pressures(double angle, std::span<const double> y, std::span<double> pressure) const;
-  double flow(const Path& path, double p_from, double p_to, double position) const;
+  /// Where the ring of a path is [side clearance], or how far its face is open [m].
+  double place_of(const Path& path, double angle, std::span<const double> y) const;
+  double flow(const Path& path, double p_from, double p_to, double at) const;
   FlowSlopes slopes(const Path& path, double position) const;
   void add_to_jacobian(const Path& path, const FlowSlopes& slope, std::span<double> J) const;
   void add_ring_to_jacobian(std::size_t ring, double angle, std::span<double> J);

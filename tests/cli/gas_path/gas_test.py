@@ -68,6 +68,9 @@ crown_height = "2 um"
 """
 
 
+RAIL_NUMBERS = [(1, None), (2, None), (3, 1), (3, 2)]
+
+
 class GasTest(program.ProgramTest):
     def setUp(self):
         super().setUp()
@@ -159,6 +162,82 @@ class GasTest(program.ProgramTest):
         alone = json.loads(self.run_well("run", "single.toml", "--json"))
         self.assertAlmostEqual(rings[0]["min_film_thickness"] / alone["min_film_thickness"], 1, delta=0.05)
         self.assertNotEqual(rings[0]["fmep"], alone["fmep"])
+
+
+RAILS = """\
+[[ring]]
+kind = "oil"
+gap_area = "0.3 mm2"
+rails = 2
+face_width = "0.4 mm"
+rail_distance = "1.2 mm"
+expander_force = "25 N"
+[ring.face]
+form = "parabola"
+crown_height = "2 um"
+"""
+
+
+class OilRingTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        common = program.CASE.replace("[ring]", "[lost]").split("[lost]")[0]
+        film = "[contact]" + program.CASE.split("[contact]")[1]
+        face = '[ring.face]\nform = "parabola"\ncrown_height = "15 um"\n'
+        # No piston land between the compression rings: both are pressed on their lower flanks at all times.
+        self.rings = [TOP + face, SECOND + face]
+        self.head = common + HEAD[HEAD.index("[gas_path]") :] + film
+        self.write(RAILS)
+
+    def write(self, oil_ring):
+        (self.folder / "pack.toml").write_text(self.head + "".join(self.rings) + oil_ring)
+
+    def run_json(self, *words):
+        return json.loads(self.run_well("run", "pack.toml", "--json", *words))
+
+    def test_each_rail_has_a_film_and_the_ring_their_sum(self):
+        pack = self.run_json("-o", "pack.nc", "--csv", "pack.csv")
+        self.assertEqual([(ring["ring"], ring.get("rail")) for ring in pack["rings"]], RAIL_NUMBERS)
+        self.assertEqual(pack["rings"][2]["title"].split(": ")[-1], "ring 3 (oil ring, upper rail)")
+        by_ring = {one["ring"]: one["fmep"] for one in pack["by_ring"]}
+        self.assertAlmostEqual(by_ring[3], pack["rings"][2]["fmep"] + pack["rings"][3]["fmep"], places=9)
+        self.assertAlmostEqual(sum(by_ring.values()), pack["all_rings"]["fmep"], places=9)
+        pressure = 2 * 25 / (0.089 * 2 * 0.4e-3)
+        for rail in pack["rings"][2:]:
+            self.assertAlmostEqual(rail["elastic_pressure"] / pressure, 1, places=12)
+        gas = json.loads(self.run_well("gas", "pack.toml", "--json"))
+        self.assertEqual(pack["gas"]["blow_by_per_cycle"], gas["blow_by_per_cycle"])
+        self.assertEqual([region["name"] for region in pack["gas"]["regions"]], [r["name"] for r in gas["regions"]])
+        self.run_well("report", "pack.nc", "-o", "pack.html")
+        page = (self.folder / "pack.html").read_text()
+        self.assertIn('"blow_by_per_cycle":', page)
+        with open(self.folder / "pack.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        at_tdc = {
+            row["ring"]: float(row["total_friction [N]"]) for row in rows if float(row["crank_angle [degree]"]) == 20
+        }
+        self.assertEqual(list(at_tdc), ["1", "2", "3.1", "3.2", "all"])
+        self.assertAlmostEqual(at_tdc.pop("all"), sum(at_tdc.values()), places=9)
+
+    def test_rails_are_those_of_two_narrow_rings(self):
+        rail = RAILS.replace("rails = 2\n", "").replace('rail_distance = "1.2 mm"\n', "").replace("25 N", "12.5 N")
+        together = self.run_json()
+        self.write(rail + rail)
+        apart = self.run_json()
+        for one, other in zip(together["rings"], apart["rings"], strict=True):
+            self.assertEqual(one["fmep"], other["fmep"])
+
+    def test_keys_of_rails_are_checked(self):
+        for old, new, words in (
+            ("rails = 2", "rails = 0", "is out of range"),
+            ('kind = "oil"', 'kind = "compression"', "ring.rails is not used in this case"),
+            ('expander_force = "25 N"', "", "the tension of the ring is missing"),
+        ):
+            self.write(RAILS.replace(old, new))
+            self.assert_refused(self.run_program("run", "pack.toml"), words)
+        single = program.CASE.replace("[ring]\n", '[ring]\nkind = "oil"\nrails = 2\n')
+        (self.folder / "single.toml").write_text(single)
+        self.assert_refused(self.run_program("run", "single.toml"), "write the ring as [[ring]]")
 
 
 if __name__ == "__main__":

@@ -121,6 +121,7 @@ struct LandPressure {
 struct GasPath {
   GasPathModel model = GasPathModel::kGiven;     ///< pressures between the rings as stated, or by volumes and orifices
   RingMotion ring_motion = RingMotion::kSeated;  ///< rings on their lower flanks, or moved along the bore's axis
+  FilmGas film = FilmGas::kSealing;              ///< do the films of the rings let gas pass?
   double discharge_coefficient = 0.65;           ///< C, of the end gaps [-]
   double gas_constant = 287;                     ///< R, of air [J/(kg K)]
   double heat_capacity_ratio = 1.33;             ///< gamma, of burned gas [-]
@@ -131,6 +132,7 @@ struct GasPath {
   double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
 
   bool is_computed() const { return model == GasPathModel::kOrificeVolume; }  ///< the pressures between the rings
+  bool passes_films() const { return is_computed() && film == FilmGas::kBreakthrough; }  ///< does the gas?
 };
 
 /// What the gas meets at a ring: keys under `ring`, used where GasPath::is_computed().
@@ -146,6 +148,8 @@ struct RingGasPath {
   std::optional<double> mass;               ///< of the ring [kg]
   std::optional<double> density;            ///< or of what it is made of [kg/m3]
   double bore_friction_coefficient = 0.05;  ///< of the ring on the bore; typical, assumed [-]
+  /// Computed: gap through which gas passes the film, at each degree of crank angle; empty: the film seals [m].
+  std::vector<double> face_opening;
 };
 
 /// Where a face came from; recorded, and not used by any model.

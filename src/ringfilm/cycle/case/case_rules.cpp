@@ -188,8 +188,8 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
   const bool gap = ring.free_gap.has_value();  // the thickness alone is that of a ring that bends
-  const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) +
-                     (ring.expander_force ? 1 : 0) + (gap ? 1 : 0);
+  const int stated =
+      (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (ring.expander_force ? 1 : 0) + (gap ? 1 : 0);
   const std::string ways =
       "state one of ring.elastic_pressure, ring.tangential_force, ring.expander_force of an oil ring, or ring.free_gap "
       "with ring.radial_thickness";

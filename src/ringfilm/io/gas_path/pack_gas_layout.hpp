@@ -47,7 +47,8 @@ void exchange_pack_gas(File& file, Document& document) {
   file.numbers({"gas_crank_angle"}, described("gas_crank_angle", "degree", "crank angle of the gas, 0 = firing TDC"),
                gas.crank_angle_deg);
   file.numbers({"gas_crank_angle", "gas_region"},
-               described("gas_region_pressure", "Pa", "pressure of the region, absolute", "p", "eq-gas-region"), gas.pressure);
+               described("gas_region_pressure", "Pa", "pressure of the region, absolute", "p", "eq-gas-region"),
+               gas.pressure);
   file.numbers({"gas_crank_angle", "gas_path"},
                described("gas_path_flow", "kg s-1", "mass flow along the path, positive to the crankcase", "m'",
                          "eq-orifice-flow"),

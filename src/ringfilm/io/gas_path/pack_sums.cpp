@@ -37,7 +37,7 @@ std::optional<PackOil> pack_oil(const ResultDocument& pack) {
   const ResultDocument& first = pack.rings.front();
   const cycle::StrokeProfile& stroke = first.result.stroke;
   constexpr std::size_t kPower = 0, kIntake = 2;
-  const std::vector<double> &power = stroke.film_behind[kPower], &intake = stroke.film_behind[kIntake];
+  const std::vector<double>&power = stroke.film_behind[kPower], &intake = stroke.film_behind[kIntake];
   const auto density = first.result.derived.find("oil_density");
   if (power.size() < 2 || intake.size() != power.size() || density == first.result.derived.end()) return std::nullopt;
   const double n = static_cast<double>(power.size()), bin = stroke.liner_position[1] - stroke.liner_position[0];
@@ -45,8 +45,7 @@ std::optional<PackOil> pack_oil(const ResultDocument& pack) {
   oil.film_after_power_stroke = sum(power) / n;
   oil.film_after_intake_stroke = sum(intake) / n;
   oil.left_at_tdc = first.result.values.oil_scraped_up;
-  oil.to_chamber_upper_bound =
-      (sum(power) + sum(intake)) * bin * std::numbers::pi * bore_of(first) * density->second;
+  oil.to_chamber_upper_bound = (sum(power) + sum(intake)) * bin * std::numbers::pi * bore_of(first) * density->second;
   return oil;
 }
 

@@ -58,10 +58,10 @@ namespace {
 
 /// Is the sum over the rings that of the pack?
 bool adds_up(const cycle::CurveQuantity& quantity) {
-  static const std::set<std::string> names = {"hydrodynamic_load",      "asperity_load",          "boundary_friction",
-                                              "viscous_friction",       "viscous_friction_liner", "viscous_friction_ring",
-                                              "total_friction",         "friction_on_liner",      "power_loss",
-                                              "archard_wear_load_rate", "applied_load"};
+  static const std::set<std::string> names = {
+      "hydrodynamic_load",     "asperity_load",  "boundary_friction", "viscous_friction", "viscous_friction_liner",
+      "viscous_friction_ring", "total_friction", "friction_on_liner", "power_loss",       "archard_wear_load_rate",
+      "applied_load"};
   return names.contains(quantity.name);
 }
 

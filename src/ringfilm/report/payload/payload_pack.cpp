@@ -37,8 +37,7 @@ ordered_json gas_payload(const io::PackGas& gas) {
     paths.push_back({{"name", path.name}, {"mass_per_cycle", exact(path.mass_per_cycle)}});
   }
   for (const io::PackGas::Event& event : gas.events) {
-    events.push_back(
-        {{"ring", event.ring}, {"crank_angle", exact(event.crank_angle_deg)}, {"event", event.event}});
+    events.push_back({{"ring", event.ring}, {"crank_angle", exact(event.crank_angle_deg)}, {"event", event.event}});
   }
   for (const io::PackGas::Ring& ring : gas.rings) rings.push_back(ring.number);
   return {{"blow_by_per_cycle", exact(gas.blow_by_per_cycle)},

@@ -160,7 +160,8 @@ Assumption cavitation_pressure(const Case& c) {
 Assumption pressure_behind_ring(const Case& c) {
   const double share = c.gas.pressure_behind_ring;
   if (c.ring.gas_path.kind == cycle::RingKind::kOil) {
-    return assumption("pressure-behind-ring", "holes drain the groove of the oil ring: the pressure below acts behind it",
+    return assumption("pressure-behind-ring",
+                      "holes drain the groove of the oil ring: the pressure below acts behind it",
                       "holes that oil fills or that are narrow let the pressure above reach the groove");
   }
   return assumption("pressure-behind-ring",

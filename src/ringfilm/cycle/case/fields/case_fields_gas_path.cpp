@@ -11,11 +11,11 @@ constexpr When kRingInGroove{
     [](const Case& c) { return c.gas_path.is_computed() && c.ring.gas_path.kind == RingKind::kCompression; },
     "gas_path.model = \"orifice-volume\" and ring.kind = \"compression\""};
 
-constexpr When kPartOfPack{
-    [](const Case& c) {
-      return c.gas_path.is_computed() || c.ring.gas_path.kind == RingKind::kOil || c.stated.contains("ring.kind");
-    },
-    "gas_path.model = \"orifice-volume\", or it is stated"};
+constexpr When kPartOfPack{[](const Case& c) {
+                             return c.gas_path.is_computed() || c.ring.gas_path.kind == RingKind::kOil ||
+                                    c.stated.contains("ring.kind");
+                           },
+                           "gas_path.model = \"orifice-volume\", or it is stated"};
 constexpr When kOilRing{[](const Case& c) { return c.ring.gas_path.kind == RingKind::kOil; }, "ring.kind = \"oil\""};
 constexpr When kSeveralRails{[](const Case& c) { return c.ring.rails > 1; }, "ring.rails is more than 1"};
 
@@ -36,6 +36,12 @@ std::vector<Field> common_fields() {
             Need::kDefault, kComputedGas,
             {"rings on their lower flanks, or moved in their grooves by gas, inertia and friction on the bore",
              "\"axial\""}),
+      field(
+          "gas_path.film", choice<&Case::gas_path, &GasPath::film>({"sealing", "breakthrough"}), kNoUnit, {},
+          Need::kDefault, kComputedGas,
+          {"films that let no gas pass, or gas through the gap over the face, all around, where the film does not hold "
+           "it; gas and films are then computed in turns",
+           "\"breakthrough\""}),
       field("gas_path.discharge_coefficient", NumberKind{member<&Case::gas_path, &GasPath::discharge_coefficient>},
             kPlainNumber, above(0, 1), Need::kDefault, kComputedGas,
             {"discharge coefficient of the end gaps, C; typical, assumed", "0.65"}),

@@ -16,8 +16,12 @@ function panel(packed, id, axis, series) {
     xUnit: '°',
     crank: true,
     xRange: kCycleRange,
-    peaks: pressurePeaks({ ...packed.model, cases: packed.cases.slice(0, 1), several: false, peakAngle: (c) =>
-      packed.model.peakAngle(c) }),
+    peaks: pressurePeaks({
+      ...packed.model,
+      cases: packed.cases.slice(0, 1),
+      several: false,
+      peakAngle: (c) => packed.model.peakAngle(c),
+    }),
     series,
   };
 }
@@ -31,7 +35,7 @@ export function stackedFriction(packed) {
   let below = first.x.map(() => 0);
   const series = curves.map((curve, i) => {
     const y = curve.y.map((v, k) => (v === null ? null : v + below[k]));
-    const band = { low: below, high: y };
+    const band = { low: below, high: y, words: ['rings above it', 'with this ring'] };
     below = y.map((v) => v ?? 0);
     return { caseIndex: cases[i].series, part: null, label: cases[i].name, x: first.x, y, bands: [band] };
   });
@@ -41,7 +45,12 @@ export function stackedFriction(packed) {
     title: 'Friction of the pack, stacked by ring',
     group: 'cycle',
     panels: [
-      panel(packed, 'pack-friction', { yLabel: 'friction, rings added up', yUnit: 'N', fromZero: true }, series),
+      panel(
+        packed,
+        'pack-friction',
+        { yLabel: 'friction, rings added up', yUnit: 'N', fromZero: true },
+        series,
+      ),
     ],
     caption:
       'Boundary plus viscous friction without sign; each band is one ring or rail, from the chamber up, and the ' +
@@ -64,7 +73,11 @@ export function gasPressures(packed) {
         .map(
           (region) =>
             `${regionWords(region.name)} ${number(region.peak_pressure / 1e5, 3)} bar ` +
-            angleInWords(region.peak_pressure_angle > 360 ? region.peak_pressure_angle - 720 : region.peak_pressure_angle),
+            angleInWords(
+              region.peak_pressure_angle > 360
+                ? region.peak_pressure_angle - 720
+                : region.peak_pressure_angle,
+            ),
         )
         .join('; ')
     : '';
@@ -72,7 +85,9 @@ export function gasPressures(packed) {
     id: 'pack-pressures',
     title: 'Gas pressures in cylinder and ring pack',
     group: 'cycle',
-    panels: [panel(packed, 'pack-pressures', { yLabel: 'absolute pressure', yUnit: 'bar', yScale: 'log' }, series)],
+    panels: [
+      panel(packed, 'pack-pressures', { yLabel: 'absolute pressure', yUnit: 'bar', yScale: 'log' }, series),
+    ],
     caption: gas
       ? `Computed by the gas path, on a logarithmic axis; grooves dotted. Peaks: ${peaks || 'no piston land has a volume'}. ` +
         'Where a piston land holds more than the cylinder, its ring may leave the lower flank.'
@@ -84,7 +99,11 @@ export function gasPressures(packed) {
 export function blowBy(packed) {
   const { gas, ring_numbers: numbers } = packed.pack;
   if (!gas) return null;
-  const onAxis = (values) => onCycleAxis(gas.crank_angle, values.map((v) => v * kMilligrams));
+  const onAxis = (values) =>
+    onCycleAxis(
+      gas.crank_angle,
+      values.map((v) => v * kMilligrams),
+    );
   const gaps = gas.paths
     .map((path, i) => ({ number: Number(/^end gap (\d+)$/.exec(path.name)?.[1] ?? 0), i, path }))
     .filter(({ number: n }) => n > 0);
@@ -98,7 +117,14 @@ export function blowBy(packed) {
     id: 'pack-blow-by',
     title: 'Blow-by',
     group: 'cycle',
-    panels: [panel(packed, 'pack-blow-by', { yLabel: 'gas flow to the crankcase', yUnit: 'mg/s', zeroLine: true }, series)],
+    panels: [
+      panel(
+        packed,
+        'pack-blow-by',
+        { yLabel: 'gas flow to the crankcase', yUnit: 'mg/s', zeroLine: true },
+        series,
+      ),
+    ],
     caption:
       'Mass flow through the end gaps, positive to the crankcase; that of the last ring is the blow-by: ' +
       `${number(gas.blow_by_per_cycle * kMilligrams, 3)} mg per cycle, ` +
@@ -114,7 +140,10 @@ export function ringPositions(packed) {
   const series = gas.rings.flatMap((n, i) => {
     const caseIndex = packed.cases[n - 1]?.series ?? null;
     const events = gas.events.filter((event) => event.ring === n);
-    const curve = onCycleAxis(gas.crank_angle, gas.position[i].map((z) => z * kMicrometres));
+    const curve = onCycleAxis(
+      gas.crank_angle,
+      gas.position[i].map((z) => z * kMicrometres),
+    );
     const points = events
       .map((event) => [
         event.crank_angle > 360 ? event.crank_angle - 720 : event.crank_angle,

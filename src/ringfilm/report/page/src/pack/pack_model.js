@@ -8,6 +8,11 @@ export function inputOf(c, key) {
   return c.inputs.find((entry) => entry.key === key)?.value_si ?? null;
 }
 
+/** Name of the region below the ring of that index, where it has a volume: "land 2" below the first. */
+export function regionBelow(ring) {
+  return 'land 2'.replace('2', ring + 2);
+}
+
 /** Are two lists of numbers the same? */
 const alike = (a, b) => a.length === b.length && a.every((v, k) => v === b[k]);
 
@@ -19,7 +24,7 @@ function givenRegions(cases) {
     const below = curve(c, 'crankcase_pressure');
     if (alike(below.pressure, regions[regions.length - 1].pressure)) return;
     const isLast = i + 1 === cases.length;
-    regions.push({ name: isLast ? 'crankcase' : `land ${i + 2}`, ring: i, ...below });
+    regions.push({ name: isLast ? 'crankcase' : regionBelow(i), ring: i, ...below });
   });
   return regions;
 }
