@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "gas_path/gas_variations.hpp"
 #include "output_names.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
@@ -70,11 +71,32 @@ std::string gas_summary(const io::GasPathDocument& document) {
 
 }  // namespace
 
+namespace {
+
+/// The table of all combinations of varied values, on standard output or in a file.
+void gas_of_variations(const GasOptions& options, const cycle::Case& input) {
+  if (options.output || options.summary == SummaryForm::kJson) {
+    throw InputError("--vary prints a table of all combinations, and --output or --json are of one",
+                     "leave --vary out, or take the table as CSV with --csv X.csv");
+  }
+  check_output(options.csv, "--csv", OutputKind::kCsv, input);
+  const std::string table = gas_variations_csv(options.case_path, options.overrides, variations(options.varied));
+  if (!options.csv) {
+    std::cout << table;
+    return;
+  }
+  io::write_atomically(*options.csv, table);
+  std::cout << "wrote " << *options.csv << "\n";
+}
+
+}  // namespace
+
 void gas(const GasOptions& options) {
   const cycle::Case input = case_with_settings(options.case_path, options.overrides, cycle::CasePurpose::kGasPath);
   if (input.problem == cycle::Problem::kPad) {
     throw InputError(options.case_path + ": a pad has no ring pack", "name a case with [engine], [gas] and [[ring]]");
   }
+  if (!options.varied.empty()) return gas_of_variations(options, input);
   check_output(options.csv, "--csv", OutputKind::kCsv, input);
   check_output(options.output, "--output", OutputKind::kNetcdf, input);
   const io::GasPathDocument document = io::gas_path_document(input);

@@ -116,6 +116,30 @@ class GasTest(program.ProgramTest):
         self.assertIn("position_ring_2 [m]", rows[0])
         self.assertNotIn("position_ring_3 [m]", rows[0])
 
+    def test_values_that_vary_are_combined(self):
+        varied = ("--vary", "operating.speed=1000 rpm, 3000 rpm", "--vary", "ring.1.gap_area=0.05 mm2, 0.08 mm2")
+        self.run_well("gas", "pack.toml", *varied, "--csv", "map.csv")
+        with open(self.folder / "map.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["operating.speed"] for row in rows], 2 * ["1000 rpm"] + 2 * ["3000 rpm"])
+        one = self.json_of("--set", "operating.speed=3000 rpm")
+        self.assertEqual(float(rows[3]["blow_by_per_cycle [kg]"]), one["blow_by_per_cycle"])
+        self.assertEqual(float(rows[3]["blow_by_flow [l/min]"]), one["blow_by_flow"])
+        self.assertEqual(float(rows[3]["peak_pressure_land_2 [Pa]"]), one["regions"][2]["peak_pressure"])
+        self.assertLess(float(rows[0]["blow_by_flow [l/min]"]), float(rows[1]["blow_by_flow [l/min]"]))
+        for words, text in (
+            (("--vary", "operating.speed"), "is not a key with its values"),
+            (("--vary", "operating.speed=1000 rpm, 5 m"), "operating.speed"),
+            ((*varied, "--json"), "are of one"),
+        ):
+            self.assert_refused(self.run_program("gas", "pack.toml", *words), text)
+
+    def test_the_file_has_the_curves(self):
+        self.run_well("gas", "pack.toml", "-o", "gas.nc")
+        self.assertTrue((self.folder / "gas.nc").read_bytes().startswith(b"\x89HDF"))
+        refused = self.run_program("report", "gas.nc", "-o", "gas.html")
+        self.assert_refused(refused, "the gas of a ring pack alone")
+
     def test_pack_without_oil_ring_is_noted(self):
         self.write(HEAD + TOP + SECOND.replace('volume_below = "300 mm3"\n', ""))
         self.assertIn("oil-ring-missing", [note["topic"] for note in self.json_of()["notes"]])
@@ -176,6 +200,26 @@ expander_force = "25 N"
 form = "parabola"
 crown_height = "2 um"
 """
+
+
+class ShippedPackTest(program.ProgramTest):
+    def run_pack(self, *words):
+        case = str(program.SOURCES / "cases" / "ring-pack" / "three_rings.toml")
+        return json.loads(self.run_well("run", case, "--json", "--set", "solver.cells=60", *words))
+
+    def test_gas_that_passes_the_films_adds_to_the_blow_by(self):
+        sealed = self.run_pack()
+        self.assertLess(sealed["gas"]["mass_defect"], 1e-12)
+        self.assertGreater(sealed["oil"]["liner_film_after_power_stroke"], 1e-7)
+        self.assertGreater(sealed["oil"]["oil_to_chamber_upper_bound"], sealed["oil"]["oil_left_at_tdc"])
+        passed = self.run_pack("--set", "gas_path.film=breakthrough")
+        self.assertLess(passed["gas"]["mass_defect"], 1e-12)
+        notes = " ".join(note["message"] for note in passed["rings"][0]["notes"])
+        self.assertIn("gas passes the films where they do not hold it", notes)
+        self.assertNotIn("still changes", notes)
+        more = passed["gas"]["blow_by_per_cycle"] / sealed["gas"]["blow_by_per_cycle"]
+        self.assertGreater(more, 1.005)
+        self.assertLess(more, 1.2)
 
 
 class OilRingTest(program.ProgramTest):

@@ -75,7 +75,7 @@ bool is_of_engine(const cycle::CurveQuantity& quantity) {
 std::string rows_of_all(const ResultDocument& pack) {
   const auto& first = pack.rings.front().result.samples;
   const auto has_all = [&](const ResultDocument& ring) { return ring.result.samples.size() == first.size(); };
-  if (!pack.result.complete || !std::ranges::all_of(pack.rings, has_all)) return "";
+  if (pack.rings.size() < 2 || !pack.result.complete || !std::ranges::all_of(pack.rings, has_all)) return "";
   std::vector<cycle::Sample> sums = first;
   for (std::size_t k = 0; k < sums.size(); ++k) {
     for (const auto& quantity : cycle::curve_quantities()) {
