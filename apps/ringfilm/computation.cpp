@@ -102,6 +102,7 @@ class LineWatch : public ComputationWatch {
 struct RequestedRings {
   std::size_t n_rings = 0;           ///< of the pack, each rail of an oil ring by itself; 0: one ring
   std::vector<std::size_t> rails;    ///< cycle::rail_number of each ring of the pack
+  std::vector<std::string> labels;   ///< cycle::ring_label likewise
   std::optional<io::PackGas> gas{};  ///< where it is computed
 };
 
@@ -162,7 +163,7 @@ void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& w
   if (requested.input.gas_path.passes_films()) watch.begins(requested);
   cycle::CaseWithGas pack = cycle::solve_gas_through_films(cycle::with_rails(requested.input), &watch);
   const std::size_t n = pack.input.rings.size();
-  RequestedRings& of = rings.of_request.emplace_back(RequestedRings{n, {}});
+  RequestedRings& of = rings.of_request.emplace_back(RequestedRings{n, {}, {}});
   if (pack.gas) of.gas = io::pack_gas(*pack.gas, pack.input.gas_path.gas_constant);
   if (n == 0) {
     rings.requests.push_back(requested);
@@ -172,9 +173,10 @@ void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& w
   }
   for (std::size_t i = 0; i < n; ++i) {
     of.rails.push_back(cycle::rail_number(requested.input, i));
+    of.labels.push_back(cycle::ring_label(requested.input, i));
     rings.requests.push_back(requested);
     rings.requests.back().input = pack.input.rings[i];
-    rings.requests.back().name += fmt::format(", ring {}", i + 1);
+    rings.requests.back().name += ", ring " + cycle::ring_label(requested.input, i);
   }
   if (cycle::shares_oil(pack.input)) {
     refuse_inquiries(requested);
@@ -191,7 +193,7 @@ Computation pack_of(const std::string& title, std::vector<Computation> rings, Re
     documents.push_back(std::move(rings[i].document));
     documents.back().rail = static_cast<long>(of.rails[i]);
     if (!rings[i].stopped || pack.stopped) continue;
-    pack.stopped = ConvergenceError(fmt::format("ring {}: {}", i + 1, rings[i].stopped->what()),
+    pack.stopped = ConvergenceError(fmt::format("ring {}: {}", of.labels[i], rings[i].stopped->what()),
                                     rings[i].stopped->crank_angle_deg());
   }
   pack.document = io::pack_document(title, std::move(documents));

@@ -70,4 +70,15 @@ std::size_t rail_number(const Case& pack, std::size_t ring) {
   return 0;
 }
 
+std::string ring_label(const Case& pack, std::size_t ring) {
+  const std::size_t rail = rail_number(pack, ring);
+  std::size_t number = 1, before = 0;
+  for (const Case& one : pack.rings) {
+    before += static_cast<std::size_t>(one.ring.rails);
+    if (ring < before) break;
+    ++number;
+  }
+  return std::to_string(number) + (rail > 0 ? ", rail " + std::to_string(rail) : std::string());
+}
+
 }  // namespace ringfilm::cycle

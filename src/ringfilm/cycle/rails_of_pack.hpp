@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <string>
 
 #include "ringfilm/cycle/case/case.hpp"
 
@@ -13,5 +14,8 @@ Case with_rails(Case pack);
 /// Of a ring that with_rails() made: its rail from 1, the one next to the chamber; 0 of other rings.
 /// @param ring index in the rings of that pack
 std::size_t rail_number(const Case& pack_without_rails, std::size_t ring);
+
+/// The same ring for people: "2", or "3, rail 1".
+std::string ring_label(const Case& pack_without_rails, std::size_t ring);
 
 }  // namespace ringfilm::cycle

@@ -110,24 +110,31 @@ double Network::face_opening(std::size_t ring, double angle) const {
   return (1 - share) * opening[before % n] + share * opening[(before + 1) % n];
 }
 
-double Network::axial_force(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
-                            double p_crankcase) const {
+double Network::gas_and_friction(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
+                                 double p_crankcase) const {
   const Ring& ring = pack_.rings[index];
   const double outer = pack_.bore - 2 * ring.land_clearance, inner = pack_.bore - 2 * ring.radial_thickness;
   const double edge = disc(pack_.bore) - disc(outer), flank = disc(outer) - disc(inner);
   const double gas = edge * (p_below - p_above) + flank * (models::mean_channel_pressure(p_groove, p_below) -
                                                            models::mean_channel_pressure(p_above, p_groove));
-  if (ring.mass == 0) return gas;
+  if (ring.bore_friction_coefficient == 0) return gas;
   const double sliding = pack_.crank.velocity(crank_angle, pack_.speed) / pack_.sliding_smoothing_speed;
   const double on_bore =
       std::numbers::pi * pack_.bore * ring.face_width * (ring.elastic_pressure + p_groove - p_crankcase);
-  const double friction = -ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
-  return gas + friction - ring.mass * pack_.crank.acceleration(crank_angle, pack_.speed);
+  return gas - ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
+}
+
+double Network::axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                            double p_crankcase) const {
+  const double force = gas_and_friction(ring, crank_angle, p_above, p_groove, p_below, p_crankcase);
+  const double mass = pack_.rings[ring].mass;
+  return mass == 0 ? force : force - mass * pack_.crank.acceleration(crank_angle, pack_.speed);
 }
 
 double Network::acceleration(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
                              double p_crankcase) const {
-  return axial_force(ring, crank_angle, p_above, p_groove, p_below, p_crankcase) / pack_.rings[ring].mass;
+  return gas_and_friction(ring, crank_angle, p_above, p_groove, p_below, p_crankcase) / pack_.rings[ring].mass -
+         pack_.crank.acceleration(crank_angle, pack_.speed);
 }
 
 }  // namespace ringfilm::gas_path

@@ -71,6 +71,9 @@ class Network {
                       double p_crankcase) const;
 
  private:
+  /// The same without inertia [N].
+  double gas_and_friction(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                          double p_crankcase) const;
   void add_ring(std::size_t ring, std::size_t above, std::size_t below);
 
   const Pack& pack_;
