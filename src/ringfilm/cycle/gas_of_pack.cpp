@@ -7,6 +7,7 @@
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/land_pressure.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -47,6 +48,11 @@ gas_path::Ring gas_ring(const Case& c) {
   return of;
 }
 
+/// The pressure that a case states next to a ring, or another one.
+models::CyclePressure stated_or(const Case& c, const LandPressure& land, const models::CyclePressure& other) {
+  return land.is_stated() ? land_pressure(c, land) : other;
+}
+
 /// The pressure of a region, degree by degree.
 base::Shared<SampledTrace> region_trace(const gas_path::GasPathResult& result, std::size_t region) {
   SampledTrace trace;
@@ -81,6 +87,11 @@ gas_path::Pack gas_pack(const Case& c) {
   pack.speed = c.operating.speed;
   pack.chamber = cylinder_pressure(c);
   pack.crankcase = crankcase_pressure(c);
+  if (!path.is_computed()) {
+    const Case &first = c.is_pack() ? c.rings.front() : c, &last = c.is_pack() ? c.rings.back() : c;
+    pack.chamber = stated_or(first, first.ring.pressure_above, pack.chamber);
+    pack.crankcase = stated_or(last, last.ring.pressure_below, pack.crankcase);
+  }
   pack.chamber_temperature = path.chamber_temperature;
   pack.crankcase_temperature = path.crankcase_temperature;
   pack.gas = {path.gas_constant, path.heat_capacity_ratio, path.viscosity, path.discharge_coefficient,
@@ -90,6 +101,16 @@ gas_path::Pack gas_pack(const Case& c) {
   if (!c.is_pack()) pack.rings.push_back(gas_ring(c));
   for (const Case& ring : c.rings) pack.rings.push_back(gas_ring(ring));
   return pack;
+}
+
+gas_path::GivenPressures given_pressures(const Case& c) {
+  gas_path::GivenPressures below;
+  if (c.gas_path.is_computed()) return below;
+  for (const Case& ring : c.rings) {
+    const LandPressure& stated = ring.ring.pressure_below;
+    below.push_back(stated.is_stated() ? std::optional(land_pressure(ring, stated)) : std::nullopt);
+  }
+  return below;
 }
 
 CaseWithGas solve_gas_of_case(Case c) {

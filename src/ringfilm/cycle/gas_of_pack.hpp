@@ -11,6 +11,9 @@ namespace ringfilm::cycle {
 /// The gas path of a checked case, of a ring pack or of one ring. Throws InputError where its traces cannot be used.
 gas_path::Pack gas_pack(const Case& c);
 
+/// The pressures below its rings where the case states them (gas_path.model = "given"); empty otherwise.
+gas_path::GivenPressures given_pressures(const Case& c);
+
 /// A case whose rings have the pressures of their gas path.
 struct CaseWithGas {
   Case input;

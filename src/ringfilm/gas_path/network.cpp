@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ringfilm::gas_path {
 namespace {
 
 Region region(const std::string& name, double volume, double temperature, double gas_constant) {
-  return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature)};
+  return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature), nullptr};
 }
 
 std::string numbered(const char* name, std::size_t number) { return name + std::to_string(number); }
@@ -44,11 +45,15 @@ std::string path_name(const Path& path) {
   return "";
 }
 
-Network::Network(const Pack& pack)
-    : pack_(pack), law_(pack.gas.heat_capacity_ratio, pack.gas.choking_smoothing), borders_(pack.rings.size()) {
+Network::Network(const Pack& pack, GivenPressures given)
+    : pack_(pack),
+      given_(std::move(given)),
+      law_(pack.gas.heat_capacity_ratio, pack.gas.choking_smoothing),
+      borders_(pack.rings.size()) {
   const double R = pack.gas.gas_constant;
   const std::size_t n = pack.rings.size();
-  regions_.push_back({"chamber", pack.chamber_temperature, 0});
+  given_.resize(n);
+  regions_.push_back({"chamber", pack.chamber_temperature, 0, &pack.chamber});
   std::vector<std::size_t> groove(n), below(n);  // of each ring; 0: the piston land below has no volume
   for (std::size_t i = 0; i < n; ++i) {
     const Ring& ring = pack.rings[i];
@@ -56,13 +61,20 @@ Network::Network(const Pack& pack)
       groove[i] = regions_.size();
       regions_.push_back(region(numbered("groove ", i + 1), ring.groove_volume, ring.groove_temperature, R));
     }
-    if (ring.volume_below > 0 && i + 1 < n) {
+    if ((ring.volume_below > 0 || given_[i]) && i + 1 < n) {
       below[i] = regions_.size();
       regions_.push_back(region(numbered("land ", i + 2), ring.volume_below, ring.temperature_below, R));
+      if (given_[i]) regions_.back().given = &*given_[i];
     }
   }
   const std::size_t crankcase = regions_.size();
-  regions_.push_back({"crankcase", pack.crankcase_temperature, 0});
+  regions_.push_back({"crankcase", pack.crankcase_temperature, 0, &pack.crankcase});
+  unknown_.resize(regions_.size());
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    if (!is_inner(r)) continue;
+    unknown_[r] = inner_.size();
+    inner_.push_back(r);
+  }
   for (std::size_t i = n; i-- > 0;) {
     if (below[i] == 0) below[i] = i + 1 < n ? below[i + 1] : crankcase;
   }

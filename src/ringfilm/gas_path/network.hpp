@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,14 @@ namespace ringfilm::gas_path {
 
 /// A space of gas at one pressure.
 struct Region {
-  std::string name;        ///< "chamber", "groove 1", "land 2", ..., "crankcase"
-  double temperature = 0;  ///< [K]
-  double capacity = 0;     ///< mass of gas over its pressure; of chamber and crankcase 0, for they are given [kg/Pa]
+  std::string name;                              ///< "chamber", "groove 1", "land 2", ..., "crankcase"
+  double temperature = 0;                        ///< [K]
+  double capacity = 0;                           ///< mass of gas over its pressure; 0 where that is given [kg/Pa]
+  const models::CyclePressure* given = nullptr;  ///< of chamber and crankcase, and of piston lands where it is stated
 };
+
+/// Pressures below the rings of a pack where they are stated, one entry for each ring; empty: all are computed.
+using GivenPressures = std::vector<std::optional<models::CyclePressure>>;
 
 /// Where gas passes a ring.
 enum class PathKind {
@@ -42,12 +47,19 @@ struct RingBorders {
 /// the rings.
 class Network {
  public:
-  explicit Network(const Pack& pack);
+  explicit Network(const Pack& pack, GivenPressures below = {});
+  Network(const Network&) = delete;  // regions point to its given pressures
+  Network& operator=(const Network&) = delete;
 
   const Pack& pack() const { return pack_; }
   const std::vector<Region>& regions() const { return regions_; }  ///< the chamber first, the crankcase last
   const std::vector<Path>& paths() const { return paths_; }
   std::size_t n_regions() const { return regions_.size(); }
+  /// The regions whose pressures are unknown, in their order.
+  const std::vector<std::size_t>& inner() const { return inner_; }
+  bool is_inner(std::size_t region) const { return regions_[region].given == nullptr; }
+  /// Place of an inner region in inner().
+  std::size_t unknown(std::size_t region) const { return unknown_[region]; }
   /// Of the ring of that index; it must be a compression ring.
   const RingBorders& borders(std::size_t ring) const { return borders_[ring]; }
   bool has_groove(std::size_t ring) const { return pack_.rings[ring].kind == RingKind::kCompression; }
@@ -77,8 +89,10 @@ class Network {
   void add_ring(std::size_t ring, std::size_t above, std::size_t below);
 
   const Pack& pack_;
+  GivenPressures given_;
   models::OrificeLaw law_;
   std::vector<Region> regions_;
+  std::vector<std::size_t> inner_, unknown_;
   std::vector<Path> paths_;
   std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
   std::vector<models::GasChannel> channels_;  ///< likewise

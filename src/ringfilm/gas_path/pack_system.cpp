@@ -17,7 +17,7 @@ constexpr double kLeastPressure = 1.0;
 
 PackSystem::PackSystem(const Network& network)
     : network_(network),
-      n_inner_(network.n_regions() - 2),
+      n_inner_(network.inner().size()),
       seconds_per_degree_(kRadians / network.pack().speed),
       place_(network.pack().rings.size(), kNotFree),
       fixed_position_(network.pack().rings.size(), 0),
@@ -55,9 +55,11 @@ double PackSystem::position(std::size_t ring, std::span<const double> y) const {
 }
 
 void PackSystem::fill_pressures(double angle, std::span<const double> y, std::span<double> pressure) const {
-  pressure.front() = network_.pack().chamber.pressure(angle);
-  pressure.back() = network_.pack().crankcase.pressure(angle);
-  for (std::size_t i = 0; i < n_inner_; ++i) pressure[i + 1] = std::max(kPressureUnit * y[i], kLeastPressure);
+  const auto& regions = network_.regions();
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const models::CyclePressure* given = regions[r].given;
+    pressure[r] = given ? given->pressure(angle) : std::max(kPressureUnit * y[network_.unknown(r)], kLeastPressure);
+  }
 }
 
 double PackSystem::flow(const Path& path, double p_from, double p_to, double at) const {
@@ -95,11 +97,11 @@ void PackSystem::rates(double angle, std::span<const double> y, std::span<double
   std::fill(f.begin(), f.end(), 0.0);
   for (const Path& path : network_.paths()) {
     const double m = flow(path, pressure_[path.from], pressure_[path.to], place_of(path, angle, y));
-    if (is_inner(path.from)) f[path.from - 1] -= m;
-    if (is_inner(path.to)) f[path.to - 1] += m;
+    if (is_inner(path.from)) f[network_.unknown(path.from)] -= m;
+    if (is_inner(path.to)) f[network_.unknown(path.to)] += m;
   }
   for (std::size_t i = 0; i < n_inner_; ++i) {
-    f[i] *= seconds_per_degree_ / (network_.regions()[i + 1].capacity * kPressureUnit);
+    f[i] *= seconds_per_degree_ / (network_.regions()[network_.inner()[i]].capacity * kPressureUnit);
   }
   for (const std::size_t ring : free_) {
     f[place_[ring]] = y[place_[ring] + 1];
@@ -123,9 +125,9 @@ void PackSystem::add_to_jacobian(const Path& path, const FlowSlopes& slope, std:
   for (const auto& [region, sign] : {std::pair{path.from, -1.0}, std::pair{path.to, 1.0}}) {
     if (!is_inner(region)) continue;
     const double unit = sign * seconds_per_degree_ / network_.regions()[region].capacity;
-    double* const row = J.data() + (region - 1) * n;
-    if (is_inner(path.from)) row[path.from - 1] += unit * slope.from;
-    if (is_inner(path.to)) row[path.to - 1] += unit * slope.to;
+    double* const row = J.data() + network_.unknown(region) * n;
+    if (is_inner(path.from)) row[network_.unknown(path.from)] += unit * slope.from;
+    if (is_inner(path.to)) row[network_.unknown(path.to)] += unit * slope.to;
     if (slope.position != 0) row[place_[path.ring]] += unit * slope.position / kPressureUnit;
   }
 }
@@ -139,7 +141,7 @@ void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<
     if (!is_inner(region)) continue;
     const double p = pressure_[region], d = kProbe * p;
     pressure_[region] += d;
-    J[(row + 1) * n + region - 1] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;
+    J[(row + 1) * n + network_.unknown(region)] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;
     pressure_[region] = p;
   }
 }

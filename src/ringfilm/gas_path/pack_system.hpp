@@ -47,9 +47,9 @@ class PackSystem : public OdeSystem {
   const Network& network() const { return network_; }
   const std::vector<std::size_t>& free_rings() const { return free_; }
   std::size_t n_inner() const { return n_inner_; }  ///< regions between chamber and crankcase
-  /// Is it one of them? Chamber and crankcase have given pressures; a ring below a piston land of no volume may have
-  /// the crankcase on both sides.
-  bool is_inner(std::size_t region) const { return region > 0 && region <= n_inner_; }
+  /// Is its pressure an unknown? Chamber and crankcase have given pressures; a ring below a piston land of no volume
+  /// may have the crankcase on both sides.
+  bool is_inner(std::size_t region) const { return network_.is_inner(region); }
   double seconds_per_degree() const { return seconds_per_degree_; }
   /// Place of a free ring's position among the unknowns; its velocity follows. @param k index in free_rings()
   std::size_t place(std::size_t k) const { return n_inner_ + 2 * k; }

@@ -65,7 +65,7 @@ std::vector<double> newton_begin(const std::vector<double>& begin, const std::ve
 PackState first_state(const Network& network) {
   const std::size_t n = network.pack().rings.size();
   const double p = network.pack().crankcase.pressure(CycleIntegration::kBeginDeg) / PackSystem::kPressureUnit;
-  return {std::vector<double>(network.n_regions() - 2, p), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0),
+  return {std::vector<double>(network.inner().size(), p), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0),
           std::vector<Contact>(n, Contact::kLowerFlank)};
 }
 
@@ -142,12 +142,16 @@ int follow_to_period(CycleIntegration& cycle, double& blow_by) {
 
 }  // namespace
 
-GasPathResult solve_gas_path(const Pack& pack) {
-  const Network network(pack);
+GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
+  const Network network(pack, below);
   CycleIntegration cycle(network, first_state(network));
   const double unit = PackSystem::kPressureUnit;
-  const double lowest = std::min(lowest_pressure(pack.chamber), lowest_pressure(pack.crankcase)) / unit;
-  const double highest = std::max(pack.chamber.peak(), pack.crankcase.peak()) / unit;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const Region& region : network.regions()) {
+    if (region.given == nullptr) continue;
+    lowest = std::min(lowest, lowest_pressure(*region.given) / unit);
+    highest = std::max(highest, region.given->peak() / unit);
+  }
   double change = 0, change_before = 0;
   bool repeats = false, has_jumped = false;
   int n = 0, n_to_follow = 0, n_to_wait = 1;

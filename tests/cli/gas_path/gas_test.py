@@ -116,6 +116,25 @@ class GasTest(program.ProgramTest):
         self.assertIn("position_ring_2 [m]", rows[0])
         self.assertNotIn("position_ring_3 [m]", rows[0])
 
+    def test_between_given_pressures_the_same_gas_flows(self):
+        computed = self.json_of("--csv", "gas.csv")
+        with open(self.folder / "gas.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        for number in (2, 3):
+            lines = [f"{row['crank_angle [degree]']},{row[f'pressure_land_{number} [Pa]']}" for row in rows]
+            text = "crank_angle [degree],pressure [Pa]\n" + "\n".join(lines) + "\n"
+            (self.folder / f"land_{number}.csv").write_text(text)
+        given = HEAD.replace("orifice-volume", "given")
+        self.write(given + TOP + 'pressure_below = "land_2.csv"\n' + SECOND + 'pressure_below = "land_3.csv"\n' + OIL)
+        found = self.json_of()
+        self.assertLess(found["mass_defect"], 1e-12)
+        for one, other in zip(found["regions"], computed["regions"], strict=True):
+            self.assertEqual(one["name"], other["name"])
+            self.assertAlmostEqual(one["peak_pressure"] / other["peak_pressure"], 1, delta=1e-3)
+        for one, other in zip(found["paths"], computed["paths"], strict=True):
+            self.assertAlmostEqual(one["mass_per_cycle"] * 1e6, other["mass_per_cycle"] * 1e6, delta=5e-3)
+        self.assertAlmostEqual(found["blow_by_per_cycle"] / computed["blow_by_per_cycle"], 1, delta=2e-3)
+
     def test_values_that_vary_are_combined(self):
         varied = ("--vary", "operating.speed=1000 rpm, 3000 rpm", "--vary", "ring.1.gap_area=0.05 mm2, 0.08 mm2")
         self.run_well("gas", "pack.toml", *varied, "--csv", "map.csv")

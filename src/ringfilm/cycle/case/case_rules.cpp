@@ -287,9 +287,11 @@ void check_engine_and_gas(const Case& c, Breaches& breaches) {
 std::vector<RuleBreach> broken_gas_rules(const Case& c) {
   Breaches breaches;
   check_engine_and_gas(c, breaches);
-  if (!c.gas_path.is_computed()) {
-    breaches.push_back({"gas_path.model", "gas_path.model is not \"orifice-volume\": there is no gas to compute",
-                        "write model = \"orifice-volume\" in [gas_path]", kMissingKey});
+  if (!c.gas_path.is_computed() && !c.stated.contains("gas_path.model")) {
+    breaches.push_back({"gas_path.model", "gas_path.model is not stated: there is no gas to compute",
+                        "write model = \"orifice-volume\" in [gas_path], or \"given\" for what flows between stated "
+                        "pressures",
+                        kMissingKey});
     return breaches;
   }
   append_gas_path_breaches(c, breaches);

@@ -14,6 +14,7 @@
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/integration/land_pressure.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
@@ -85,11 +86,6 @@ void append_bore_note(const Case& c, std::vector<Note>& notes) {
                    1});
 }
 
-models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
-  if (land.computed) return computed_pressure(**land.computed);
-  return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
-}
-
 LandPressures land_pressures(const Case& c) {
   if (c.gas_path.is_computed() && !c.ring.has_computed_gas) {
     throw InputError("the gas between the rings is computed for a whole ring pack, and this is a ring by itself",
@@ -123,6 +119,11 @@ Setup with_oil(const Case& c, PreparedOil oil, LandPressures lands) {
 }
 
 }  // namespace
+
+models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
+  if (land.computed) return computed_pressure(**land.computed);
+  return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
+}
 
 models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
 

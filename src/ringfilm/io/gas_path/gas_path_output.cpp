@@ -52,7 +52,7 @@ std::string column_name(const std::string& what, std::string name) {
 GasPathDocument gas_path_document(const cycle::Case& c) {
   const gas_path::Pack pack = cycle::gas_pack(c);
   GasPathDocument document;
-  document.result = gas_path::solve_gas_path(pack);
+  document.result = gas_path::solve_gas_path(pack, cycle::given_pressures(c));
   document.title = c.title;
   for (CaseEntry& entry : case_entries(c)) {
     if (is_gas_entry(entry)) document.inputs.push_back(std::move(entry));

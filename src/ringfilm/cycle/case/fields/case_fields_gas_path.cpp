@@ -5,14 +5,16 @@
 namespace ringfilm::cycle::table {
 namespace {
 
-constexpr When kComputedGas{[](const Case& c) { return c.gas_path.is_computed(); },
-                            "gas_path.model = \"orifice-volume\""};
-constexpr When kRingInGroove{
-    [](const Case& c) { return c.gas_path.is_computed() && c.ring.gas_path.kind == RingKind::kCompression; },
-    "gas_path.model = \"orifice-volume\" and ring.kind = \"compression\""};
+/// Does the gas flow through gaps and clearances? With given pressures for `ringfilm gas` alone.
+bool has_gas_path(const Case& c) { return c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath; }
 
+constexpr When kComputedGas{[](const Case& c) { return has_gas_path(c); },
+                            "gas_path.model = \"orifice-volume\", or for ringfilm gas"};
+constexpr When kRingInGroove{
+    [](const Case& c) { return has_gas_path(c) && c.ring.gas_path.kind == RingKind::kCompression; },
+    "gas_path.model = \"orifice-volume\", or for ringfilm gas, and ring.kind = \"compression\""};
 constexpr When kPartOfPack{[](const Case& c) {
-                             return c.gas_path.is_computed() || c.ring.gas_path.kind == RingKind::kOil ||
+                             return has_gas_path(c) || c.ring.gas_path.kind == RingKind::kOil ||
                                     c.stated.contains("ring.kind");
                            },
                            "gas_path.model = \"orifice-volume\", or it is stated"};
@@ -30,7 +32,7 @@ std::vector<Field> common_fields() {
       field("gas_path.model", choice<&Case::gas_path, &GasPath::model>({"given", "orifice-volume"}), kNoUnit, {},
             Need::kDefault, {},
             {"gas pressures between the rings as stated (ring.pressure_below), or computed from volumes, end gaps and "
-             "side clearances",
+             "side clearances; ringfilm gas with stated pressures computes the flows between them",
              "\"orifice-volume\""}),
       field("gas_path.ring_motion", choice<&Case::gas_path, &GasPath::ring_motion>({"seated", "axial"}), kNoUnit, {},
             Need::kDefault, kComputedGas,
