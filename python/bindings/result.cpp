@@ -344,10 +344,16 @@ py::object pack_item(const py::object& self, const GivenText& given) {
   throw py::key_error("this result has no " + name);
 }
 
-/// A part of the JSON document of a pack; None without it.
-py::object part_of_json(const PackObject& pack, const char* name) {
-  const py::object document = py::module_::import("json").attr("loads")(io::result_json(pack.document()));
-  return document.attr("get")(name);
+/// The JSON document of a pack.
+py::dict json_of(const PackObject& pack) {
+  return py::module_::import("json").attr("loads")(io::result_json(pack.document()));
+}
+
+/// A part of it; None without it.
+std::optional<py::dict> part_of_json(const PackObject& pack, const char* name) {
+  const py::dict document = json_of(pack);
+  if (!document.contains(name)) return std::nullopt;
+  return py::dict(document[name]);
 }
 
 void bind_pack(py::module_& module) {
@@ -376,7 +382,7 @@ void bind_pack(py::module_& module) {
       },
       "What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss.");
   type.def_property_readonly(
-      "by_ring", [](const PackObject& self) { return part_of_json(self, "by_ring"); },
+      "by_ring", [](const PackObject& self) { return py::list(json_of(self)["by_ring"]); },
       "The same of each ring, the rails of an oil ring added up, a list of dicts with ring, fmep, energy_per_cycle, "
       "mean_power_loss.");
   type.def_property_readonly(
