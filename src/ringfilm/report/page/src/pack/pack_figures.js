@@ -53,8 +53,9 @@ export function stackedFriction(packed) {
       ),
     ],
     caption:
-      'Boundary plus viscous friction without sign; each band is one ring or rail, from the chamber up, and the ' +
-      `upper line is the whole pack. Its peak: ${number(below[peak], 3)} N ${angleInWords(first.x[peak])}.`,
+      'Boundary plus viscous friction without sign; each band is one ring or rail, the one next to the ' +
+      'chamber at the bottom, and the upper line is the whole pack. Its peak: ' +
+      `${number(below[peak], 3)} N ${angleInWords(first.x[peak])}.`,
   };
 }
 
@@ -89,7 +90,8 @@ export function gasPressures(packed) {
       panel(packed, 'pack-pressures', { yLabel: 'absolute pressure', yUnit: 'bar', yScale: 'log' }, series),
     ],
     caption: gas
-      ? `Computed by the gas path, on a logarithmic axis; grooves dotted. Peaks: ${peaks || 'no piston land has a volume'}. ` +
+      ? 'Computed by the gas path, on a logarithmic axis; grooves dotted. ' +
+        `Peaks: ${peaks || 'no piston land has a volume'}. ` +
         'Where a piston land holds more than the cylinder, its ring may leave the lower flank.'
       : 'Pressures as the case gives them, on a logarithmic axis.',
   };
@@ -104,15 +106,16 @@ export function blowBy(packed) {
       gas.crank_angle,
       values.map((v) => v * kMilligrams),
     );
-  const gaps = gas.paths
-    .map((path, i) => ({ number: Number(/^end gap (\d+)$/.exec(path.name)?.[1] ?? 0), i, path }))
-    .filter(({ number: n }) => n > 0);
-  const series = gaps.map(({ number: n, i }) => ({
+  const passages = gas.paths
+    .map((path, i) => ({ found: /^(end gap|face of ring) (\d+)$/.exec(path.name), i }))
+    .filter(({ found }) => found !== null);
+  const series = passages.map(({ found: [, kind, n], i }) => ({
     caseIndex: packed.cases[n - 1]?.series ?? null,
-    part: null,
-    label: `end gap of ring ${numbers[n - 1] ?? n}`,
+    part: kind === 'end gap' ? null : 'viscous',
+    label: `${kind === 'end gap' ? 'end gap' : 'face'} of ring ${numbers[n - 1] ?? n}`,
     ...onAxis(gas.flow[i]),
   }));
+  const faces = passages.some(({ found }) => found[1] !== 'end gap');
   return {
     id: 'pack-blow-by',
     title: 'Blow-by',
@@ -126,7 +129,8 @@ export function blowBy(packed) {
       ),
     ],
     caption:
-      'Mass flow through the end gaps, positive to the crankcase; that of the last ring is the blow-by: ' +
+      `Mass flow through the end gaps${faces ? ' and, dotted, over the faces where films do not hold the gas' : ''}, ` +
+      'positive to the crankcase; that past the last ring is the blow-by: ' +
       `${number(gas.blow_by_per_cycle * kMilligrams, 3)} mg per cycle, ` +
       `${number(gas.blow_by_flow * kLitresPerMinute, 3)} l/min at 1.01325 bar and 25 °C.`,
   };

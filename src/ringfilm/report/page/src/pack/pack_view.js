@@ -46,8 +46,8 @@ export class PackDrawing {
       element(
         'figcaption',
         {},
-        'Widths of the rings and heights of the piston lands to scale, from the keys of the case; side clearances and ' +
-          'the gap to the liner enlarged, thicknesses not to scale. The darker a space, the higher its pressure ' +
+        'Widths of the rings and heights of the piston lands to scale, from the keys of the case; side clearances ' +
+          'and the gap to the liner enlarged, thicknesses not to scale. The darker a space, the higher its pressure ' +
           '(logarithmic). Rings are drawn where they are in their grooves at this crank angle.',
       ),
     );
