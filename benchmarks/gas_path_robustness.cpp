@@ -52,7 +52,7 @@ Pack random_pack(unsigned seed) {
 }
 
 struct Counts {
-  int stopped = 0, not_positive = 0, mass_lost = 0, not_periodic = 0;
+  int stopped = 0, not_positive = 0, mass_lost = 0, not_periodic = 0, sub_harmonic = 0;
   double largest_defect = 0;
 };
 
@@ -66,6 +66,8 @@ void solve_one(unsigned seed, Counts& counts) {
     counts.not_positive += !positive;
     counts.mass_lost += result.mass_defect > kMassDefect;
     counts.not_periodic += !result.repeats;
+    counts.sub_harmonic += !result.repeats && result.period > 1;
+    if (!result.repeats) std::printf("%u: repeats every %d cycles (0: never)\n", seed, result.period);
     counts.largest_defect = std::max(counts.largest_defect, result.mass_defect);
   } catch (const std::exception& error) {
     std::printf("%u: %s\n", seed, error.what());
@@ -87,8 +89,11 @@ int main(int argc, char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   for (unsigned n = first; n < first + count; ++n) solve_one(n, counts);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  std::printf("%u packs in %.0f s: %d stopped, %d not positive, %d lose mass (largest defect %.2g), %d do not repeat\n",
-              count, seconds, counts.stopped, counts.not_positive, counts.mass_lost, counts.largest_defect,
-              counts.not_periodic);
+  std::printf(
+      "%u packs in %.0f s: %d stopped, %d not positive, %d lose mass (largest defect %.2g), %d do not repeat from "
+      "cycle "
+      "to cycle, %d of them after several\n",
+      count, seconds, counts.stopped, counts.not_positive, counts.mass_lost, counts.largest_defect, counts.not_periodic,
+      counts.sub_harmonic);
   return counts.stopped + counts.not_positive + counts.mass_lost > 0;
 }

@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "progress.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/gas_through_films.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/rails_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/cycle/simulate_pack.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
@@ -97,10 +98,19 @@ class LineWatch : public ComputationWatch {
   std::optional<IntegrationProgress> integration_;
 };
 
+/// A request among the rings of all.
+struct RequestedRings {
+  std::size_t n_rings = 0;           ///< of the pack, each rail of an oil ring by itself; 0: one ring
+  std::vector<std::size_t> rails;    ///< cycle::rail_number of each ring of the pack
+  std::vector<std::string> labels;   ///< cycle::ring_label likewise
+  std::optional<io::PackGas> gas{};  ///< where it is computed
+};
+
 /// The rings of all requests: to be integrated one by one, or several together.
 struct Rings {
   std::vector<RunRequest> requests;
   std::vector<std::size_t> together;  ///< sizes of the groups that follow one another in `requests`
+  std::vector<RequestedRings> of_request;
 };
 
 std::vector<Computation> of_rings(const Rings& rings, const study::BatchOptions& options, ComputationWatch& watch) {
@@ -149,20 +159,26 @@ std::vector<Computation> of_rings(const Rings& rings, const study::BatchOptions&
 }
 
 /// The rings of a pack as requests of their own; of others the request as it is.
-void append_rings(const RunRequest& requested, Rings& rings) {
-  const std::size_t n = requested.input.rings.size();
+void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& watch) {
+  if (requested.input.gas_path.passes_films()) watch.begins(requested);
+  cycle::CaseWithGas pack = cycle::solve_gas_through_films(cycle::with_rails(requested.input), &watch);
+  const std::size_t n = pack.input.rings.size();
+  RequestedRings& of = rings.of_request.emplace_back(RequestedRings{n, {}, {}});
+  if (pack.gas) of.gas = io::pack_gas(*pack.gas, pack.input.gas_path.gas_constant);
   if (n == 0) {
     rings.requests.push_back(requested);
-    rings.requests.back().input = cycle::with_gas_path(requested.input);
+    rings.requests.back().input = std::move(pack.input);
     rings.together.push_back(1);
+    return;
   }
-  const cycle::Case pack = n == 0 ? cycle::Case{} : cycle::with_gas_path(requested.input);
   for (std::size_t i = 0; i < n; ++i) {
+    of.rails.push_back(cycle::rail_number(requested.input, i));
+    of.labels.push_back(cycle::ring_label(requested.input, i));
     rings.requests.push_back(requested);
-    rings.requests.back().input = pack.rings[i];
-    rings.requests.back().name += fmt::format(", ring {}", i + 1);
+    rings.requests.back().input = pack.input.rings[i];
+    rings.requests.back().name += ", ring " + cycle::ring_label(requested.input, i);
   }
-  if (cycle::shares_oil(requested.input)) {
+  if (cycle::shares_oil(pack.input)) {
     refuse_inquiries(requested);
     rings.together.push_back(n);
   } else {
@@ -174,16 +190,18 @@ void append_rings(const RunRequest& requested, Rings& rings) {
   }
 }
 
-Computation pack_of(const std::string& title, std::vector<Computation> rings) {
+Computation pack_of(const std::string& title, std::vector<Computation> rings, RequestedRings of) {
   Computation pack;
   std::vector<io::ResultDocument> documents;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     documents.push_back(std::move(rings[i].document));
+    documents.back().rail = static_cast<long>(of.rails[i]);
     if (!rings[i].stopped || pack.stopped) continue;
-    pack.stopped = ConvergenceError(fmt::format("ring {}: {}", i + 1, rings[i].stopped->what()),
+    pack.stopped = ConvergenceError(fmt::format("ring {}: {}", of.labels[i], rings[i].stopped->what()),
                                     rings[i].stopped->crank_angle_deg());
   }
   pack.document = io::pack_document(title, std::move(documents));
+  pack.document.gas = std::move(of.gas);
   return pack;
 }
 
@@ -197,16 +215,17 @@ std::vector<Computation> computations(const std::vector<RunRequest>& requested, 
 std::vector<Computation> computations(const std::vector<RunRequest>& requested, const study::BatchOptions& options,
                                       ComputationWatch& watch) {
   Rings rings;
-  for (const RunRequest& one : requested) append_rings(one, rings);
+  for (const RunRequest& one : requested) append_rings(one, rings, watch);
   std::vector<Computation> singles = of_rings(rings, options, watch);
   std::vector<Computation> all;
   auto next = std::make_move_iterator(singles.begin());
-  for (const RunRequest& one : requested) {
-    const auto n = static_cast<std::ptrdiff_t>(one.input.rings.size());
+  for (std::size_t i = 0; i < requested.size(); ++i) {
+    RequestedRings& of = rings.of_request[i];
+    const auto n = static_cast<std::ptrdiff_t>(of.n_rings);
     if (n == 0) {
       all.push_back(*next++);
     } else {
-      all.push_back(pack_of(one.input.title, {next, next + n}));
+      all.push_back(pack_of(requested[i].input.title, {next, next + n}, std::move(of)));
       next += n;
     }
   }

@@ -72,6 +72,27 @@ def gas_between_rings():
     return picture
 
 
+def pack_friction():
+    """Friction of the rings of the shipped pack, one upon the other."""
+    picture = Picture("Friction of a ring pack over the cycle, rings added up", 366)
+    mark_synthetic(picture)
+    panel = cycle_panel(picture, 74, 230, 0, 180)
+    panel.title("friction, rings added up [N]")
+    panel.y_axis("", range(0, 181, 30))
+    panel.crank()
+    rings = ringfilm.Case.read(str(ROOT / "cases" / "ring-pack" / "three_rings.toml")).run().rings
+    parts = ((rings[:1], Style(BLUE), "top ring"), (rings[1:2], Style(ORANGE, "7 3"), "with second ring"))
+    parts += ((rings[2:], Style(BLACK), "pack"),)
+    total = 0
+    for films, style, _ in parts:
+        for film in films:
+            angle, friction = curves(film, "total_friction")
+            total = total + numpy.array(friction)
+        panel.curve(angle, list(total), style)
+    legend(picture, 80, 40, tuple((style, words) for _, style, words in parts), step=170)
+    return picture
+
+
 def friction_shares():
     """What carries the load, and what rubs, of the new ring."""
     picture = Picture("Load shares and friction of the new ring over the cycle", 564)
@@ -347,6 +368,7 @@ PICTURES = {
     "piston-motion": piston_motion,
     "gas-pressure": gas_pressure,
     "gas-between-rings": gas_between_rings,
+    "pack-friction": pack_friction,
     "friction-shares": friction_shares,
     "film-and-coefficient": film_and_coefficient,
     "cycle-values": cycle_values,

@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/rails_of_pack.hpp"
 #include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_text.hpp"
@@ -93,7 +94,7 @@ std::vector<std::string> check(CaseObject& self) {
   if (c.problem == cycle::Problem::kPad) {
     pad::prepare_pad(c);
   } else {
-    const Case with_gas = cycle::with_gas_path(c);
+    const Case with_gas = cycle::with_gas_path(cycle::with_rails(c));
     for (const Case& one : c.is_pack() ? with_gas.rings : std::vector<Case>{with_gas}) {
       for (const cycle::Note& note : cycle::prepare(one).notes) notes.push_back(note.message);
     }
@@ -119,7 +120,7 @@ py::dict assumed(const CaseObject& self) {
 std::vector<std::string> assumptions(CaseObject& self) {
   self.check();
   std::vector<std::string> statements;
-  const Case c = cycle::with_gas_path(self.value());
+  const Case c = cycle::with_gas_path(cycle::with_rails(self.value()));
   for (const study::LedgerEntry& entry : study::assumptions(c.is_pack() ? c.rings.front() : c)) {
     statements.push_back(entry.statement);
   }

@@ -344,6 +344,18 @@ py::object pack_item(const py::object& self, const GivenText& given) {
   throw py::key_error("this result has no " + name);
 }
 
+/// The JSON document of a pack.
+py::dict json_of(const PackObject& pack) {
+  return py::module_::import("json").attr("loads")(io::result_json(pack.document()));
+}
+
+/// A part of it; None without it.
+std::optional<py::dict> part_of_json(const PackObject& pack, const char* name) {
+  const py::dict document = json_of(pack);
+  if (!document.contains(name)) return std::nullopt;
+  return py::dict(document[name]);
+}
+
 void bind_pack(py::module_& module) {
   py::class_<PackObject> type(module, "PackResult", kPackDoc);
   type.def_property_readonly(
@@ -369,6 +381,19 @@ void bind_pack(py::module_& module) {
         return values;
       },
       "What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss.");
+  type.def_property_readonly(
+      "by_ring", [](const PackObject& self) { return py::list(json_of(self)["by_ring"]); },
+      "The same of each ring, the rails of an oil ring added up, a list of dicts with ring, fmep, energy_per_cycle, "
+      "mean_power_loss.");
+  type.def_property_readonly(
+      "gas", [](const PackObject& self) { return part_of_json(self, "gas"); },
+      "Blow-by, regions and ring_events of the gas between the rings, a dict as `ringfilm run --json` prints it; None "
+      "where the pressures are given. Its curves are variables of the result: gas_region_pressure, gas_path_flow, "
+      "ring_position.");
+  type.def_property_readonly(
+      "oil", [](const PackObject& self) { return part_of_json(self, "oil"); },
+      "Film on the liner above the pack and the upper bound of oil to the chamber, a dict in SI; None where the oil on "
+      "the liner is not followed.");
   type.def_property_readonly(
       "complete", [](const PackObject& self) { return self.document().result.complete; },
       "False where the integration of one ring stopped.");

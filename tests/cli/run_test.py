@@ -384,6 +384,14 @@ class Pack(program.ProgramTest):
         for ring, single in enumerate(singles, start=1):
             self.assertEqual([row[1:] for row in pack[1:] if row[0] == str(ring)], single[1:])
 
+    def test_a_pack_of_one_ring_has_the_bits_of_the_single_ring(self):
+        given = 'pressure_above = "3 bar"\npressure_below = "1.4 bar"\n'
+        self.write("one.toml", HEAD + "[[ring]]" + SECOND + given)
+        self.write("single.toml", HEAD + "[ring]" + SECOND + given)
+        rows, single = self.rows("one.toml"), self.rows("single.toml")
+        self.assertEqual(rows[0], ["ring"] + single[0])
+        self.assertEqual([row[1:] for row in rows[1:]], single[1:])
+
     def test_json_has_each_ring_and_the_sum(self):
         pack = json.loads(self.run_well("run", "pack.toml", "--json"))
         singles = [json.loads(self.run_well("run", name, "--json")) for name in ("top.toml", "second.toml")]
@@ -448,12 +456,28 @@ class Pack(program.ProgramTest):
         )
         self.assertIn("there are 3 rings", self.refused("run", "pack.toml", "--set", "ring.4.face_width=1 mm"))
         self.assertIn(
-            "belongs to no ring of the pack", self.refused("run", "pack.toml", "--set", "ring.face_width=1 mm")
+            "a key of one ring is ring.1.face_width", self.refused("run", "pack.toml", "--set", "ring.face_width=1 mm")
         )
+        refused = self.refused("run", "pack.toml", "--set", "ring.0.face_width=1 mm")
+        self.assertIn("unknown key ring.0.face_width: rings count from 1", refused)
+        self.assertNotIn("did you mean", refused)
+        refused = self.refused("run", "pack.toml", "--set", "ring.1.gap=0.3 mm")
+        self.assertIn("did you mean ring.1.end_gap?", refused)
+        self.assertNotIn("[pad]", refused)
 
     def test_missing_keys_name_their_ring(self):
         refused = self.refused("run", "pack.toml", "--set", "ring.2.face_width=")
         self.assertIn("ring 2: the key ring.face_width is missing", refused)
+
+    def test_a_mistake_in_a_common_key_is_reported_once(self):
+        for setting, words in (
+            ("engine.bore=", "the key engine.bore is missing"),
+            ("contact.asperity_radius=", "the key contact.asperity_radius is missing"),
+            ("engine.bore=5 m", 'engine.bore = "5 m" is out of range'),
+        ):
+            refused = self.refused("run", "pack.toml", "--set", setting)
+            self.assertEqual(refused.count(words), 1, refused)
+            self.assertNotIn("ring 1:", refused)
 
     def test_a_study_takes_one_ring(self):
         self.write("study.toml", STUDY)

@@ -94,6 +94,7 @@ class Unrolled(program.ProgramTest):
     def test_bad_input_is_refused(self):
         cases = {
             "the circumference of the bore": ("film.dimension=unrolled", "ring.end_gap=280 mm"),
+            "then the ring is closed": ("film.dimension=unrolled", "ring.end_gap=0 mm"),
             'ring.end_gap = "-0.3 mm" is out of range': ("film.dimension=unrolled", "ring.end_gap=-0.3 mm"),
             'film.dimension = "unrolled"': ("ring.end_gap=0.3 mm",),
             "ring.gap_position": ("film.dimension=unrolled", "ring.gap_position=10 degree"),

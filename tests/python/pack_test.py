@@ -4,6 +4,7 @@ import pickle
 
 import numpy
 import pytest
+from conftest import SOURCES
 
 import ringfilm
 
@@ -122,3 +123,22 @@ def test_many_at_once_are_cases_of_one_ring(pack):
     refused, solved = ringfilm.simulate_many([pack, pack.rings[0]])
     assert "one ring" in refused.reason
     assert solved.reason == ""
+
+
+def test_friction_by_ring_adds_up_to_that_of_the_pack(pack):
+    result = pack.run()
+    assert [one["ring"] for one in result.by_ring] == [1, 2]
+    assert sum(one["fmep"] for one in result.by_ring) == pytest.approx(result.values["fmep"])
+    assert result.gas is None
+    assert result.oil is None
+
+
+def test_coupled_pack_has_its_gas_and_its_oil():
+    case = ringfilm.Case.read(SOURCES / "cases" / "ring-pack" / "three_rings.toml")
+    case["solver.cells"] = 50
+    result = case.run()
+    assert result.gas["blow_by_per_cycle"] > 1e-6
+    assert 0 < result.oil["oil_to_chamber_upper_bound"] < 1e-4
+    assert result["gas_region_pressure"].shape == (720, len(result.gas["regions"]))
+    assert len(result.rings) == 4
+    assert len(result.by_ring) == 3

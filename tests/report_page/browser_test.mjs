@@ -235,6 +235,34 @@ test('the page of a ring pack has the sum of its rings', async () => {
   await page.close();
 });
 
+for (const width of [420, 1400]) {
+  test(`a ring pack is drawn with its gas, and the slider moves its drawing at ${width} px`, async () => {
+    const { page, faults } = await opened('ring_pack.html', width);
+    const [wide, shown] = await page.evaluate(() => [
+      document.documentElement.scrollWidth,
+      window.innerWidth,
+    ]);
+    assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
+    for (const id of ['pack-friction', 'pack-pressures', 'pack-blow-by', 'pack-positions'])
+      assert.ok((await colouredPixels(page, `#${id}`)) > 200, `${id} shows no curve`);
+    const rows = await page.$$eval('#pack tbody tr', (nodes) => nodes.map((n) => n.textContent));
+    assert.equal(rows.length, 3);
+    assert.match(rows[2], /^pack/);
+    assert.match(await page.textContent('#pack-blow-by figcaption'), /2\.00 mg per cycle, 1\.26 l\/min/);
+    const cylinder = () =>
+      page.$eval('#pack-drawing svg', (svg) => Number(/cylinder ([\d.]+)/.exec(svg.textContent)[1]));
+    const atPeak = await cylinder();
+    await page.focus('#pack-angle');
+    await page.keyboard.press('Home');
+    assert.match(await page.textContent('#pack-drawing output'), /TDC/);
+    assert.ok((await cylinder()) < atPeak / 10, 'the drawing has the pressures of the slider');
+    const csv = (await downloaded(page, 'pack-friction', 'CSV')).bytes.toString('utf8').trim().split('\n');
+    assert.ok(csv.length > 700);
+    assert.deepEqual(faults, []);
+    await page.close();
+  });
+}
+
 test('no width of the window upsets the page', async () => {
   const { page, faults } = await opened('three.html', 1400);
   for (let width = 320; width <= 1440; width += 35) {

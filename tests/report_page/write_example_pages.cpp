@@ -10,6 +10,34 @@
 #include "ringfilm/report/measurement_page.hpp"
 #include "study_example.hpp"
 
+namespace {
+
+/// A pack with the gas of formulas: piston land 2 at a tenth of the cylinder, a ring that rises from 200 to 300 degree.
+ringfilm::io::ResultDocument pack_with_gas() {
+  using namespace ringfilm;
+  io::ResultDocument pack = io::pack_document("a pack", {example::document("top"), example::document("second", 0.7)});
+  const auto& samples = pack.rings.front().result.samples;
+  io::PackGas gas;
+  gas.regions = {
+      {"chamber", 62e5, 20, 6e5}, {"groove 1", 61e5, 21, 6e5}, {"land 2", 6e5, 90, 2e5}, {"crankcase", 1e5, 0, 1e5}};
+  gas.paths = {{"end gap 1", 2e-6}, {"above ring 1", 0}, {"below ring 1", 0}, {"end gap 2", 2e-6}};
+  gas.events = {{1, 200, "leaves-lower"}, {1, 210, "lands-upper"}, {1, 290, "leaves-upper"}, {1, 300, "lands-lower"}};
+  gas.rings = {{1}};
+  gas.blow_by_per_cycle = 2e-6;
+  gas.blow_by_flow = 2.1e-5;
+  for (int k = 0; k < 720; ++k) {
+    const double p = samples[k].gas_pressure;
+    gas.crank_angle_deg.push_back(k);
+    gas.pressure.insert(gas.pressure.end(), {p, 0.98 * p, 1e5 + 0.1 * p, 1e5});
+    gas.flow.insert(gas.flow.end(), {1e-10 * p, 0, 0, 2e-11 * p});
+    gas.position.push_back(k > 210 && k < 290 ? 50e-6 : 0);
+  }
+  pack.gas = std::move(gas);
+  return pack;
+}
+
+}  // namespace
+
 /// Writes the pages that the browser test opens: write_example_pages FOLDER
 int main(int argc, char** argv) {
   using namespace ringfilm;
@@ -46,7 +74,8 @@ int main(int argc, char** argv) {
 
   const io::ResultDocument pack =
       io::pack_document("a pack", {example::document("top"), example::document("second", 0.7)});
-  const bool pack_written = write("pack.html", report::report_page({pack}, {}));
+  const bool pack_written = write("pack.html", report::report_page({pack}, {})) &&
+                            write("ring_pack.html", report::report_page({pack_with_gas()}, {}));
 
   io::ResultDocument coarse = example::document("coarse grid");
   for (cycle::Sample& error : coarse.errors->samples) {

@@ -9,6 +9,7 @@
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/rails_of_pack.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/start/start_case.hpp"
@@ -33,12 +34,12 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
     cycle::ring_beam(input);
     return check;
   }
-  const cycle::Case with_gas = cycle::with_gas_path(input);
+  const cycle::Case with_gas = cycle::with_gas_path(cycle::with_rails(input));
   const std::vector<cycle::Case> rings = input.is_pack() ? with_gas.rings : std::vector{with_gas};
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check.assumptions.push_back(study::assumptions(rings[i]));
     for (cycle::Note note : cycle::prepare(rings[i]).notes) {
-      if (input.is_pack()) note.message = fmt::format("ring {}: {}", i + 1, note.message);
+      if (input.is_pack()) note.message = fmt::format("ring {}: {}", cycle::ring_label(input, i), note.message);
       check.notes.push_back(std::move(note));
     }
   }
@@ -55,12 +56,13 @@ void print_inputs(const io::CaseCheck& check) {
   }
 }
 
-void print_assumptions(const io::CaseCheck& check) {
+void print_assumptions(const io::CaseCheck& check, const cycle::Case& input) {
   for (std::size_t i = 0; i < check.assumptions.size(); ++i) {
     if (i == 0) {
       std::cout << "modelling assumptions, as in docs/theory/assumptions.md:\n";
     } else {
-      std::cout << fmt::format("modelling assumptions of ring {} where they differ from those of ring 1:\n", i + 1);
+      std::cout << fmt::format("modelling assumptions of ring {} where they differ from those of ring 1:\n",
+                               cycle::ring_label(input, i));
     }
     for (const study::LedgerEntry& one : check.assumptions[i]) {
       const auto is_same = [&one](const study::LedgerEntry& first) { return first.statement == one.statement; };
@@ -95,9 +97,10 @@ void check(const CheckOptions& options) {
     }
     return;
   }
-  const io::CaseCheck found = checked(case_with_settings(path, options.overrides), path);
+  const cycle::Case input = case_with_settings(path, options.overrides);
+  const io::CaseCheck found = checked(input, path);
   print_inputs(found);
-  print_assumptions(found);
+  print_assumptions(found, input);
   for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";
 }
 

@@ -64,6 +64,7 @@ constexpr const char* kGasFooter = R"(Examples:
   ringfilm gas cases/ring-pack/two_rings.toml
   ringfilm gas cases/ring-pack/two_rings.toml --set gas_path.ring_motion=axial --json
   ringfilm gas case.toml --set operating.speed='4500 rpm' --csv gas.csv
+  ringfilm gas case.toml --vary operating.speed='1000 rpm, 3000 rpm' --vary ring.1.gap_area='0.05 mm2, 0.1 mm2'
 
 The gas alone is computed: keys of oil, contact and film may be missing.
 )";
@@ -230,9 +231,17 @@ class Commands {
     auto& command = add("gas", "Compute the gas between the rings of a pack: pressures, blow-by, ring motion", [this] {
       const std::string case_path = gas_words_.case_path();
       if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
-      gas({case_path, gas_words_.overrides(), csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable});
+      gas({case_path, gas_words_.overrides(), csv_, output_, varied_,
+           json_ ? SummaryForm::kJson : SummaryForm::kTable});
     });
     gas_words_.add_to(command);
+    command.add_option("-o,--output", output_, "write values and curves of the gas as NetCDF-4")->type_name("X.nc");
+    command
+        .add_option("--vary", varied_,
+                    "compute all combinations of the values of one or more keys (repeat it) and print blow-by and peak "
+                    "pressures of each as CSV")
+        ->type_name("KEY=VALUE,VALUE,...")
+        ->allow_extra_args(false);
     command
         .add_option("--csv", csv_,
                     "write pressures, flows and ring positions over crank angle as CSV, SI units; without a name: "
@@ -364,6 +373,7 @@ class Commands {
   Actions actions_;
   CaseArguments run_words_, check_words_, gas_words_;
   std::optional<std::string> output_, csv_, jobs_, vts_shape_;
+  std::vector<std::string> varied_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
   NewOptions new_;
   ReportOptions report_;

@@ -7,6 +7,7 @@
 #include "commands/commands.hpp"
 #include "computation.hpp"
 #include "output_names.hpp"
+#include "ringfilm/cycle/rails_of_pack.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
@@ -89,8 +90,9 @@ void run(const RunOptions& options) {
   if (options.summary == SummaryForm::kJson) {
     std::cout << io::result_json(done.document);
   } else {
+    const cycle::Case shown = cycle::with_rails(input);
     for (std::size_t i = 0; i < rings.size(); ++i) {
-      std::cout << (i > 0 ? "\n" : "") << summary(input.is_pack() ? input.rings[i] : input, rings[i]);
+      std::cout << (i > 0 ? "\n" : "") << summary(shown.is_pack() ? shown.rings[i] : shown, rings[i]);
       if (rings[i].ledger_computed) std::cout << "\n" << ledger_table(rings[i]);
     }
     if (input.is_pack()) std::cout << "\n" << pack_summary(done.document);

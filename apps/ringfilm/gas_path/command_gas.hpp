@@ -11,7 +11,8 @@ namespace ringfilm::app {
 struct GasOptions {
   std::string case_path;
   std::vector<io::Override> overrides;
-  std::optional<std::string> csv;
+  std::optional<std::string> csv, output;
+  std::vector<std::string> varied;  ///< as written: KEY=VALUE, VALUE, ...
   SummaryForm summary = SummaryForm::kTable;
 };
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "ringfilm/io/gas_path/pack_sums.hpp"
 #include "text/engineering_text.hpp"
 #include "text/wrapped_text.hpp"
 
@@ -166,6 +167,38 @@ std::string oil_temperature(const cycle::Case& c) {
                                                               : "its walls (their mean)");
 }
 
+std::string ring_shares(const std::vector<io::RingSums>& rings, double whole) {
+  std::string text;
+  for (const io::RingSums& ring : rings) {
+    text += fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring, ring.fmep * 1e-3,
+                        ring.mean_power_loss, percent(ring.mean_power_loss, whole));
+  }
+  return text;
+}
+
+std::string pack_oil_lines(const io::ResultDocument& pack) {
+  const std::optional<io::PackOil> oil = io::pack_oil(pack);
+  if (!oil) return "";
+  return wrapped(words(fmt::format(
+      "oil on the liner above the first ring: {:.4g} um after the power stroke, {:.4g} um after the intake stroke; it "
+      "leaves {:.3g} mg at TDC per cycle; upper bound of oil to the chamber: {:.3g} mg per cycle (all oil that it "
+      "leaves on the liner on downstrokes)",
+      oil->film_after_power_stroke * 1e6, oil->film_after_intake_stroke * 1e6, oil->left_at_tdc * 1e6,
+      oil->to_chamber_upper_bound * 1e6)));
+}
+
+std::string pack_gas_lines(const io::ResultDocument& pack) {
+  if (!pack.gas) return "";
+  std::string text =
+      fmt::format("blow-by {:.4g} mg per cycle, {:.4g} l/min at 1.01325 bar and 25 degC; peaks of pressure",
+                  pack.gas->blow_by_per_cycle * 1e6, pack.gas->blow_by_flow * 6e4);
+  for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
+    const gas_path::RegionValues& region = pack.gas->regions[i];
+    text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, region.peak_pressure * 1e-5);
+  }
+  return wrapped(words(text));
+}
+
 }  // namespace
 
 std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
@@ -187,9 +220,11 @@ std::string pack_summary(const io::ResultDocument& pack) {
     return in_words(quantity, pack.result.values.*quantity.value);
   };
   if (!pack.result.complete) return "all rings: no sums, since one stopped\n";
+  const std::vector<io::RingSums> rings = io::ring_sums(pack);
   return wrapped(
-      words(fmt::format("all {} rings: friction mean effective pressure {}, mean power loss {}, {} per cycle",
-                        pack.rings.size(), shown("fmep"), shown("mean_power_loss"), shown("energy_per_cycle"))));
+             words(fmt::format("all {} rings: friction mean effective pressure {}, mean power loss {}, {} per cycle",
+                               rings.size(), shown("fmep"), shown("mean_power_loss"), shown("energy_per_cycle")))) +
+         ring_shares(rings, pack.result.values.mean_power_loss) + pack_oil_lines(pack) + pack_gas_lines(pack);
 }
 
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/land_pressure.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -31,18 +33,24 @@ gas_path::Ring gas_ring(const Case& c) {
   of.gap_area = gas.gap_area ? *gas.gap_area : ring.end_gap.value() * gas.land_clearance.value();
   of.volume_below = gas.volume_below;
   of.temperature_below = gas.temperature_below;
+  of.face_opening = gas.face_opening;
+  of.face_width = ring.face_width;
   if (of.kind == RingKind::kOil) return of;
   of.groove_volume = gas.groove_volume.value();
   of.groove_temperature = gas.groove_temperature;
   of.side_clearance = gas.side_clearance.value();
   of.land_clearance = gas.land_clearance.value();
   of.radial_thickness = ring.radial_thickness.value();
-  if (c.gas_path.ring_motion == RingMotion::kSeated) return of;
-  of.face_width = ring.face_width;
+  if (c.gas_path.ring_motion == RingMotion::kSeated) return of;  // its mass may be missing
   of.elastic_pressure = elastic_pressure(c);
   of.mass = ring_mass(c);
   of.bore_friction_coefficient = gas.bore_friction_coefficient;
   return of;
+}
+
+/// The pressure that a case states next to a ring, or another one.
+models::CyclePressure stated_or(const Case& c, const LandPressure& land, const models::CyclePressure& other) {
+  return land.is_stated() ? land_pressure(c, land) : other;
 }
 
 /// The pressure of a region, degree by degree.
@@ -71,6 +79,11 @@ gas_path::Pack gas_pack(const Case& c) {
   pack.speed = c.operating.speed;
   pack.chamber = cylinder_pressure(c);
   pack.crankcase = crankcase_pressure(c);
+  if (!path.is_computed()) {
+    const Case &first = c.is_pack() ? c.rings.front() : c, &last = c.is_pack() ? c.rings.back() : c;
+    pack.chamber = stated_or(first, first.ring.pressure_above, pack.chamber);
+    pack.crankcase = stated_or(last, last.ring.pressure_below, pack.crankcase);
+  }
   pack.chamber_temperature = path.chamber_temperature;
   pack.crankcase_temperature = path.crankcase_temperature;
   pack.gas = {path.gas_constant, path.heat_capacity_ratio, path.viscosity, path.discharge_coefficient,
@@ -93,10 +106,20 @@ void put_gas_pressures(Ring& ring, const gas_path::Pack& pack, const gas_path::G
   ring.has_computed_gas = true;
 }
 
-Case with_gas_path(Case c) {
-  if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return c;
+gas_path::GivenPressures given_pressures(const Case& c) {
+  gas_path::GivenPressures below;
+  if (c.gas_path.is_computed()) return below;
+  for (const Case& ring : c.rings) {
+    const LandPressure& stated = ring.ring.pressure_below;
+    below.push_back(stated.is_stated() ? std::optional(land_pressure(ring, stated)) : std::nullopt);
+  }
+  return below;
+}
+
+CaseWithGas solve_gas_of_case(Case c) {
+  if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return {std::move(c), std::nullopt};
   const gas_path::Pack pack = gas_pack(c);
-  const gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
+  gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
   put_gas_pressures(c.ring, pack, result, 0);
   for (std::size_t i = 0; i < c.rings.size(); ++i) put_gas_pressures(c.rings[i].ring, pack, result, i);
   std::vector<std::string>& notes = c.is_pack() ? c.rings.front().notes : c.notes;
@@ -108,8 +131,10 @@ Case with_gas_path(Case c) {
     const bool is_of_trace = note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic";
     if (!is_of_trace) notes.push_back(note.message);
   }
-  return c;
+  return {std::move(c), std::move(result)};
 }
+
+Case with_gas_path(Case c) { return solve_gas_of_case(std::move(c)).input; }
 
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
   std::vector<Note> notes;
@@ -128,11 +153,13 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
                      static_cast<int>(fluttering.size())});
   }
   if (!result.repeats) {
-    notes.push_back({"gas-path-not-periodic",
-                     "the gas between the rings does not repeat from cycle to cycle: after " +
-                         std::to_string(result.cycles) + " cycles a pressure changes by a share of " +
-                         number_text(result.periodicity),
-                     1});
+    const std::string when =
+        result.period > 0 ? "it repeats every " + std::to_string(result.period) +
+                                " cycles: blow-by is their mean, curves are those of the last"
+                          : "after " + std::to_string(result.cycles) + " cycles a pressure changes by a share of " +
+                                number_text(result.periodicity) + ", and no period of several cycles is found";
+    notes.push_back(
+        {"gas-path-not-periodic", "the gas between the rings does not repeat from cycle to cycle: " + when, 1});
   }
   sort_notes(notes);
   return notes;

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
@@ -15,9 +16,21 @@ gas_path::Pack gas_pack(const Case& c);
 void put_gas_pressures(Ring& ring, const gas_path::Pack& pack, const gas_path::GasPathResult& result,
                        std::size_t index);
 
+/// The pressures below its rings where the case states them (gas_path.model = "given"); empty otherwise.
+gas_path::GivenPressures given_pressures(const Case& c);
+
+/// A case whose rings have the pressures of their gas path.
+struct CaseWithGas {
+  Case input;
+  std::optional<gas_path::GasPathResult> gas;  ///< absent where the pressures are given
+};
+
 /// The case with the gas path of its pack computed, where gas_path.model asks for it: each ring has the pressures of
 /// the piston lands at its edges and that of its groove behind it, and the first a note on the blow-by. Others as they
 /// are. Throws ConvergenceError where the gas is not found.
+CaseWithGas solve_gas_of_case(Case c);
+
+/// Likewise, without what the gas does.
 Case with_gas_path(Case c);
 
 /// Notes on the gas of a pack: those of its cylinder pressure, rings that flutter, cycles that do not repeat.

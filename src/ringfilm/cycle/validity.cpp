@@ -153,7 +153,7 @@ constexpr double kLargestEndGap = 0.01;  // of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
-void append_breakthrough_note(const std::vector<Sample>& base, std::vector<Note>& notes) {
+void append_breakthrough_note(const Case& c, const std::vector<Sample>& base, std::vector<Note>& notes) {
   const auto broken = [](const Sample& s) { return s.gas_breakthrough > 0; };
   const auto first = std::find_if(base.begin(), base.end(), broken);
   if (first == base.end()) return;
@@ -161,8 +161,9 @@ void append_breakthrough_note(const std::vector<Sample>& base, std::vector<Note>
   notes.push_back(
       {"gas-breaks-through",
        text("gas of an edge reaches the lowest place of the face, first at %.0f and last at %.0f degree: the "
-            "film does not hold it there, and how much gas blows through is not computed",
-            first->crank_angle_deg, last->crank_angle_deg),
+            "film does not hold it there%s",
+            first->crank_angle_deg, last->crank_angle_deg,
+            c.gas_path.passes_films() ? "" : ", and how much gas blows through is not computed"),
        count(base, broken)});
 }
 
@@ -354,7 +355,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_limit_notes(setup, base, fmep, notes);
   append_asperity_notes(setup, base, notes);
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
-  append_breakthrough_note(base, notes);
+  append_breakthrough_note(setup.input, base, notes);
   append_heating_note(setup, base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
   append_grid_note(setup, notes);

@@ -82,7 +82,7 @@ void CycleIntegration::integrate() {
   const auto stored = [&] {
     double mass = 0;
     for (std::size_t i = 0; i < state_.pressure.size(); ++i) {
-      mass += network_.regions()[i + 1].capacity * state_.pressure[i] * PackSystem::kPressureUnit;
+      mass += network_.regions()[network_.inner()[i]].capacity * state_.pressure[i] * PackSystem::kPressureUnit;
     }
     return mass;
   };
@@ -91,16 +91,17 @@ void CycleIntegration::integrate() {
     record_degree((static_cast<int>(kBeginDeg) + i) % kCycleDegrees);
     advance_to(kBeginDeg + i + 1);
   }
-  double in = 0, out = 0, gross = 0;
+  double in = 0, out = 0, blow_by = 0, gross = 0;
   const std::size_t crankcase = network_.n_regions() - 1;
   for (std::size_t k = 0; k < result_.paths.size(); ++k) {
     const Path& path = result_.paths[k];
-    if (path.from == 0) in += result_.transported[k];
-    if (path.to == crankcase) out += result_.transported[k];
-    if (path.from == crankcase) out -= result_.transported[k];
-    if (path.from == 0 || path.to == crankcase) gross += passed_[k];
+    if (!network_.is_inner(path.from)) in += result_.transported[k];
+    if (!network_.is_inner(path.to)) out += result_.transported[k];
+    if (path.to == crankcase) blow_by += result_.transported[k];
+    if (path.from == crankcase) blow_by -= result_.transported[k];
+    if (!network_.is_inner(path.from) || !network_.is_inner(path.to)) gross += passed_[k];
   }
-  result_.blow_by = out;
+  result_.blow_by = blow_by;
   const double defect = std::abs(in - out - (stored() - stored_before_));
   result_.mass_defect = defect > 0 ? defect / (gross + stored_before_) : 0;
 }
@@ -243,11 +244,12 @@ void CycleIntegration::commit(double h) {
   for (std::size_t k = 0; k < n_paths; ++k) {
     const Path& path = result_.paths[k];
     result_.transported[k] += moved[k];
-    if (system_.is_inner(path.from)) change[path.from - 1] -= moved[k];
-    if (system_.is_inner(path.to)) change[path.to - 1] += moved[k];
+    if (system_.is_inner(path.from)) change[network_.unknown(path.from)] -= moved[k];
+    if (system_.is_inner(path.to)) change[network_.unknown(path.to)] += moved[k];
   }
   for (std::size_t i = 0; i < n_inner; ++i) {
-    state_.pressure[i] = y_[i] + change[i] / (network_.regions()[i + 1].capacity * PackSystem::kPressureUnit);
+    const double capacity = network_.regions()[network_.inner()[i]].capacity;
+    state_.pressure[i] = y_[i] + change[i] / (capacity * PackSystem::kPressureUnit);
   }
 }
 
@@ -256,7 +258,7 @@ void CycleIntegration::update_peaks(double h) {
   for (const double share : kLooks) {
     step_.interpolate(share, at_);
     for (std::size_t i = 0; i < system_.n_inner(); ++i) {
-      RegionValues& region = result_.regions[i + 1];
+      RegionValues& region = result_.regions[network_.inner()[i]];
       const double p = at_[i] * PackSystem::kPressureUnit;
       if (p <= region.peak_pressure) continue;
       region.peak_pressure = p;
@@ -312,12 +314,12 @@ void CycleIntegration::reshape_sensitivity(const std::vector<std::size_t>& free_
 
 GasPathResult CycleIntegration::result() const {
   GasPathResult result = result_;
-  const auto given = [](const models::CyclePressure& trace, RegionValues& region) {
-    region.peak_pressure = trace.peak();
-    region.peak_pressure_angle_deg = trace.peak_angle_deg();
-  };
-  given(network_.pack().chamber, result.regions.front());
-  given(network_.pack().crankcase, result.regions.back());
+  for (std::size_t r = 0; r < result.regions.size(); ++r) {
+    const models::CyclePressure* given = network_.regions()[r].given;
+    if (given == nullptr) continue;
+    result.regions[r].peak_pressure = given->peak();
+    result.regions[r].peak_pressure_angle_deg = given->peak_angle_deg();
+  }
   std::stable_sort(result.events.begin(), result.events.end(),
                    [](const RingEvent& a, const RingEvent& b) { return a.crank_angle_deg < b.crank_angle_deg; });
   result.duration = base::kCycleDeg * system_.seconds_per_degree();

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace ringfilm::gas_path {
 namespace {
 
 Region region(const std::string& name, double volume, double temperature, double gas_constant) {
-  return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature)};
+  return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature), nullptr};
 }
 
 std::string numbered(const char* name, std::size_t number) { return name + std::to_string(number); }
@@ -18,6 +19,11 @@ models::GasChannel side_channel(const Pack& pack, const Ring& ring) {
   const double outer = pack.bore - 2 * ring.land_clearance, inner = pack.bore - 2 * ring.radial_thickness;
   return {std::numbers::pi * (outer + inner) / 2, (outer - inner) / 2, pack.gas.viscosity, pack.gas.gas_constant,
           ring.groove_temperature};
+}
+
+/// The gap over the face of a ring, around the bore. @param temperature of the gas above the ring [K]
+models::GasChannel face_channel(const Pack& pack, const Ring& ring, double temperature) {
+  return {std::numbers::pi * pack.bore, ring.face_width, pack.gas.viscosity, pack.gas.gas_constant, temperature};
 }
 
 double disc(double diameter) { return std::numbers::pi / 4 * diameter * diameter; }
@@ -33,15 +39,21 @@ std::string path_name(const Path& path) {
       return numbered("above ring ", number);
     case PathKind::kBelowRing:
       return numbered("below ring ", number);
+    case PathKind::kFace:
+      return numbered("face of ring ", number);
   }
   return "";
 }
 
-Network::Network(const Pack& pack)
-    : pack_(pack), law_(pack.gas.heat_capacity_ratio, pack.gas.choking_smoothing), borders_(pack.rings.size()) {
+Network::Network(const Pack& pack, GivenPressures given)
+    : pack_(pack),
+      given_(std::move(given)),
+      law_(pack.gas.heat_capacity_ratio, pack.gas.choking_smoothing),
+      borders_(pack.rings.size()) {
   const double R = pack.gas.gas_constant;
   const std::size_t n = pack.rings.size();
-  regions_.push_back({"chamber", pack.chamber_temperature, 0});
+  given_.resize(n);
+  regions_.push_back({"chamber", pack.chamber_temperature, 0, &pack.chamber});
   std::vector<std::size_t> groove(n), below(n);  // of each ring; 0: the piston land below has no volume
   for (std::size_t i = 0; i < n; ++i) {
     const Ring& ring = pack.rings[i];
@@ -49,13 +61,20 @@ Network::Network(const Pack& pack)
       groove[i] = regions_.size();
       regions_.push_back(region(numbered("groove ", i + 1), ring.groove_volume, ring.groove_temperature, R));
     }
-    if (ring.volume_below > 0 && i + 1 < n) {
+    if ((ring.volume_below > 0 || given_[i]) && i + 1 < n) {
       below[i] = regions_.size();
       regions_.push_back(region(numbered("land ", i + 2), ring.volume_below, ring.temperature_below, R));
+      if (given_[i]) regions_.back().given = &*given_[i];
     }
   }
   const std::size_t crankcase = regions_.size();
-  regions_.push_back({"crankcase", pack.crankcase_temperature, 0});
+  regions_.push_back({"crankcase", pack.crankcase_temperature, 0, &pack.crankcase});
+  unknown_.resize(regions_.size());
+  for (std::size_t r = 0; r < regions_.size(); ++r) {
+    if (!is_inner(r)) continue;
+    unknown_[r] = inner_.size();
+    inner_.push_back(r);
+  }
   for (std::size_t i = n; i-- > 0;) {
     if (below[i] == 0) below[i] = i + 1 < n ? below[i + 1] : crankcase;
   }
@@ -70,6 +89,10 @@ void Network::add_ring(std::size_t ring, std::size_t above, std::size_t below) {
   borders_[ring].above = above;
   borders_[ring].below = below;
   if (above != below) paths_.push_back({PathKind::kEndGap, ring, above, below});
+  faces_.push_back(face_channel(pack_, pack_.rings[ring], regions_[above].temperature));
+  if (above != below && !pack_.rings[ring].face_opening.empty()) {
+    paths_.push_back({PathKind::kFace, ring, above, below});
+  }
   if (!has_groove(ring)) return;
   paths_.push_back({PathKind::kAboveRing, ring, above, borders_[ring].groove});
   if (pack_.ring_motion == RingMotion::kAxial) {
@@ -83,24 +106,47 @@ double Network::flow(const Path& path, double p_from, double p_to, double positi
     return orifice_flow(law_, pack_.gas.discharge_coefficient * ring.gap_area, pack_.gas.gas_constant,
                         {p_from, regions_[path.from].temperature}, {p_to, regions_[path.to].temperature});
   }
+  if (path.kind == PathKind::kFace) return faces_[path.ring].limited_flow(law_, position, p_from, p_to);
   const models::GasChannel& channel = channels_[path.ring];
   if (pack_.ring_motion == RingMotion::kSeated) return channel.flow(ring.side_clearance, p_from, p_to);
   const double clearance = path.kind == PathKind::kAboveRing ? ring.side_clearance - position : position;
   return channel.limited_flow(law_, clearance, p_from, p_to);
 }
 
-double Network::acceleration(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
-                             double p_crankcase) const {
+double Network::face_opening(std::size_t ring, double angle) const {
+  const std::vector<double>& opening = pack_.rings[ring].face_opening;
+  const std::size_t n = opening.size();
+  const double at = std::fmod(angle, static_cast<double>(n));
+  const auto before = static_cast<std::size_t>(at);
+  const double share = at - static_cast<double>(before);
+  return (1 - share) * opening[before % n] + share * opening[(before + 1) % n];
+}
+
+double Network::gas_and_friction(std::size_t index, double crank_angle, double p_above, double p_groove, double p_below,
+                                 double p_crankcase) const {
   const Ring& ring = pack_.rings[index];
   const double outer = pack_.bore - 2 * ring.land_clearance, inner = pack_.bore - 2 * ring.radial_thickness;
   const double edge = disc(pack_.bore) - disc(outer), flank = disc(outer) - disc(inner);
   const double gas = edge * (p_below - p_above) + flank * (models::mean_channel_pressure(p_groove, p_below) -
                                                            models::mean_channel_pressure(p_above, p_groove));
+  if (ring.bore_friction_coefficient == 0) return gas;
   const double sliding = pack_.crank.velocity(crank_angle, pack_.speed) / pack_.sliding_smoothing_speed;
   const double on_bore =
       std::numbers::pi * pack_.bore * ring.face_width * (ring.elastic_pressure + p_groove - p_crankcase);
-  const double friction = -ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
-  return (gas + friction) / ring.mass - pack_.crank.acceleration(crank_angle, pack_.speed);
+  return gas - ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
+}
+
+double Network::axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                            double p_crankcase) const {
+  const double force = gas_and_friction(ring, crank_angle, p_above, p_groove, p_below, p_crankcase);
+  const double mass = pack_.rings[ring].mass;
+  return mass == 0 ? force : force - mass * pack_.crank.acceleration(crank_angle, pack_.speed);
+}
+
+double Network::acceleration(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                             double p_crankcase) const {
+  return gas_and_friction(ring, crank_angle, p_above, p_groove, p_below, p_crankcase) / pack_.rings[ring].mass -
+         pack_.crank.acceleration(crank_angle, pack_.speed);
 }
 
 }  // namespace ringfilm::gas_path

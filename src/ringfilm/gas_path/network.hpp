@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,21 @@ namespace ringfilm::gas_path {
 
 /// A space of gas at one pressure.
 struct Region {
-  std::string name;        ///< "chamber", "groove 1", "land 2", ..., "crankcase"
-  double temperature = 0;  ///< [K]
-  double capacity = 0;     ///< mass of gas over its pressure; of chamber and crankcase 0, for they are given [kg/Pa]
+  std::string name;                              ///< "chamber", "groove 1", "land 2", ..., "crankcase"
+  double temperature = 0;                        ///< [K]
+  double capacity = 0;                           ///< mass of gas over its pressure; 0 where that is given [kg/Pa]
+  const models::CyclePressure* given = nullptr;  ///< of chamber and crankcase, and of piston lands where it is stated
 };
+
+/// Pressures below the rings of a pack where they are stated, one entry for each ring; empty: all are computed.
+using GivenPressures = std::vector<std::optional<models::CyclePressure>>;
 
 /// Where gas passes a ring.
 enum class PathKind {
   kEndGap,     ///< of the ring
   kAboveRing,  ///< side clearance between the upper flanks of groove and ring
-  kBelowRing   ///< that between the lower flanks
+  kBelowRing,  ///< that between the lower flanks
+  kFace        ///< gap over the face, Ring::face_opening
 };
 
 /// A connection of two regions; flow is positive from `from` to `to`.
@@ -29,7 +35,7 @@ struct Path {
   std::size_t from = 0, to = 0;  ///< indices of regions
 };
 
-/// Of "end gap 1", "above ring 1", "below ring 1".
+/// Of "end gap 1", "above ring 1", "below ring 1", "face of ring 1".
 std::string path_name(const Path& path);
 
 /// What borders a compression ring in its groove: indices of regions.
@@ -41,19 +47,34 @@ struct RingBorders {
 /// the rings.
 class Network {
  public:
-  explicit Network(const Pack& pack);
+  explicit Network(const Pack& pack, GivenPressures below = {});
+  Network(const Network&) = delete;  // regions point to its given pressures
+  Network& operator=(const Network&) = delete;
 
   const Pack& pack() const { return pack_; }
   const std::vector<Region>& regions() const { return regions_; }  ///< the chamber first, the crankcase last
   const std::vector<Path>& paths() const { return paths_; }
   std::size_t n_regions() const { return regions_.size(); }
+  /// The regions whose pressures are unknown, in their order.
+  const std::vector<std::size_t>& inner() const { return inner_; }
+  bool is_inner(std::size_t region) const { return regions_[region].given == nullptr; }
+  /// Place of an inner region in inner().
+  std::size_t unknown(std::size_t region) const { return unknown_[region]; }
   /// Of the ring of that index; it must be a compression ring.
   const RingBorders& borders(std::size_t ring) const { return borders_[ring]; }
   bool has_groove(std::size_t ring) const { return pack_.rings[ring].kind == RingKind::kCompression; }
 
   /// Mass flow along that path [kg/s]. @param p_from @param p_to [Pa]
-  /// @param position of the ring above its lower flank [m]
+  /// @param position of the ring above its lower flank; of kFace its opening [m]
   double flow(const Path& path, double p_from, double p_to, double position) const;
+
+  /// Gap over the face of a ring that gas passes at a crank angle, 0 where it is sealed [m]. @param angle [degree]
+  double face_opening(std::size_t ring, double angle) const;
+
+  /// Force of gas, friction on the bore and inertia on a ring towards the chamber, eq-seating-force [N]. Without a
+  /// stated mass or friction that of the gas alone. @param as of acceleration()
+  double axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                     double p_crankcase) const;
 
   /// Acceleration of a ring relative to its groove, where nothing supports it, eq-ring-acceleration [m/s2].
   /// @param ring of RingMotion::kAxial @param crank_angle 0 = firing TDC [rad] @param p_above @param p_groove
@@ -62,14 +83,20 @@ class Network {
                       double p_crankcase) const;
 
  private:
+  /// The same without inertia [N].
+  double gas_and_friction(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
+                          double p_crankcase) const;
   void add_ring(std::size_t ring, std::size_t above, std::size_t below);
 
   const Pack& pack_;
+  GivenPressures given_;
   models::OrificeLaw law_;
   std::vector<Region> regions_;
+  std::vector<std::size_t> inner_, unknown_;
   std::vector<Path> paths_;
   std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
   std::vector<models::GasChannel> channels_;  ///< likewise
+  std::vector<models::GasChannel> faces_;     ///< over the face of each ring
 };
 
 }  // namespace ringfilm::gas_path

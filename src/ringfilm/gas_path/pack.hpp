@@ -20,7 +20,7 @@ enum class RingMotion {
   kAxial    ///< where gas, inertia and friction move them
 };
 
-/// A ring as the gas meets it. Of an oil ring only the first four members count.
+/// A ring as the gas meets it. Of an oil ring only the first four members count, and face_opening.
 struct Ring {
   RingKind kind = RingKind::kCompression;
   double gap_area = 0;                   ///< of the end gap, as the gas passes it [m2]
@@ -35,6 +35,9 @@ struct Ring {
   double elastic_pressure = 0;           ///< p_e, of the ring on the bore; likewise [Pa]
   double mass = 0;                       ///< likewise [kg]
   double bore_friction_coefficient = 0;  ///< likewise [-]
+  /// Gap over the face that gas passes all around, at each degree of crank angle; empty: none. Counts of oil rings,
+  /// too, as does face_width [m].
+  std::vector<double> face_opening;
 };
 
 /// The gas and how it flows.

@@ -17,7 +17,7 @@ constexpr double kLeastPressure = 1.0;
 
 PackSystem::PackSystem(const Network& network)
     : network_(network),
-      n_inner_(network.n_regions() - 2),
+      n_inner_(network.inner().size()),
       seconds_per_degree_(kRadians / network.pack().speed),
       place_(network.pack().rings.size(), kNotFree),
       fixed_position_(network.pack().rings.size(), 0),
@@ -55,13 +55,20 @@ double PackSystem::position(std::size_t ring, std::span<const double> y) const {
 }
 
 void PackSystem::fill_pressures(double angle, std::span<const double> y, std::span<double> pressure) const {
-  pressure.front() = network_.pack().chamber.pressure(angle);
-  pressure.back() = network_.pack().crankcase.pressure(angle);
-  for (std::size_t i = 0; i < n_inner_; ++i) pressure[i + 1] = std::max(kPressureUnit * y[i], kLeastPressure);
+  const auto& regions = network_.regions();
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    const models::CyclePressure* given = regions[r].given;
+    pressure[r] = given ? given->pressure(angle) : std::max(kPressureUnit * y[network_.unknown(r)], kLeastPressure);
+  }
 }
 
-double PackSystem::flow(const Path& path, double p_from, double p_to, double position) const {
-  return network_.flow(path, p_from, p_to, position * network_.pack().rings[path.ring].side_clearance);
+double PackSystem::flow(const Path& path, double p_from, double p_to, double at) const {
+  const double unit = path.kind == PathKind::kFace ? 1 : network_.pack().rings[path.ring].side_clearance;
+  return network_.flow(path, p_from, p_to, at * unit);
+}
+
+double PackSystem::place_of(const Path& path, double angle, std::span<const double> y) const {
+  return path.kind == PathKind::kFace ? network_.face_opening(path.ring, angle) : position(path.ring, y);
 }
 
 void PackSystem::flows(double angle, std::span<const double> y, std::span<double> pressure,
@@ -69,7 +76,7 @@ void PackSystem::flows(double angle, std::span<const double> y, std::span<double
   fill_pressures(angle, y, pressure);
   const auto& paths = network_.paths();
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], position(paths[k].ring, y));
+    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], place_of(paths[k], angle, y));
   }
 }
 
@@ -89,12 +96,12 @@ void PackSystem::rates(double angle, std::span<const double> y, std::span<double
   fill_pressures(angle, y, pressure_);
   std::fill(f.begin(), f.end(), 0.0);
   for (const Path& path : network_.paths()) {
-    const double m = flow(path, pressure_[path.from], pressure_[path.to], position(path.ring, y));
-    if (is_inner(path.from)) f[path.from - 1] -= m;
-    if (is_inner(path.to)) f[path.to - 1] += m;
+    const double m = flow(path, pressure_[path.from], pressure_[path.to], place_of(path, angle, y));
+    if (is_inner(path.from)) f[network_.unknown(path.from)] -= m;
+    if (is_inner(path.to)) f[network_.unknown(path.to)] += m;
   }
   for (std::size_t i = 0; i < n_inner_; ++i) {
-    f[i] *= seconds_per_degree_ / (network_.regions()[i + 1].capacity * kPressureUnit);
+    f[i] *= seconds_per_degree_ / (network_.regions()[network_.inner()[i]].capacity * kPressureUnit);
   }
   for (const std::size_t ring : free_) {
     f[place_[ring]] = y[place_[ring] + 1];
@@ -107,7 +114,8 @@ PackSystem::FlowSlopes PackSystem::slopes(const Path& path, double at) const {
   const double d_from = kProbe * p_from, d_to = kProbe * p_to;
   FlowSlopes slope{(flow(path, p_from + d_from, p_to, at) - m) / d_from,
                    (flow(path, p_from, p_to + d_to, at) - m) / d_to, 0};
-  const bool moves = path.kind != PathKind::kEndGap && place_[path.ring] != kNotFree;
+  const bool is_at_flank = path.kind == PathKind::kAboveRing || path.kind == PathKind::kBelowRing;
+  const bool moves = is_at_flank && place_[path.ring] != kNotFree;
   if (moves) slope.position = (flow(path, p_from, p_to, at + kProbe) - m) / kProbe;
   return slope;
 }
@@ -117,9 +125,9 @@ void PackSystem::add_to_jacobian(const Path& path, const FlowSlopes& slope, std:
   for (const auto& [region, sign] : {std::pair{path.from, -1.0}, std::pair{path.to, 1.0}}) {
     if (!is_inner(region)) continue;
     const double unit = sign * seconds_per_degree_ / network_.regions()[region].capacity;
-    double* const row = J.data() + (region - 1) * n;
-    if (is_inner(path.from)) row[path.from - 1] += unit * slope.from;
-    if (is_inner(path.to)) row[path.to - 1] += unit * slope.to;
+    double* const row = J.data() + network_.unknown(region) * n;
+    if (is_inner(path.from)) row[network_.unknown(path.from)] += unit * slope.from;
+    if (is_inner(path.to)) row[network_.unknown(path.to)] += unit * slope.to;
     if (slope.position != 0) row[place_[path.ring]] += unit * slope.position / kPressureUnit;
   }
 }
@@ -133,14 +141,14 @@ void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<
     if (!is_inner(region)) continue;
     const double p = pressure_[region], d = kProbe * p;
     pressure_[region] += d;
-    J[(row + 1) * n + region - 1] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;
+    J[(row + 1) * n + network_.unknown(region)] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;
     pressure_[region] = p;
   }
 }
 
 void PackSystem::jacobian(double angle, std::span<const double> y, std::span<double> J) {
   fill_pressures(angle, y, pressure_);
-  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, position(path.ring, y)), J);
+  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, place_of(path, angle, y)), J);
   for (const std::size_t ring : free_) add_ring_to_jacobian(ring, angle, J);
 }
 

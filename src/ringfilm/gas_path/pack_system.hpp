@@ -47,9 +47,9 @@ class PackSystem : public OdeSystem {
   const Network& network() const { return network_; }
   const std::vector<std::size_t>& free_rings() const { return free_; }
   std::size_t n_inner() const { return n_inner_; }  ///< regions between chamber and crankcase
-  /// Is it one of them? Chamber and crankcase have given pressures; a ring below a piston land of no volume may have
-  /// the crankcase on both sides.
-  bool is_inner(std::size_t region) const { return region > 0 && region <= n_inner_; }
+  /// Is its pressure an unknown? Chamber and crankcase have given pressures; a ring below a piston land of no volume
+  /// may have the crankcase on both sides.
+  bool is_inner(std::size_t region) const { return network_.is_inner(region); }
   double seconds_per_degree() const { return seconds_per_degree_; }
   /// Place of a free ring's position among the unknowns; its velocity follows. @param k index in free_rings()
   std::size_t place(std::size_t k) const { return n_inner_ + 2 * k; }
@@ -62,7 +62,9 @@ class PackSystem : public OdeSystem {
 
   double position(std::size_t ring, std::span<const double> y) const;
   void fill_pressures(double angle, std::span<const double> y, std::span<double> pressure) const;
-  double flow(const Path& path, double p_from, double p_to, double position) const;
+  /// Where the ring of a path is [side clearance], or how far its face is open [m].
+  double place_of(const Path& path, double angle, std::span<const double> y) const;
+  double flow(const Path& path, double p_from, double p_to, double at) const;
   FlowSlopes slopes(const Path& path, double position) const;
   void add_to_jacobian(const Path& path, const FlowSlopes& slope, std::span<double> J) const;
   void add_ring_to_jacobian(std::size_t ring, double angle, std::span<double> J);

@@ -33,6 +33,10 @@ struct RingMotionValues {
   bool has_groove = false;     ///< a compression ring; the others do not move
   std::size_t departures = 0;  ///< from its lower flank in a cycle
   bool flutters = false;       ///< leaves its lower flank more than once in a stroke
+  // static criterion of flutter, eq-seating-force
+  double least_seating_force = 0;            ///< that presses it on its lower flank, if it lay there [N]
+  double least_seating_force_angle_deg = 0;  ///< crank angle of it [degree]
+  double unseated_share = 0;                 ///< share of the cycle in which that force is negative [-]
 };
 
 /// The gas over one cycle that repeats itself.
@@ -52,7 +56,10 @@ struct GasPathResult {
       0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
   double periodicity = 0;  ///< largest relative change of a pressure from one cycle to the next [-]
   bool repeats = false;    ///< do the pressures repeat from cycle to cycle?
-  int cycles = 0;          ///< that were integrated
+  /// Cycles after which gas and rings repeat; 0: never within those that were followed. Where it is above 1 the blow-by
+  /// is the mean of that many cycles, and all else that of the last.
+  int period = 0;
+  int cycles = 0;  ///< that were integrated
 };
 
 /// The gas of the crankcase at 25 degC and standard atmosphere, in which blow-by is stated.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "ringfilm/gas_path/cycle_integration.hpp"
@@ -14,6 +17,11 @@ constexpr double kRepeats = 1e-8;
 /// Where rings move, changes below that are taken once no more cycle makes them smaller.
 constexpr double kRepeatsInMotion = 1e-6;
 constexpr int kMostCycles = 50;
+/// More cycles that a motion is followed which does not repeat by then, the longest period that is looked for, and how
+/// near a ring comes to its place before [side clearance].
+constexpr int kMostFollowed = 100;
+constexpr std::size_t kLongestPeriod = 12;
+constexpr double kAlikePosition = 1e-4;
 /// Share of a pressure that Newton's method on the cycle leaves alone where nothing determines it, squared.
 constexpr double kIndeterminate = 1e-20;
 
@@ -57,7 +65,7 @@ std::vector<double> newton_begin(const std::vector<double>& begin, const std::ve
 PackState first_state(const Network& network) {
   const std::size_t n = network.pack().rings.size();
   const double p = network.pack().crankcase.pressure(CycleIntegration::kBeginDeg) / PackSystem::kPressureUnit;
-  return {std::vector<double>(network.n_regions() - 2, p), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0),
+  return {std::vector<double>(network.inner().size(), p), std::vector<double>(n, 0.0), std::vector<double>(n, 0.0),
           std::vector<Contact>(n, Contact::kLowerFlank)};
 }
 
@@ -83,14 +91,67 @@ std::vector<RingMotionValues> motion_values(const std::vector<RingEvent>& events
   return values;
 }
 
+/// What presses the rings on their lower flanks, from degree to degree.
+void add_seating_forces(const Network& network, GasPathResult& result) {
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    RingMotionValues& ring = result.motion[i];
+    if (!ring.has_groove) continue;
+    const RingBorders& at = network.borders(i);
+    ring.least_seating_force = std::numeric_limits<double>::infinity();
+    std::size_t n_unseated = 0;
+    for (std::size_t angle = 0; angle < result.pressure.size(); ++angle) {
+      const std::vector<double>& p = result.pressure[angle];
+      const double radians = static_cast<double>(angle) * std::numbers::pi / 180;
+      const double force = -network.axial_force(i, radians, p[at.above], p[at.groove], p[at.below], p.back());
+      if (force < 0) ++n_unseated;
+      if (force >= ring.least_seating_force) continue;
+      ring.least_seating_force = force;
+      ring.least_seating_force_angle_deg = static_cast<double>(angle);
+    }
+    ring.unseated_share = static_cast<double>(n_unseated) / static_cast<double>(result.pressure.size());
+  }
+}
+
+/// Is gas and rings one as the other?
+bool is_alike(const PackState& a, const PackState& b) {
+  if (a.contact != b.contact || largest_change(a.pressure, b.pressure) > kRepeatsInMotion) return false;
+  for (std::size_t i = 0; i < a.position.size(); ++i) {
+    if (std::abs(a.position[i] - b.position[i]) > kAlikePosition) return false;
+  }
+  return true;
+}
+
+/// Follows a motion that does not repeat from cycle to cycle until it repeats after several: a ring that flutters may
+/// double its period. Leaves the mean blow-by of that period. @returns it; 0 where none was found
+int follow_to_period(CycleIntegration& cycle, double& blow_by) {
+  std::vector<PackState> states{cycle.state()};
+  std::vector<double> of_cycle;
+  for (int n = 0; n < kMostFollowed; ++n) {
+    cycle.integrate();
+    states.push_back(cycle.state());
+    of_cycle.push_back(cycle.result().blow_by);
+    for (std::size_t period = 1; period <= kLongestPeriod && period < states.size(); ++period) {
+      if (!is_alike(states.back(), states[states.size() - 1 - period])) continue;
+      blow_by = std::accumulate(of_cycle.end() - static_cast<std::ptrdiff_t>(period), of_cycle.end(), 0.0) /
+                static_cast<double>(period);
+      return static_cast<int>(period);
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
-GasPathResult solve_gas_path(const Pack& pack) {
-  const Network network(pack);
+GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
+  const Network network(pack, below);
   CycleIntegration cycle(network, first_state(network));
   const double unit = PackSystem::kPressureUnit;
-  const double lowest = std::min(lowest_pressure(pack.chamber), lowest_pressure(pack.crankcase)) / unit;
-  const double highest = std::max(pack.chamber.peak(), pack.crankcase.peak()) / unit;
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const Region& region : network.regions()) {
+    if (region.given == nullptr) continue;
+    lowest = std::min(lowest, lowest_pressure(*region.given) / unit);
+    highest = std::max(highest, region.given->peak() / unit);
+  }
   double change = 0, change_before = 0;
   bool repeats = false, has_jumped = false;
   int n = 0, n_to_follow = 0, n_to_wait = 1;
@@ -115,11 +176,16 @@ GasPathResult solve_gas_path(const Pack& pack) {
     }
     change_before = change;
   }
+  double blow_by = 0;
+  const int period = repeats ? 1 : follow_to_period(cycle, blow_by);
   GasPathResult result = cycle.result();
+  if (period > 1) result.blow_by = blow_by;
   result.periodicity = change;
-  result.repeats = repeats;
+  result.repeats = repeats || period == 1;
+  result.period = period;
   result.cycles = n;
   result.motion = motion_values(result.events, pack.rings);
+  add_seating_forces(network, result);
   return result;
 }
 

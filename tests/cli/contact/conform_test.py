@@ -42,6 +42,12 @@ class ConformTest(program.ProgramTest):
         self.assertAlmostEqual(found["tangential_force"], 10.68, places=9)
         self.assertLess(found["unbalanced_share"], 1e-12)
 
+    def test_a_pack_is_closed_by_its_first_ring_alone(self):
+        alone = self.closure()
+        second = '[[ring]]\nface_width = "1.5 mm"\n'
+        (self.folder / "pack.toml").write_text(CASE.replace("[ring]", "[[ring]]") + second, encoding="utf-8")
+        self.assertEqual(self.closure(case="pack.toml")["contact_arcs"], alone["contact_arcs"])
+
     def test_the_table_around_sums_up_to_the_values(self):
         found = self.closure("--csv", "around.csv")
         with open(self.folder / "around.csv", encoding="utf-8") as file:

@@ -68,6 +68,9 @@ crown_height = "2 um"
 """
 
 
+RAIL_NUMBERS = [(1, None), (2, None), (3, 1), (3, 2)]
+
+
 class GasTest(program.ProgramTest):
     def setUp(self):
         super().setUp()
@@ -112,6 +115,49 @@ class GasTest(program.ProgramTest):
         self.assertAlmostEqual(out / self.json_of()["blow_by_per_cycle"], 1, delta=1e-3)
         self.assertIn("position_ring_2 [m]", rows[0])
         self.assertNotIn("position_ring_3 [m]", rows[0])
+
+    def test_between_given_pressures_the_same_gas_flows(self):
+        computed = self.json_of("--csv", "gas.csv")
+        with open(self.folder / "gas.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        for number in (2, 3):
+            lines = [f"{row['crank_angle [degree]']},{row[f'pressure_land_{number} [Pa]']}" for row in rows]
+            text = "crank_angle [degree],pressure [Pa]\n" + "\n".join(lines) + "\n"
+            (self.folder / f"land_{number}.csv").write_text(text)
+        given = HEAD.replace("orifice-volume", "given")
+        self.write(given + TOP + 'pressure_below = "land_2.csv"\n' + SECOND + 'pressure_below = "land_3.csv"\n' + OIL)
+        found = self.json_of()
+        self.assertLess(found["mass_defect"], 1e-12)
+        for one, other in zip(found["regions"], computed["regions"], strict=True):
+            self.assertEqual(one["name"], other["name"])
+            self.assertAlmostEqual(one["peak_pressure"] / other["peak_pressure"], 1, delta=1e-3)
+        for one, other in zip(found["paths"], computed["paths"], strict=True):
+            self.assertAlmostEqual(one["mass_per_cycle"] * 1e6, other["mass_per_cycle"] * 1e6, delta=5e-3)
+        self.assertAlmostEqual(found["blow_by_per_cycle"] / computed["blow_by_per_cycle"], 1, delta=2e-3)
+
+    def test_values_that_vary_are_combined(self):
+        varied = ("--vary", "operating.speed=1000 rpm, 3000 rpm", "--vary", "ring.1.gap_area=0.05 mm2, 0.08 mm2")
+        self.run_well("gas", "pack.toml", *varied, "--csv", "map.csv")
+        with open(self.folder / "map.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["operating.speed"] for row in rows], 2 * ["1000 rpm"] + 2 * ["3000 rpm"])
+        one = self.json_of("--set", "operating.speed=3000 rpm")
+        self.assertEqual(float(rows[3]["blow_by_per_cycle [kg]"]), one["blow_by_per_cycle"])
+        self.assertEqual(float(rows[3]["blow_by_flow [l/min]"]), one["blow_by_flow"])
+        self.assertEqual(float(rows[3]["peak_pressure_land_2 [Pa]"]), one["regions"][2]["peak_pressure"])
+        self.assertLess(float(rows[0]["blow_by_flow [l/min]"]), float(rows[1]["blow_by_flow [l/min]"]))
+        for words, text in (
+            (("--vary", "operating.speed"), "is not a key with its values"),
+            (("--vary", "operating.speed=1000 rpm, 5 m"), "operating.speed"),
+            ((*varied, "--json"), "are of one"),
+        ):
+            self.assert_refused(self.run_program("gas", "pack.toml", *words), text)
+
+    def test_the_file_has_the_curves(self):
+        self.run_well("gas", "pack.toml", "-o", "gas.nc")
+        self.assertTrue((self.folder / "gas.nc").read_bytes().startswith(b"\x89HDF"))
+        refused = self.run_program("report", "gas.nc", "-o", "gas.html")
+        self.assert_refused(refused, "the gas of a ring pack alone")
 
     def test_pack_without_oil_ring_is_noted(self):
         self.write(HEAD + TOP + SECOND.replace('volume_below = "300 mm3"\n', ""))
@@ -159,6 +205,102 @@ class GasTest(program.ProgramTest):
         alone = json.loads(self.run_well("run", "single.toml", "--json"))
         self.assertAlmostEqual(rings[0]["min_film_thickness"] / alone["min_film_thickness"], 1, delta=0.05)
         self.assertNotEqual(rings[0]["fmep"], alone["fmep"])
+
+
+RAILS = """\
+[[ring]]
+kind = "oil"
+gap_area = "0.3 mm2"
+rails = 2
+face_width = "0.4 mm"
+rail_distance = "1.2 mm"
+expander_force = "25 N"
+[ring.face]
+form = "parabola"
+crown_height = "2 um"
+"""
+
+
+class ShippedPackTest(program.ProgramTest):
+    def run_pack(self, *words):
+        case = str(program.SOURCES / "cases" / "ring-pack" / "three_rings.toml")
+        return json.loads(self.run_well("run", case, "--json", "--set", "solver.cells=60", *words))
+
+    def test_gas_that_passes_the_films_adds_to_the_blow_by(self):
+        sealed = self.run_pack()
+        self.assertLess(sealed["gas"]["mass_defect"], 1e-12)
+        self.assertGreater(sealed["oil"]["liner_film_after_power_stroke"], 1e-7)
+        self.assertGreater(sealed["oil"]["oil_to_chamber_upper_bound"], sealed["oil"]["oil_left_at_tdc"])
+        passed = self.run_pack("--set", "gas_path.film=breakthrough")
+        self.assertLess(passed["gas"]["mass_defect"], 1e-12)
+        notes = " ".join(note["message"] for note in passed["rings"][0]["notes"])
+        self.assertIn("gas passes the films where they do not hold it", notes)
+        self.assertNotIn("still changes", notes)
+        more = passed["gas"]["blow_by_per_cycle"] / sealed["gas"]["blow_by_per_cycle"]
+        self.assertGreater(more, 1.005)
+        self.assertLess(more, 1.2)
+
+
+class OilRingTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        common = program.CASE.replace("[ring]", "[lost]").split("[lost]")[0]
+        film = "[contact]" + program.CASE.split("[contact]")[1]
+        face = '[ring.face]\nform = "parabola"\ncrown_height = "15 um"\n'
+        # No piston land between the compression rings: both are pressed on their lower flanks at all times.
+        self.rings = [TOP + face, SECOND + face]
+        self.head = common + HEAD[HEAD.index("[gas_path]") :] + film
+        self.write(RAILS)
+
+    def write(self, oil_ring):
+        (self.folder / "pack.toml").write_text(self.head + "".join(self.rings) + oil_ring)
+
+    def run_json(self, *words):
+        return json.loads(self.run_well("run", "pack.toml", "--json", *words))
+
+    def test_each_rail_has_a_film_and_the_ring_their_sum(self):
+        pack = self.run_json("-o", "pack.nc", "--csv", "pack.csv")
+        self.assertEqual([(ring["ring"], ring.get("rail")) for ring in pack["rings"]], RAIL_NUMBERS)
+        self.assertEqual(pack["rings"][2]["title"].split(": ")[-1], "ring 3 (oil ring, upper rail)")
+        by_ring = {one["ring"]: one["fmep"] for one in pack["by_ring"]}
+        self.assertAlmostEqual(by_ring[3], pack["rings"][2]["fmep"] + pack["rings"][3]["fmep"], places=9)
+        self.assertAlmostEqual(sum(by_ring.values()), pack["all_rings"]["fmep"], places=9)
+        pressure = 2 * 25 / (0.089 * 2 * 0.4e-3)
+        for rail in pack["rings"][2:]:
+            self.assertAlmostEqual(rail["elastic_pressure"] / pressure, 1, places=12)
+        gas = json.loads(self.run_well("gas", "pack.toml", "--json"))
+        self.assertEqual(pack["gas"]["blow_by_per_cycle"], gas["blow_by_per_cycle"])
+        self.assertEqual([region["name"] for region in pack["gas"]["regions"]], [r["name"] for r in gas["regions"]])
+        self.run_well("report", "pack.nc", "-o", "pack.html")
+        page = (self.folder / "pack.html").read_text()
+        self.assertIn('"blow_by_per_cycle":', page)
+        with open(self.folder / "pack.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        at_tdc = {
+            row["ring"]: float(row["total_friction [N]"]) for row in rows if float(row["crank_angle [degree]"]) == 20
+        }
+        self.assertEqual(list(at_tdc), ["1", "2", "3.1", "3.2", "all"])
+        self.assertAlmostEqual(at_tdc.pop("all"), sum(at_tdc.values()), places=9)
+
+    def test_rails_are_those_of_two_narrow_rings(self):
+        rail = RAILS.replace("rails = 2\n", "").replace('rail_distance = "1.2 mm"\n', "").replace("25 N", "12.5 N")
+        together = self.run_json()
+        self.write(rail + rail)
+        apart = self.run_json()
+        for one, other in zip(together["rings"], apart["rings"], strict=True):
+            self.assertEqual(one["fmep"], other["fmep"])
+
+    def test_keys_of_rails_are_checked(self):
+        for old, new, words in (
+            ("rails = 2", "rails = 0", "is out of range"),
+            ('kind = "oil"', 'kind = "compression"', "ring.rails is not used in this case"),
+            ('expander_force = "25 N"', "", "the tension of the ring is missing"),
+        ):
+            self.write(RAILS.replace(old, new))
+            self.assert_refused(self.run_program("run", "pack.toml"), words)
+        single = program.CASE.replace("[ring]\n", '[ring]\nkind = "oil"\nrails = 2\n')
+        (self.folder / "single.toml").write_text(single)
+        self.assert_refused(self.run_program("run", "single.toml"), "write the ring as [[ring]]")
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 #include <string>
 
@@ -54,6 +55,48 @@ TEST(GasPath, RingsWithTheCrankcaseOnBothSidesChangeNothing) {
     EXPECT_LT(result.mass_defect, 1e-12);
     EXPECT_NEAR(result.regions.at(1).peak_pressure, alone.regions.at(1).peak_pressure, 1e-6 * 6e6);
   }
+}
+
+// A film that never opens seals; one that opens around firing lets gas pass, and no mass is lost.
+TEST(GasPath, GasPassesAFaceWhereItIsOpen) {
+  Pack pack = two_ring_pack();
+  const auto sealed = solve_gas_path(pack);
+  pack.rings[0].face_opening.assign(720, 0.0);
+  EXPECT_NEAR(solve_gas_path(pack).blow_by, sealed.blow_by, 1e-6 * sealed.blow_by);
+  for (int angle = 0; angle < 40; ++angle) pack.rings[0].face_opening[angle] = 1e-6;
+  const auto open = solve_gas_path(pack);
+  EXPECT_GT(open.blow_by, 1.01 * sealed.blow_by);
+  EXPECT_LT(open.mass_defect, 1e-12);
+  const auto face = std::ranges::find(open.paths, PathKind::kFace, &Path::kind);
+  ASSERT_NE(face, open.paths.end());
+  EXPECT_EQ(path_name(*face), "face of ring 1");
+  EXPECT_GT(open.transported[static_cast<std::size_t>(face - open.paths.begin())], 0);
+}
+
+// Laminar flow through the gap over the face, far from choking: eq-channel-flow.
+TEST(GasPath, TheFaceIsAChannelAroundTheBore) {
+  Pack pack = two_ring_pack();
+  pack.rings[0].face_opening.assign(720, 0.5e-6);
+  const Network network(pack);
+  const Path path{PathKind::kFace, 0, 0, 2};
+  const double p_a = 1.2e5, p_b = 1.1e5, c = 0.5e-6;
+  const double closed_form = (p_a * p_a - p_b * p_b) * c * c * c * std::numbers::pi * pack.bore /
+                             (24 * pack.gas.viscosity * pack.gas.gas_constant * pack.chamber_temperature * 1.2e-3);
+  EXPECT_NEAR(network.flow(path, p_a, p_b, c), closed_form, 1e-3 * closed_form);
+  EXPECT_DOUBLE_EQ(network.face_opening(0, 719.5), 0.5e-6);
+}
+
+// The same force decides on the flank and makes the criterion: where it turns negative the ring leaves.
+TEST(GasPath, ARingLeavesWhereItsSeatingForceEnds) {
+  Pack pack = two_ring_pack();
+  const auto seated = solve_gas_path(pack);
+  EXPECT_LT(seated.motion[0].least_seating_force, 0);
+  EXPECT_GT(seated.motion[0].unseated_share, 0);
+  EXPECT_FALSE(seated.motion[2].has_groove);
+  pack.ring_motion = RingMotion::kAxial;
+  const auto axial = solve_gas_path(pack);
+  EXPECT_GT(axial.motion[0].departures, 0U);
+  EXPECT_LT(axial.motion[0].least_seating_force, 0);
 }
 
 TEST(GasPath, MassOfACycleBalances) {

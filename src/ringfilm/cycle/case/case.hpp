@@ -121,6 +121,7 @@ struct LandPressure {
 struct GasPath {
   GasPathModel model = GasPathModel::kGiven;     ///< pressures between the rings as stated, or by volumes and orifices
   RingMotion ring_motion = RingMotion::kSeated;  ///< rings on their lower flanks, or moved along the bore's axis
+  FilmGas film = FilmGas::kSealing;              ///< do the films of the rings let gas pass?
   double discharge_coefficient = 0.65;           ///< C, of the end gaps [-]
   double gas_constant = 287;                     ///< R, of air [J/(kg K)]
   double heat_capacity_ratio = 1.33;             ///< gamma, of burned gas [-]
@@ -131,6 +132,7 @@ struct GasPath {
   double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
 
   bool is_computed() const { return model == GasPathModel::kOrificeVolume; }  ///< the pressures between the rings
+  bool passes_films() const { return is_computed() && film == FilmGas::kBreakthrough; }  ///< does the gas?
 };
 
 /// What the gas meets at a ring: keys under `ring`, used where GasPath::is_computed().
@@ -146,6 +148,8 @@ struct RingGasPath {
   std::optional<double> mass;               ///< of the ring [kg]
   std::optional<double> density;            ///< or of what it is made of [kg/m3]
   double bore_friction_coefficient = 0.05;  ///< of the ring on the bore; typical, assumed [-]
+  /// Computed: gap through which gas passes the film, at each degree of crank angle; empty: the film seals [m].
+  std::vector<double> face_opening;
 };
 
 /// Where a face came from; recorded, and not used by any model.
@@ -210,9 +214,11 @@ struct Ring {
   double face_width = 0;          ///< b, along the cylinder's axis [m]
   double youngs_modulus = 203e9;  ///< E_1 [Pa]
   double poissons_ratio = 0.3;    ///< nu_1 [-]
-  // exactly one of: elastic_pressure | tangential_force | (free_gap and radial_thickness)
+  // exactly one of: elastic_pressure | tangential_force | expander_force | (free_gap and radial_thickness)
   std::optional<double> elastic_pressure;  ///< p_e, on the bore by the ring's own tension [Pa]
   std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
+  /// Of an oil ring: tangential force of its expander, which its rails share; F_t = p_e n b B/2 [N].
+  std::optional<double> expander_force;
   std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
   std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap, and with gas_path [m]
   LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
@@ -221,6 +227,9 @@ struct Ring {
   std::optional<base::Shared<SampledTrace>> pressure_behind;
   bool has_computed_gas = false;     ///< was the gas path of the pack computed for this ring?
   std::optional<double> land_below;  ///< height of the piston land down to the next ring [m]
+  // of an oil ring
+  int rails = 1;                        ///< faces, each face_width wide and with a film of its own
+  std::optional<double> rail_distance;  ///< free height between two rails; absent: as high as a rail is wide [m]
   // film.dimension = "unrolled"; the end gap also where the gas path is computed
   std::optional<double> end_gap;               ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;                 ///< of the gap's middle around the bore [degree]

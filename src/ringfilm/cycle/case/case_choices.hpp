@@ -69,6 +69,12 @@ enum class GasPathModel {
   kOrificeVolume  ///< volumes, orifices and channels between chamber and crankcase
 };
 
+/// `gas_path.film`: does gas pass the films of the rings?
+enum class FilmGas {
+  kSealing,      ///< no
+  kBreakthrough  ///< where a film does not hold the gas, through the gap over it, all around
+};
+
 using gas_path::RingKind;    ///< `ring.kind`
 using gas_path::RingMotion;  ///< `gas_path.ring_motion`
 

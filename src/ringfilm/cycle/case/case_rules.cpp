@@ -159,7 +159,9 @@ void check_tension_range(const Case& c, Breaches& breaches) {
   if (!(ring.face_width > 0) || !(c.engine.bore > 0)) return;  // refused by their own ranges
   const double highest = find_field("ring.elastic_pressure")->range->high, p_e = elastic_pressure(c);
   if (p_e <= highest) return;
-  const char* key = ring.tangential_force ? "ring.tangential_force" : "ring.free_gap";
+  const char* key = ring.tangential_force ? "ring.tangential_force"
+                    : ring.expander_force ? "ring.expander_force"
+                                          : "ring.free_gap";
   breaches.push_back({key,
                       std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
                           " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
@@ -171,6 +173,7 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
   std::vector<std::vector<std::string>> ways;
   if (ring.elastic_pressure) ways.push_back({"ring.elastic_pressure"});
   if (ring.tangential_force) ways.push_back({"ring.tangential_force"});
+  if (ring.expander_force) ways.push_back({"ring.expander_force"});
   if (ring.free_gap && ring.radial_thickness) {
     ways.push_back({"ring.free_gap", "ring.radial_thickness"});
   } else if (ring.free_gap) {
@@ -185,9 +188,11 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
   const bool gap = ring.free_gap.has_value();  // the thickness alone is that of a ring that bends
-  const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (gap ? 1 : 0);
+  const int stated =
+      (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (ring.expander_force ? 1 : 0) + (gap ? 1 : 0);
   const std::string ways =
-      "state one of ring.elastic_pressure, ring.tangential_force, or ring.free_gap with ring.radial_thickness";
+      "state one of ring.elastic_pressure, ring.tangential_force, ring.expander_force of an oil ring, or ring.free_gap "
+      "with ring.radial_thickness";
   if (stated == 0) {
     breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
@@ -282,9 +287,11 @@ void check_engine_and_gas(const Case& c, Breaches& breaches) {
 std::vector<RuleBreach> broken_gas_rules(const Case& c) {
   Breaches breaches;
   check_engine_and_gas(c, breaches);
-  if (!c.gas_path.is_computed()) {
-    breaches.push_back({"gas_path.model", "gas_path.model is not \"orifice-volume\": there is no gas to compute",
-                        "write model = \"orifice-volume\" in [gas_path]", kMissingKey});
+  if (!c.gas_path.is_computed() && !c.stated.contains("gas_path.model")) {
+    breaches.push_back({"gas_path.model", "gas_path.model is not stated: there is no gas to compute",
+                        "write model = \"orifice-volume\" in [gas_path], or \"given\" for what flows between stated "
+                        "pressures",
+                        kMissingKey});
     return breaches;
   }
   append_gas_path_breaches(c, breaches);

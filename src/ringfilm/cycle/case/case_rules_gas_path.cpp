@@ -108,8 +108,11 @@ void append_gas_path_breaches(const Case& c, Breaches& breaches) {
 
 std::vector<RuleBreach> broken_pack_rules(const Case& pack) {
   Breaches breaches;
-  if (!pack.gas_path.is_computed()) return breaches;
   const std::size_t n = pack.is_pack() ? pack.rings.size() : 1;
+  if (!pack.is_pack() && pack.ring.rails > 1) {
+    breaches.push_back({"ring.rails", "ring.rails = " + std::to_string(pack.ring.rails) + " in a case of one ring",
+                        "write the ring as [[ring]]: its rails are computed as the rings of a pack"});
+  }
   for (std::size_t i = 2; i <= n; ++i) {
     const bool oil_before = ring_of(pack, i - 1).gas_path.kind == RingKind::kOil;
     if (!oil_before || ring_of(pack, i).gas_path.kind == RingKind::kOil) continue;
@@ -118,7 +121,7 @@ std::vector<RuleBreach> broken_pack_rules(const Case& pack) {
                             std::to_string(i) + " below it a compression ring",
                         "[[ring]] sections go from the chamber to the crankcase, oil rings last"});
   }
-  if (ring_of(pack, n).gas_path.volume_below > 0) {
+  if (pack.gas_path.is_computed() && ring_of(pack, n).gas_path.volume_below > 0) {
     const std::string key = key_of(pack, n, "ring.volume_below");
     breaches.push_back({key, key + " is a volume below the last ring, where the crankcase is",
                         "leave it out, or add the oil ring as a [[ring]] with kind = \"oil\" and its gap_area"});

@@ -15,6 +15,7 @@
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/integration/land_pressure.hpp"
 #include "ringfilm/cycle/integration/oil.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
@@ -88,11 +89,6 @@ void append_bore_note(const Case& c, std::vector<Note>& notes) {
                    1});
 }
 
-models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
-  if (land.computed) return computed_pressure(**land.computed);
-  return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
-}
-
 void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
   if (!c.solver.accuracy) return;
   char text[256];
@@ -113,6 +109,7 @@ LandPressures land_pressures(const Case& c) {
   LandPressures lands{above.is_stated() ? land_pressure(c, above) : cylinder_pressure(c),
                       below.is_stated() ? land_pressure(c, below) : crankcase_pressure(c)};
   if (c.ring.pressure_behind) lands.behind = computed_pressure(**c.ring.pressure_behind);
+  if (c.ring.gas_path.kind == RingKind::kOil) lands.behind = lands.below;  // holes drain the groove
   return lands;
 }
 
@@ -137,6 +134,11 @@ Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
 }
 
 }  // namespace
+
+models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
+  if (land.computed) return computed_pressure(**land.computed);
+  return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
+}
 
 models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
 
@@ -172,8 +174,8 @@ std::string usual_tension() {
 double elastic_pressure(const Case& c) {
   const Ring& r = c.ring;
   if (r.elastic_pressure) return *r.elastic_pressure;
-  if (r.tangential_force) {
-    return models::elastic_pressure_from_tangential_force(*r.tangential_force, r.face_width, c.engine.bore);
+  if (const auto& force = r.tangential_force ? r.tangential_force : r.expander_force) {
+    return models::elastic_pressure_from_tangential_force(*force, r.rails * r.face_width, c.engine.bore);
   }
   return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
                                                 c.engine.bore);

@@ -18,7 +18,7 @@ class Checks {
  public:
   Checks(const cycle::Case& c, const StatedKeys& stated) : case_(c), stated_(stated) {}
 
-  std::vector<Fault> faults() {
+  std::vector<KeyFault> faults() {
     check_missing();
     check_unused();
     check_rules();
@@ -26,6 +26,10 @@ class Checks {
   }
 
  private:
+  void add(const std::string& key, const SourceMark& mark, const std::string& message, const std::string& remedy) {
+    faults_.push_back({key, {mark, message, remedy}});
+  }
+
   bool is_for_gas_alone() const { return case_.purpose == cycle::CasePurpose::kGasPath; }
 
   /// Is the key of no concern to what the case is read for?
@@ -81,10 +85,9 @@ class Checks {
     const std::size_t dot = field.key.rfind('.');
     const bool top_level = dot == std::string::npos;
     const std::string name = top_level ? field.key : field.key.substr(dot + 1);
-    faults_.push_back({{stated_.path, 0, 0, ""},
-                       "the key " + field.key + " is missing: " + field.help,
-                       "write, for example, " + name + " = " + field.example +
-                           (top_level ? " before the first section" : " in [" + field.key.substr(0, dot) + "]")});
+    add(field.key, {stated_.path, 0, 0, ""}, "the key " + field.key + " is missing: " + field.help,
+        "write, for example, " + name + " = " + field.example +
+            (top_level ? " before the first section" : " in [" + field.key.substr(0, dot) + "]"));
   }
 
   /// Where the keys are stated that the words on the use of `field` name; nothing for a value of the command line.
@@ -105,9 +108,9 @@ class Checks {
       const Field& field = *cycle::find_field(key);
       if (!cycle::belongs(field, case_) || is_out_of_scope(field)) continue;
       if (!use_is_known(field) || cycle::is_active(field, case_) || stated_.from_oil_file.contains(key)) continue;
-      faults_.push_back({entry.key_mark, key + " is not used in this case",
-                         "it is used where " + field.active_when + places_of_conditions(field) +
-                             "; take it out (or add --set " + key + "= on the command line), or change that"});
+      add(key, entry.key_mark, key + " is not used in this case",
+          "it is used where " + field.active_when + places_of_conditions(field) + "; take it out (or add --set " + key +
+              "= on the command line), or change that");
     }
   }
 
@@ -129,11 +132,11 @@ class Checks {
       if (of_section == nullptr || line < of_section->second.key_mark.line) of_section = &given;
     }
     for (const auto& [what, given] : first) {
-      faults_.push_back({given->second.key_mark, given->first + " is not used in this case",
-                         case_.problem == cycle::Problem::kPad
-                             ? "a case with [pad] is a film without engine, gas and ring: take " +
-                                   (what == given->first ? what : "[" + what + "]") + " out, or [pad]"
-                             : "it is used in a pad, a film without engine, gas and ring; take it out"});
+      add(given->first, given->second.key_mark, given->first + " is not used in this case",
+          case_.problem == cycle::Problem::kPad
+              ? "a case with [pad] is a film without engine, gas and ring: take " +
+                    (what == given->first ? what : "[" + what + "]") + " out, or [pad]"
+              : "it is used in a pad, a film without engine, gas and ring; take it out");
     }
   }
 
@@ -145,7 +148,7 @@ class Checks {
       const SourceMark mark =
           found == stated_.given.end() ? SourceMark{stated_.path, 0, 0, ""} : found->second.value_mark;
       const std::string deletion = deletion_of(breach.ways);
-      faults_.push_back({mark, breach.message, breach.remedy + (deletion.empty() ? "" : "; " + deletion)});
+      add(breach.key, mark, breach.message, breach.remedy + (deletion.empty() ? "" : "; " + deletion));
     }
   }
 
@@ -176,11 +179,11 @@ class Checks {
   const cycle::Case& case_;
   const StatedKeys& stated_;
   std::set<std::string> missing_;
-  std::vector<Fault> faults_;
+  std::vector<KeyFault> faults_;
 };
 
 }  // namespace
 
-std::vector<Fault> case_faults(const cycle::Case& c, const StatedKeys& stated) { return Checks(c, stated).faults(); }
+std::vector<KeyFault> case_faults(const cycle::Case& c, const StatedKeys& stated) { return Checks(c, stated).faults(); }
 
 }  // namespace ringfilm::io

@@ -23,7 +23,13 @@ struct StatedKeys {
   std::set<std::string> from_oil_file;    ///< keys that describe the oil, whether this case has a use for them or not
 };
 
+/// A fault, and the key whose fault it is.
+struct KeyFault {
+  std::string key;
+  Fault fault;
+};
+
 /// Everything that is wrong with a case whose values are good one by one. Empty if nothing is.
-std::vector<Fault> case_faults(const cycle::Case& c, const StatedKeys& stated);
+std::vector<KeyFault> case_faults(const cycle::Case& c, const StatedKeys& stated);
 
 }  // namespace ringfilm::io

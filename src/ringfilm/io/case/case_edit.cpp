@@ -241,7 +241,8 @@ void check_case(const Case& c) {
     stated.given[key] = {};
     if ((c.lubricant.file || c.lubricant.grade) && key.rfind(kOil, 0) == 0) stated.from_oil_file.insert(key);
   }
-  std::vector<Fault> faults = case_faults(c, stated);
+  std::vector<Fault> faults;
+  for (KeyFault& one : case_faults(c, stated)) faults.push_back(std::move(one.fault));
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 

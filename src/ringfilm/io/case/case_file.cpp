@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -24,13 +25,14 @@ class CaseReader {
   CaseReader(CaseTree tree, const Units& units, CasePurpose purpose = CasePurpose::kFilm)
       : tree_(std::move(tree)), units_(units), purpose_(purpose) {}
 
-  /// @param faults receives all that is wrong
-  Case read(std::vector<Fault>& faults) {
+  /// @param faults receives all that is wrong, each with its key where one is known
+  Case read(std::vector<KeyFault>& faults) {
     read_values();
     read_data_files();
     if (tree_.complete) check();
+    add_tree_faults("");
     sort_faults();
-    faults = std::move(tree_.faults);
+    faults = std::move(faults_);
     return std::move(case_);
   }
 
@@ -82,7 +84,9 @@ class CaseReader {
   void read_value(const TomlEntry& entry) {
     given_[entry.key] = &entry;
     case_.stated.insert(entry.key);
+    add_tree_faults("");
     if (!set_value(case_, *cycle::find_field(entry.key), entry, units_, tree_.faults)) tree_.faulty.insert(entry.key);
+    add_tree_faults(entry.key);
   }
 
   bool is_good(const std::string& key) const { return given_.contains(key) && !is_faulty(key); }
@@ -115,32 +119,61 @@ class CaseReader {
   void check() {
     StatedKeys stated{tree_.path, {}, tree_.faulty, tree_.from_oil_file};
     for (const auto& [key, entry] : given_) stated.given[key] = {entry->value.key_mark, entry->value.mark};
-    const std::vector<Fault> faults = case_faults(case_, stated);
-    tree_.faults.insert(tree_.faults.end(), faults.begin(), faults.end());
+    add_tree_faults("");
+    std::ranges::move(case_faults(case_, stated), std::back_inserter(faults_));
+  }
+
+  /// Takes the faults that the tree has so far. @param key whose faults they are
+  void add_tree_faults(const std::string& key) {
+    for (Fault& fault : tree_.faults) faults_.push_back({key, std::move(fault)});
+    tree_.faults.clear();
   }
 
   /// In the order in which a person meets them: file by file, from top to bottom, then what is missing.
   void sort_faults() {
     std::vector<std::string> order;
     for (const cycle::InputFile& file : case_.files) order.push_back(file.path);
-    const auto rank = [&](const Fault& f) {
-      const auto found = std::find(order.begin(), order.end(), f.mark.file);
-      return std::tuple(f.mark.line == 0, found - order.begin(), f.mark.line, f.mark.column);
+    const auto rank = [&](const KeyFault& f) {
+      const SourceMark& mark = f.fault.mark;
+      const auto found = std::find(order.begin(), order.end(), mark.file);
+      return std::tuple(mark.line == 0, found - order.begin(), mark.line, mark.column);
     };
-    std::stable_sort(tree_.faults.begin(), tree_.faults.end(),
-                     [&](const Fault& a, const Fault& b) { return rank(a) < rank(b); });
+    std::stable_sort(faults_.begin(), faults_.end(),
+                     [&](const KeyFault& a, const KeyFault& b) { return rank(a) < rank(b); });
   }
 
   CaseTree tree_;
   const Units& units_;
   CasePurpose purpose_;
   Case case_;
+  std::vector<KeyFault> faults_;
   std::map<std::string, const TomlEntry*> given_;
 };
 
 bool same(const Fault& a, const Fault& b) {
   return a.mark.file == b.mark.file && a.mark.line == b.mark.line && a.mark.column == b.mark.column &&
          a.message == b.message;
+}
+
+/// The faults of a pack, each once: those at no line of a file name their ring, but not where they are of a key that
+/// all rings share.
+void append_ring_faults(const std::vector<std::vector<KeyFault>>& of_rings, std::vector<Fault>& faults) {
+  const auto has = [](const std::vector<KeyFault>& ring, const Fault& fault) {
+    return std::ranges::any_of(ring, [&](const KeyFault& one) { return same(one.fault, fault); });
+  };
+  for (std::size_t i = 0; i < of_rings.size(); ++i) {
+    std::vector<Fault> named;
+    for (auto [key, fault] : of_rings[i]) {
+      const bool of_ring = key.rfind("ring.", 0) == 0;
+      const bool of_all = std::ranges::all_of(of_rings, [&](const auto& ring) { return has(ring, fault); });
+      const bool may_be_common = key.rfind("contact.", 0) == 0 && of_all;
+      if (fault.mark.line == 0 && cycle::is_of_ring(key) && (of_ring || !may_be_common)) {
+        fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
+      }
+      named.push_back(std::move(fault));
+    }
+    append_new(faults, std::move(named), same);
+  }
 }
 
 /// Removes the keys of files that are in use in the case without the overrides, and not with them.
@@ -183,14 +216,15 @@ Case case_of(PackTrees pack, const Units& units, CasePurpose purpose = CasePurpo
   std::vector<Fault> faults = std::move(pack.faults);
   std::vector<Case> cases;
   std::vector<std::map<std::string, SourceMark>> places(pack.trees.size());
+  std::vector<std::vector<KeyFault>> of_rings(pack.trees.size());
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
-    std::vector<Fault> of_ring;
     for (const TomlEntry& entry : pack.trees[i].entries) places[i][entry.key] = entry.value.mark;
-    cases.push_back(CaseReader(std::move(pack.trees[i]), units, purpose).read(of_ring));
-    for (Fault& fault : of_ring) {
-      if (pack.is_pack && fault.mark.line == 0) fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
-    }
-    append_new(faults, std::move(of_ring), same);
+    cases.push_back(CaseReader(std::move(pack.trees[i]), units, purpose).read(of_rings[i]));
+  }
+  if (pack.is_pack) {
+    append_ring_faults(of_rings, faults);
+  } else {
+    for (KeyFault& one : of_rings.front()) faults.push_back(std::move(one.fault));
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   Case all = pack.is_pack ? ring_pack(std::move(cases)) : std::move(cases.front());
@@ -225,12 +259,13 @@ cycle::Case read_case(const std::string& path, const std::vector<Override>& over
 
 namespace {
 
-/// Leaves the keys that the static closure uses.
+/// Leaves the keys that the static closure uses, of a pack those of its first ring.
 void keep_closure(CaseTree& tree) {
   const Case closure = cycle::blank_case(cycle::Problem::kClosure);
   const auto is_other = [&](const std::string& key) {
-    const cycle::Field* field = cycle::find_field(key);
-    return field != nullptr && !cycle::belongs(*field, closure);
+    const auto of_ring = cycle::ring_key(key);
+    const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : key);
+    return (of_ring && of_ring->ring > 1) || (field != nullptr && !cycle::belongs(*field, closure));
   };
   for (const TomlEntry& entry : tree.entries) {
     if (entry.key.rfind("pad.", 0) != 0) continue;
@@ -244,9 +279,9 @@ void keep_closure(CaseTree& tree) {
 
 PackTrees closure_trees(const std::string& path, const std::vector<Override>& overrides,
                         std::vector<DroppedKey>* dropped) {
-  PackTrees pack = pack_trees(read_case_tree(path, overrides, dropped));
-  for (CaseTree& tree : pack.trees) keep_closure(tree);
-  return pack;
+  CaseTree tree = read_case_tree(path, overrides, dropped);
+  keep_closure(tree);
+  return pack_trees(std::move(tree));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ const char* const kOilGrade = "lubricant.grade";
 using Ways = std::vector<std::vector<std::string>>;
 /// Of these a case states one way. The first key of a way decides.
 const std::vector<Ways> kWays = {
-    {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.free_gap"}},
+    {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.expander_force"}, {"ring.free_gap"}},
     {{"pad.separation", "pad.oscillation.amplitude", "pad.oscillation.period", "pad.oscillation.phase"},
      {"pad.load"},
      {"pad.separation_history"}},
@@ -41,12 +41,13 @@ constexpr std::size_t kMostSuggestions = 100;
 
 /// The keys and sections of a case file.
 struct CaseNames {
-  std::vector<std::string> keys{"include"}, sections;
+  std::vector<std::string> keys{"include"}, keys_of_cycle, sections;
   std::set<std::string> all_sections;  ///< those that hold only sections among them
 
   CaseNames() {
     for (const cycle::Field& field : cycle::case_fields()) {
       keys.push_back(field.key);
+      if (field.key.rfind("pad.", 0) != 0) keys_of_cycle.push_back(field.key);
       const std::size_t last = field.key.rfind('.');
       if (last == std::string::npos) continue;
       const std::string section = field.key.substr(0, last);
@@ -71,6 +72,12 @@ bool lies_in(const std::string& key, const std::set<std::string>& sections) {
 std::string plain_key(const std::string& key) {
   const auto of_ring = cycle::ring_key(key);
   return of_ring ? of_ring->key : key;
+}
+
+/// A key of a ring 0, as one that counts from 0 writes it.
+bool is_ring_zero(const std::string& key) {
+  const std::size_t digits = std::string("ring.").size(), end = key.find_first_not_of('0', digits);
+  return key.rfind("ring.0", 0) == 0 && end != std::string::npos && key[end] == '.';
 }
 
 const cycle::Field* field_of(const std::string& key) { return cycle::find_field(plain_key(key)); }
@@ -208,7 +215,11 @@ class Gatherer {
       return false;
     }
     KeyProposal proposal{"", "", "`ringfilm fields` lists all keys"};
-    if (tree_.faults.size() < kMostSuggestions) proposal = key_proposal(plain_key(entry.key), names_.keys);
+    if (is_ring_zero(entry.key)) {
+      proposal.message = ": rings count from 1, the one next to the chamber";
+    } else if (tree_.faults.size() < kMostSuggestions) {
+      proposal = key_proposal(plain_key(entry.key), names_of(plain_key(entry.key)));
+    }
     if (const auto of_ring = cycle::ring_key(entry.key); of_ring && !proposal.near.empty()) {
       proposal.near = cycle::pack_key(of_ring->ring, proposal.near);
       proposal.message = did_you_mean(proposal.near);
@@ -216,6 +227,11 @@ class Gatherer {
     if (!proposal.near.empty()) tree_.faulty.insert(proposal.near);
     fault(entry.value.key_mark, "unknown key " + entry.key + proposal.message, proposal.remedy);
     return false;
+  }
+
+  /// Keys that may be meant: those of a pad only by a key of a pad.
+  const std::vector<std::string>& names_of(const std::string& written) const {
+    return written.rfind("ring.", 0) == 0 ? names_.keys_of_cycle : names_.keys;
   }
 
   void add(const TomlEntry& entry) {

@@ -208,8 +208,16 @@ class Setter {
 
   bool in_range(const TomlValue& value, double number) {
     if (!field_.range || inside(number, *field_.range)) return true;
-    refuse(value, "is out of range", "allowed is " + range_words(field_, units_));
+    refuse(value, "is out of range", "allowed is " + range_words(field_, units_) + omission_words(number));
     return false;
+  }
+
+  /// What happens without the key, of an optional one that is stated as zero where that is not allowed.
+  std::string omission_words(double number) const {
+    const std::string begin = "if omitted, ";
+    const std::size_t at = field_.help.find(begin);
+    if (number != 0 || at == std::string::npos) return "";
+    return "; omit it where it is not there: then " + field_.help.substr(at + begin.size());
   }
 
   /// A number with its unit in SI, checked against nothing but its dimension.

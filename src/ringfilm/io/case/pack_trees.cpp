@@ -100,7 +100,9 @@ PackTrees pack_trees(CaseTree tree) {
   }
   if (single != nullptr) {
     pack.faults.push_back({single->value.key_mark, single->key + " belongs to no ring of the pack",
-                           "write it into a [[ring]] section, or [ring] for a case of one ring"});
+                           single->value.key_mark.line == 0
+                               ? "a key of one ring is " + cycle::pack_key(1, single->key)
+                               : "write it into a [[ring]] section, or [ring] for a case of one ring"});
     std::erase_if(common, [](const TomlEntry& entry) { return entry.key.rfind("ring.", 0) == 0; });
   }
   std::set<std::string> faulty;

@@ -10,6 +10,10 @@
 #include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/gas_path/pack_gas_layout.hpp"
+#include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file_writer.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -17,6 +21,8 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
+/// Raised by one whenever a name or a meaning of the file of the gas alone changes.
+constexpr long kGasSchema = 1;
 
 /// Is it a key that the gas uses, of one ring or of a ring of a pack?
 bool is_gas_entry(const CaseEntry& entry) {
@@ -46,7 +52,7 @@ std::string column_name(const std::string& what, std::string name) {
 GasPathDocument gas_path_document(const cycle::Case& c) {
   const gas_path::Pack pack = cycle::gas_pack(c);
   GasPathDocument document;
-  document.result = gas_path::solve_gas_path(pack);
+  document.result = gas_path::solve_gas_path(pack, cycle::given_pressures(c));
   document.title = c.title;
   for (CaseEntry& entry : case_entries(c)) {
     if (is_gas_entry(entry)) document.inputs.push_back(std::move(entry));
@@ -55,6 +61,7 @@ GasPathDocument gas_path_document(const cycle::Case& c) {
   document.input_notes = c.notes;
   document.notes = cycle::gas_path_notes(c, pack, document.result);
   document.provenance = this_program();
+  document.gas_constant = pack.gas.gas_constant;
   document.blow_by_flow = blow_by_flow(document.result, pack.gas.gas_constant);
   return document;
 }
@@ -83,7 +90,10 @@ std::string gas_path_json(const GasPathDocument& document) {
     if (!result.motion[i].has_groove) continue;
     object["ring_motion"].push_back({{"ring", i + 1},
                                      {"departures_from_lower_flank", result.motion[i].departures},
-                                     {"flutters", result.motion[i].flutters}});
+                                     {"flutters", result.motion[i].flutters},
+                                     {"least_seating_force", result.motion[i].least_seating_force},
+                                     {"least_seating_force_angle", result.motion[i].least_seating_force_angle_deg},
+                                     {"unseated_share", result.motion[i].unseated_share}});
   }
   for (std::size_t k = 0; k < result.paths.size(); ++k) {
     object["paths"].push_back({{"name", path_name(result.paths[k])}, {"mass_per_cycle", result.transported[k]}});
@@ -91,10 +101,13 @@ std::string gas_path_json(const GasPathDocument& document) {
   object["cycles_integrated"] = result.cycles;
   object["periodicity_error"] = result.periodicity;
   object["periodic"] = result.repeats;
-  object["units"] = {{"blow_by_per_cycle", "kg"}, {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
-                     {"peak_pressure", "Pa"},     {"peak_pressure_angle", "degree"},
-                     {"mean_pressure", "Pa"},     {"crank_angle", "degree"},
-                     {"mass_per_cycle", "kg"},    {"mass_defect", "1"}};
+  object["period_in_cycles"] = result.period;
+  object["units"] = {{"blow_by_per_cycle", "kg"},  {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
+                     {"peak_pressure", "Pa"},      {"peak_pressure_angle", "degree"},
+                     {"mean_pressure", "Pa"},      {"crank_angle", "degree"},
+                     {"mass_per_cycle", "kg"},     {"mass_defect", "1"},
+                     {"least_seating_force", "N"}, {"least_seating_force_angle", "degree"},
+                     {"unseated_share", "1"}};
   object["notes"] = gas_notes_array(document);
   ordered_json assumed = ordered_json::object();
   for (const CaseEntry& entry : document.inputs) {
@@ -104,6 +117,17 @@ std::string gas_path_json(const GasPathDocument& document) {
   object["program"] = document.provenance.program;
   object["commit"] = document.provenance.commit;
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_gas_path(const std::string& path, const GasPathDocument& document) {
+  ResultFileWriter file(path);
+  file.attribute("Conventions", std::string("CF-1.10"));
+  file.attribute("ringfilm_gas_schema", kGasSchema);
+  file.attribute("title", document.title);
+  exchange_provenance(file, document.provenance);
+  const struct { std::optional<PackGas> gas; } content{pack_gas(document.result, document.gas_constant)};
+  exchange_pack_gas(file, content);
+  write_atomically(path, file.bytes());
 }
 
 std::string gas_path_csv(const GasPathDocument& document) {

@@ -16,6 +16,7 @@ struct GasPathDocument {
   std::vector<std::string> input_notes;  ///< Case::notes
   std::vector<cycle::Note> notes;        ///< on the result
   Provenance provenance;                 ///< what computed it
+  double gas_constant = 0;               ///< of the case [J/(kg K)]
   double blow_by_flow = 0;               ///< at 25 degC and standard atmosphere [m3/s]
   gas_path::GasPathResult result;
 };
@@ -26,6 +27,10 @@ GasPathDocument gas_path_document(const cycle::Case& c);
 
 /// Values of the cycle as JSON: pressures in Pa, masses in kg, angles in degrees, blow-by flow in l/min.
 std::string gas_path_json(const GasPathDocument& document);
+
+/// Writes them as NetCDF-4 with the curves over crank angle, under the names that the result file of a pack has for its
+/// gas. Throws OutputError.
+void write_gas_path(const std::string& path, const GasPathDocument& document);
 
 /// At each degree of crank angle the pressure of each region, the flow along each path and the position of each ring.
 std::string gas_path_csv(const GasPathDocument& document);

@@ -18,7 +18,18 @@ std::string ring_title(const std::string& pack, std::size_t number, const Result
   return title;
 }
 
+std::vector<std::size_t> numbers_of(const std::vector<ResultDocument>& rings) {
+  std::vector<std::size_t> numbers;
+  for (const ResultDocument& ring : rings) {
+    const std::size_t before = numbers.empty() ? 0 : numbers.back();
+    numbers.push_back(ring.rail > 1 ? before : before + 1);
+  }
+  return numbers;
+}
+
 }  // namespace
+
+std::vector<std::size_t> ring_numbers(const ResultDocument& pack) { return numbers_of(pack.rings); }
 
 ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result) {
   ResultDocument document;
@@ -36,6 +47,7 @@ ResultDocument pack_document(const std::string& title, std::vector<ResultDocumen
   ResultDocument pack;
   pack.title = title;
   pack.provenance = rings.front().provenance;
+  const std::vector<std::size_t> numbers = numbers_of(rings);
   std::vector<std::vector<CaseEntry>> inputs;
   for (const ResultDocument& ring : rings) inputs.push_back(ring.inputs);
   pack.inputs = pack_entries(inputs);
@@ -43,7 +55,7 @@ ResultDocument pack_document(const std::string& title, std::vector<ResultDocumen
   pack.ledger_computed = std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return ring.ledger_computed; });
   for (std::size_t i = 0; i < rings.size(); ++i) {
     ResultDocument& ring = rings[i];
-    ring.title = ring_title(title, i + 1, ring);
+    ring.title = ring_title(title, numbers[i], ring);
     append_new(pack.files, ring.files, [](const auto& a, const auto& b) { return a.path == b.path; });
     append_new(pack.input_notes, ring.input_notes, std::equal_to());
     pack.result.complete = pack.result.complete && ring.result.complete;

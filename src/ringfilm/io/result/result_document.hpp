@@ -17,6 +17,9 @@ ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result);
 /// @param title of the pack
 ResultDocument pack_document(const std::string& title, std::vector<ResultDocument> rings);
 
+/// The number of each ring of a pack, from 1; rails of an oil ring have the number of their ring.
+std::vector<std::size_t> ring_numbers(const ResultDocument& pack);
+
 /// The rings of a pack, or the one ring of a document that is not a pack; a view of the document.
 std::span<const ResultDocument> rings_of(const ResultDocument& document);
 

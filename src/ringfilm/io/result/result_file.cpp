@@ -34,6 +34,10 @@ void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& fi
     throw InputError(path + ": the film of a pad; a report is drawn of rings",
                      "name a result of an engine cycle; any program for NetCDF reads this one");
   }
+  if (file.has_attribute("ringfilm_gas_schema")) {
+    throw InputError(path + ": the gas of a ring pack alone; a report is drawn of rings with their films",
+                     "name a result that ringfilm run --output has written; any program for NetCDF reads this one");
+  }
   if (file.has_attribute("ringfilm_study_schema")) {
     throw InputError(path + ": the result of a study; a report is drawn of single cycles",
                      "ringfilm study wrote the page of the study together with it: " +
@@ -97,7 +101,9 @@ ResultDocument read_pack(const std::string& path, ResultFileReader& file) {
     file.choose_ring(i);
     rings.push_back(read_ring(path, file));
   }
-  return pack_document(pack.title, std::move(rings));
+  ResultDocument whole = pack_document(pack.title, std::move(rings));
+  whole.gas = std::move(pack.gas);
+  return whole;
 }
 
 }  // namespace

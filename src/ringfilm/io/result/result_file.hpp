@@ -6,6 +6,7 @@
 
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/io/gas_path/pack_gas.hpp"
 #include "ringfilm/study/comparison.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
@@ -51,6 +52,8 @@ struct ResultDocument {
   /// Of a ring pack the result of each ring, from the chamber down, and in place of `result` the friction of all rings
   /// (fmep, energy_per_cycle, mean_power_loss) and whether all are complete. Empty: a case of one ring.
   std::vector<ResultDocument> rings;
+  std::optional<PackGas> gas;  ///< of a pack whose gas path is computed
+  long rail = 0;               ///< of an oil ring of several rails this one, from 1; 0: a ring as a whole
 
   bool is_pack() const { return !rings.empty(); }  ///< is it the result of a ring pack?
 };

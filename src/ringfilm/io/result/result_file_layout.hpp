@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
@@ -29,6 +30,11 @@ void exchange_attributes(File& file, Document& document) {
   file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
   file.attribute("ledger_computed", document.ledger_computed);
+  if constexpr (File::kReads) {
+    if (file.has_variable("rail")) file.attribute("rail", document.rail);
+  } else {
+    if (document.rail > 0) file.attribute("rail", document.rail);
+  }
   auto& effort = document.result.effort;
   file.attribute("effort_cycles_integrated", effort.cycles_integrated);
   file.attribute("effort_periodicity_error", effort.periodicity_error);
@@ -232,6 +238,7 @@ void exchange_pack(File& file, Document& document) {
   file.attribute("kernels", document.provenance.kernels);
   file.scalar(text("pack_case", "a complete case file of the pack in SI that gives the same bits again"),
               document.resolved_case);
+  exchange_pack_gas(file, document);
 }
 
 /// Everything, in the order of the file.

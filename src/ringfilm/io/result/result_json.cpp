@@ -2,6 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/io/gas_path/pack_sums.hpp"
+#include "ringfilm/io/result/result_document.hpp"
+
 namespace ringfilm::io {
 namespace {
 
@@ -114,18 +117,66 @@ ordered_json result_object(const ResultDocument& document) {
   return object;
 }
 
+/// What the gas between the rings does.
+ordered_json gas_object(const PackGas& gas) {
+  constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
+  ordered_json object = {{"blow_by_per_cycle", gas.blow_by_per_cycle},
+                         {"blow_by_flow", gas.blow_by_flow * kLitresPerMinute},
+                         {"mass_defect", gas.mass_defect},
+                         {"periodicity_error", gas.periodicity_error},
+                         {"regions", ordered_json::array()},
+                         {"ring_events", ordered_json::array()}};
+  for (const gas_path::RegionValues& region : gas.regions) {
+    object["regions"].push_back({{"name", region.name},
+                                 {"peak_pressure", region.peak_pressure},
+                                 {"peak_pressure_angle", region.peak_pressure_angle_deg},
+                                 {"mean_pressure", region.mean_pressure}});
+  }
+  for (const PackGas::Event& event : gas.events) {
+    object["ring_events"].push_back(
+        {{"ring", event.ring}, {"crank_angle", event.crank_angle_deg}, {"event", event.event}});
+  }
+  object["units"] = {{"blow_by_per_cycle", "kg"}, {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
+                     {"peak_pressure", "Pa"},     {"peak_pressure_angle", "degree"},
+                     {"mean_pressure", "Pa"},     {"crank_angle", "degree"}};
+  return object;
+}
+
+ordered_json oil_object(const PackOil& oil) {
+  return {{"liner_film_after_power_stroke", oil.film_after_power_stroke},
+          {"liner_film_after_intake_stroke", oil.film_after_intake_stroke},
+          {"oil_left_at_tdc", oil.left_at_tdc},
+          {"oil_to_chamber_upper_bound", oil.to_chamber_upper_bound},
+          {"units",
+           {{"liner_film_after_power_stroke", "m"},
+            {"liner_film_after_intake_stroke", "m"},
+            {"oil_left_at_tdc", "kg"},
+            {"oil_to_chamber_upper_bound", "kg"}}}};
+}
+
 /// The rings of a pack, and what their friction adds up to.
 ordered_json pack_object(const ResultDocument& document) {
   ordered_json object = {{"title", document.title}, {"rings", ordered_json::array()}};
+  const std::vector<std::size_t> numbers = ring_numbers(document);
   for (std::size_t i = 0; i < document.rings.size(); ++i) {
-    ordered_json ring = {{"ring", i + 1}};
+    ordered_json ring = {{"ring", numbers[i]}};
+    if (document.rings[i].rail > 0) ring["rail"] = document.rings[i].rail;
     ring.update(result_object(document.rings[i]));
     object["rings"].push_back(std::move(ring));
   }
   const cycle::CycleValues& sum = document.result.values;
   object["all_rings"] = {
       {"fmep", sum.fmep}, {"energy_per_cycle", sum.energy_per_cycle}, {"mean_power_loss", sum.mean_power_loss}};
+  object["by_ring"] = ordered_json::array();
+  for (const RingSums& one : ring_sums(document)) {
+    object["by_ring"].push_back({{"ring", one.ring},
+                                 {"fmep", one.fmep},
+                                 {"energy_per_cycle", one.energy_per_cycle},
+                                 {"mean_power_loss", one.mean_power_loss}});
+  }
   object["units"] = {{"fmep", "Pa"}, {"energy_per_cycle", "J"}, {"mean_power_loss", "W"}};
+  if (const std::optional<PackOil> oil = pack_oil(document)) object["oil"] = oil_object(*oil);
+  if (document.gas) object["gas"] = gas_object(*document.gas);
   object["program"] = document.provenance.program;
   object["commit"] = document.provenance.commit;
   object["kernels"] = document.provenance.kernels;

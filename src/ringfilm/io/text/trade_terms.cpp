@@ -8,7 +8,8 @@ namespace ringfilm::io {
 namespace {
 
 constexpr std::string_view kEndGap =
-    "the closed gap is the one between the ends of the ring in the bore; it is used with film.dimension = \"unrolled\"";
+    "the closed gap is the one between the ends of the ring in the bore; it is used with film.dimension = \"unrolled\" "
+    "and with gas_path.model = \"orifice-volume\"";
 constexpr std::string_view kFreeGap = "ring.free_gap is the total free gap less the closed gap";
 constexpr std::string_view kTension =
     "state one of ring.tangential_force, ring.elastic_pressure, or ring.free_gap with ring.radial_thickness";
@@ -24,7 +25,9 @@ constexpr std::string_view kSection =
     "points, ring.face.form = \"points\" with ring.face.file";
 constexpr std::string_view kStraight = "the model's ring stays straight; a tilted face can be given as points";
 constexpr std::string_view kGroove =
-    "gas.pressure_behind_ring is the share of the excess gas pressure that acts behind the ring";
+    "it is used with gas_path.model = \"orifice-volume\"; otherwise gas.pressure_behind_ring is the share of the "
+    "excess "
+    "gas pressure that acts behind the ring";
 
 constexpr auto kTerms = std::to_array<TradeTerm>({
     {"closed_gap", "ring.end_gap", kEndGap},
@@ -57,13 +60,17 @@ constexpr auto kTerms = std::to_array<TradeTerm>({
     {"napier", "", kPoints},
     {"scraper", "", kPoints},
     {"twist", "", kStraight},
-    {"side_clearance", "", kGroove},
-    {"groove_clearance", "", kGroove},
+    {"side_clearance", "ring.side_clearance", kGroove},
+    {"groove_clearance", "ring.side_clearance", kGroove},
 });
+
+/// The gap of a ring; that of a pad is a key of its own.
+constexpr TradeTerm kGap{"gap", "ring.end_gap", kEndGap};
 
 }  // namespace
 
 const TradeTerm* trade_term(const std::string& key) {
+  if (key == "ring.gap") return &kGap;
   std::string name = "_" + key.substr(key.rfind('.') + 1) + "_";
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return c == '-' ? '_' : static_cast<char>(std::tolower(c)); });

@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
+#include "ringfilm/report/payload/payload_pack.hpp"
 #include "ringfilm/report/payload/payload_unrolled.hpp"
 #include "ringfilm/report/script_text.hpp"
 
@@ -183,15 +184,6 @@ const char* word_of(cycle::NoteCount count) {
   return "occurrences";
 }
 
-/// What the friction of the rings of a pack adds up to.
-ordered_json pack(const io::ResultDocument& d) {
-  const cycle::CycleValues& sum = d.result.values;
-  return {{"title", d.title},
-          {"n_rings", d.rings.size()},
-          {"complete", d.result.complete},
-          {"values", {{"fmep", exact(sum.fmep)}, {"mean_power_loss", exact(sum.mean_power_loss)}}}};
-}
-
 /// A note with its place in the order of all notes and what it counts.
 ordered_json note_object(const cycle::Note& note) {
   const cycle::NoteTopic* entry = cycle::note_topic(note.topic);
@@ -258,7 +250,7 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["cases"] = ordered_json::array();
   root["packs"] = ordered_json::array();
   for (const io::ResultDocument& d : documents) {
-    if (d.is_pack()) root["packs"].push_back(pack(d));
+    if (d.is_pack()) root["packs"].push_back(pack_payload(d, root["cases"].size()));
     for (const io::ResultDocument& ring : io::rings_of(d)) root["cases"].push_back(document(ring));
   }
   root["overlays"] = ordered_json::array();

@@ -140,6 +140,7 @@ std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) 
   };
   if (ring.elastic_pressure) return scaled("ring.elastic_pressure", *ring.elastic_pressure, kMPa);
   if (ring.tangential_force) return scaled("ring.tangential_force", *ring.tangential_force, kNewton);
+  if (ring.expander_force) return scaled("ring.expander_force", *ring.expander_force, kNewton);
   return scaled("ring.free_gap", ring.free_gap.value(), kMm);
 }
 
@@ -158,6 +159,11 @@ Assumption cavitation_pressure(const Case& c) {
 
 Assumption pressure_behind_ring(const Case& c) {
   const double share = c.gas.pressure_behind_ring;
+  if (c.ring.gas_path.kind == cycle::RingKind::kOil) {
+    return assumption("pressure-behind-ring",
+                      "holes drain the groove of the oil ring: the pressure below acts behind it",
+                      "holes that oil fills or that are narrow let the pressure above reach the groove");
+  }
   return assumption("pressure-behind-ring",
                     share == 1 ? "the full gas pressure above the ring acts behind it at once"
                                : text("%.3g %% of the excess of the gas pressure above the ring over that below it "
@@ -173,7 +179,24 @@ Assumption gas_path(const Case& c) {
                     text("the gas between the rings is that of volumes at constant temperatures, end gaps and side "
                          "clearances; rings \"%s\"",
                          chosen("gas_path.ring_motion", c).c_str()),
-                    "volumes, temperatures, clearances and end gaps are rarely known, and the film lets no gas pass");
+                    "the film lets no gas pass, the temperatures do not follow the gas");
+}
+
+/// What the gas fills and leaks through at this ring.
+Assumption gas_sizes(const Case& c) {
+  const cycle::RingGasPath& gas = c.ring.gas_path;
+  const double gap = gas.gap_area ? *gas.gap_area : c.ring.end_gap.value_or(0) * gas.land_clearance.value_or(0);
+  std::string sizes = text("end gap of %.3g mm2", gap * 1e6);
+  if (gas.kind == cycle::RingKind::kCompression) {
+    sizes += text(", groove of %.3g mm3 at %.4g K, side clearance of %.3g um", gas.groove_volume.value_or(0) * 1e9,
+                  gas.groove_temperature, gas.side_clearance.value_or(0) * 1e6);
+  }
+  if (gas.volume_below > 0) {
+    sizes += text(", piston land below of %.3g mm3 at %.4g K", gas.volume_below * 1e9, gas.temperature_below);
+  }
+  return assumption("gas-volumes", "the gas at the ring has an " + sizes,
+                    "those of a hot engine are rarely known and differ from the drawing: end gaps close, blow-by is "
+                    "nearly proportional to that of the ring that chokes, volumes set the pressure between the rings");
 }
 
 Assumption pressure_under_ring(const Case& c) {
@@ -428,6 +451,8 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
   std::vector<Assumption> all = {flooded_inlet(setup)};
   if (c.gas_path.is_computed()) {
     all.push_back(gas_path(c));
+    all.push_back(gas_sizes(c));
+    if (c.ring.gas_path.kind == cycle::RingKind::kOil) all.push_back(pressure_behind_ring(c));
   } else {
     all.push_back(pressure_behind_ring(c));
     all.push_back(pressure_under_ring(c));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../styles_case.hpp"
+#include "ringfilm/cycle/rails_of_pack.hpp"
 #include "ringfilm/cycle/simulate_pack.hpp"
 
 /// Rings of a pack that share the oil on the liner.
@@ -92,6 +93,53 @@ TEST(PackOil, ARingWithoutAFilmStopsThePack) {
   EXPECT_FALSE(pack[0].result.complete);
   ASSERT_TRUE(pack[1].stop);
   EXPECT_NE(pack[1].stop->message.find("lifts the ring off"), std::string::npos) << pack[1].stop->message;
+}
+
+/// A compression ring and an oil ring of two rails.
+Case ring_and_oil_ring() {
+  Case pack = styles_new_ring();
+  Case oil = pack;
+  oil.ring.gas_path.kind = RingKind::kOil;
+  oil.ring.name = "oil";
+  oil.ring.rails = 2;
+  oil.ring.face_width = 0.4e-3;
+  oil.ring.rail_distance = 1.2e-3;
+  oil.ring.elastic_pressure.reset();
+  oil.ring.expander_force = 25;
+  pack.rings = {pack, oil};
+  return pack;
+}
+
+TEST(OilRing, ItsRailsShareTheForceOfTheExpander) {
+  const Case pack = ring_and_oil_ring();
+  const Case films = with_rails(pack);
+  ASSERT_EQ(films.rings.size(), 3U);
+  const double shared = 2 * 25 / (pack.engine.bore * 2 * 0.4e-3);  // eq-rail-pressure
+  for (const std::size_t rail : {1U, 2U}) {
+    EXPECT_NEAR(elastic_pressure(films.rings[rail]), shared, 1e-9 * shared);
+    EXPECT_EQ(films.rings[rail].ring.rails, 1);
+    EXPECT_EQ(rail_number(pack, rail), rail);
+  }
+  EXPECT_NEAR(elastic_pressure(pack.rings[1]), shared, 1e-9 * shared);
+  EXPECT_EQ(films.rings[1].ring.name, "oil, upper rail");
+  EXPECT_EQ(films.rings[1].ring.land_below, 1.2e-3);
+  EXPECT_EQ(ring_label(pack, 0), "1");
+  EXPECT_EQ(ring_label(pack, 2), "2, rail 2");
+}
+
+// Holes drain the groove: behind the rails and between them is the pressure below the ring.
+TEST(OilRing, ItsGrooveHasThePressureBelowIt) {
+  Case pack = ring_and_oil_ring();
+  pack.rings[0].ring.pressure_below.constant = 3e5;
+  pack.rings[1].ring.pressure_above.constant = 3e5;
+  const Case films = with_rails(pack);
+  const auto upper = prepare(films.rings[1]), lower = prepare(films.rings[2]);
+  const double crankcase = pack.gas.crankcase_pressure;
+  EXPECT_EQ(upper.ring.lands.above.pressure(100), 3e5);
+  EXPECT_EQ(upper.ring.lands.below.pressure(100), crankcase);
+  EXPECT_EQ(lower.ring.lands.above.pressure(100), crankcase);
+  ASSERT_TRUE(upper.ring.lands.behind && lower.ring.lands.behind);
+  EXPECT_EQ(upper.ring.lands.behind->pressure(100), crankcase);
 }
 
 }  // namespace

@@ -5,11 +5,21 @@
 namespace ringfilm::cycle::table {
 namespace {
 
-constexpr When kComputedGas{[](const Case& c) { return c.gas_path.is_computed(); },
-                            "gas_path.model = \"orifice-volume\""};
+/// Does the gas flow through gaps and clearances? With given pressures for `ringfilm gas` alone.
+bool has_gas_path(const Case& c) { return c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath; }
+
+constexpr When kComputedGas{[](const Case& c) { return has_gas_path(c); },
+                            "gas_path.model = \"orifice-volume\", or for ringfilm gas"};
 constexpr When kRingInGroove{
-    [](const Case& c) { return c.gas_path.is_computed() && c.ring.gas_path.kind == RingKind::kCompression; },
-    "gas_path.model = \"orifice-volume\" and ring.kind = \"compression\""};
+    [](const Case& c) { return has_gas_path(c) && c.ring.gas_path.kind == RingKind::kCompression; },
+    "gas_path.model = \"orifice-volume\", or for ringfilm gas, and ring.kind = \"compression\""};
+constexpr When kPartOfPack{[](const Case& c) {
+                             return has_gas_path(c) || c.ring.gas_path.kind == RingKind::kOil ||
+                                    c.stated.contains("ring.kind");
+                           },
+                           "gas_path.model = \"orifice-volume\", or it is stated"};
+constexpr When kOilRing{[](const Case& c) { return c.ring.gas_path.kind == RingKind::kOil; }, "ring.kind = \"oil\""};
+constexpr When kSeveralRails{[](const Case& c) { return c.ring.rails > 1; }, "ring.rails is more than 1"};
 
 constexpr Unit kGasTemperature{"K", "K"};
 constexpr Unit kVolume{"m3", "mm3"};
@@ -22,12 +32,18 @@ std::vector<Field> common_fields() {
       field("gas_path.model", choice<&Case::gas_path, &GasPath::model>({"given", "orifice-volume"}), kNoUnit, {},
             Need::kDefault, {},
             {"gas pressures between the rings as stated (ring.pressure_below), or computed from volumes, end gaps and "
-             "side clearances",
+             "side clearances; ringfilm gas with stated pressures computes the flows between them",
              "\"orifice-volume\""}),
       field("gas_path.ring_motion", choice<&Case::gas_path, &GasPath::ring_motion>({"seated", "axial"}), kNoUnit, {},
             Need::kDefault, kComputedGas,
             {"rings on their lower flanks, or moved in their grooves by gas, inertia and friction on the bore",
              "\"axial\""}),
+      field(
+          "gas_path.film", choice<&Case::gas_path, &GasPath::film>({"sealing", "breakthrough"}), kNoUnit, {},
+          Need::kDefault, kComputedGas,
+          {"films that let no gas pass, or gas through the gap over the face, all around, where the film does not hold "
+           "it; gas and films are then computed in turns",
+           "\"breakthrough\""}),
       field("gas_path.discharge_coefficient", NumberKind{member<&Case::gas_path, &GasPath::discharge_coefficient>},
             kPlainNumber, above(0, 1), Need::kDefault, kComputedGas,
             {"discharge coefficient of the end gaps, C; typical, assumed", "0.65"}),
@@ -60,8 +76,20 @@ std::vector<Field> common_fields() {
 std::vector<Field> ring_fields() {
   return {
       field("ring.kind", choice<&Case::ring, &Ring::gas_path, &RingGasPath::kind>({"compression", "oil"}), kNoUnit, {},
-            Need::kDefault, kComputedGas,
-            {"compression ring, or oil ring, which is an end gap alone to the gas", "\"compression\""}),
+            Need::kDefault, kPartOfPack,
+            {"compression ring, or oil ring, which is an end gap alone to the gas and has a drained groove",
+             "\"compression\""}),
+      field("ring.rails", CountKind{member<&Case::ring, &Ring::rails>}, kPlainNumber, between(1, 4), Need::kDefault,
+            kOilRing,
+            {"faces of the oil ring, each with a film of its own: 2 of a two- or three-piece ring; ring.face_width, "
+             "ring.face and [contact] are those of each",
+             "2"}),
+      field("ring.rail_distance", OptionalNumberKind{member<&Case::ring, &Ring::rail_distance>}, {"m", "mm"},
+            above(0, 0.05), Need::kOptional, kSeveralRails,
+            {"free height between two rails; if omitted, a rail's face width", "\"1.6 mm\""}),
+      field("ring.expander_force", OptionalNumberKind{member<&Case::ring, &Ring::expander_force>}, {"N", "N"},
+            above(0, 1e5), Need::kOptional, kOilRing,
+            {"tangential force of the expander that presses the rails, which share it: p_e = 2 F/(B n b)", "\"25 N\""}),
       field("ring.gap_area", OptionalNumberKind{member<&Case::ring, &Ring::gas_path, &RingGasPath::gap_area>},
             {"m2", "mm2"}, between(0, 1e-4), Need::kOptional, kComputedGas,
             {"area of the end gap, as the gas passes it; if omitted, ring.end_gap times ring.land_clearance",

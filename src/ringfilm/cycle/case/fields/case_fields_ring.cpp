@@ -11,17 +11,22 @@ constexpr When kFourModuliOrFreeGap{
     [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
     "contact.composite_modulus is not stated, or ring.radial_thickness is stated"};
 
-constexpr When kGap{[](const Case& c) { return c.is_unrolled() || c.gas_path.is_computed() || c.has_closure(); },
+constexpr When kGap{[](const Case& c) {
+                      return c.is_unrolled() || c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath ||
+                             c.has_closure();
+                    },
                     "film.dimension = \"unrolled\", or gas_path.model = \"orifice-volume\", or for ringfilm conform, "
                     "with liner.distortion or [conform]"};
 constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
 constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); }, "gas_path.model = \"given\""};
 constexpr When kGapped{[](const Case& c) { return (c.is_unrolled() && c.ring.end_gap.has_value()) || c.has_closure(); },
                        "ring.end_gap is stated"};
-constexpr When kBends{
-    [](const Case& c) { return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed(); },
-    "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or ring.conformity = \"beam\", or for ringfilm "
-    "conform"};
+constexpr When kBends{[](const Case& c) {
+                         return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed() ||
+                                c.purpose == CasePurpose::kGasPath;
+                       },
+                       "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or ring.conformity = "
+                       "\"beam\", or for ringfilm conform"};
 constexpr When kCloses{
     [](const Case& c) { return c.has_closure(); },
     "a bore or a ring is stated for ringfilm conform, as with liner.distortion, or ring.conformity = \"beam\""};

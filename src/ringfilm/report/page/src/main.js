@@ -24,6 +24,9 @@ import {
   stribeckFigure,
   wearFigure,
 } from './cycle/other_figures.js';
+import { packFigures } from './pack/pack_figures.js';
+import { PackModel } from './pack/pack_model.js';
+import { PackDrawing, packSentences, ringTable } from './pack/pack_view.js';
 import { swatchSvg } from './plot/svg.js';
 import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { display } from './units.js';
@@ -154,6 +157,15 @@ function unrolledCases(model) {
     }));
 }
 
+/** The section of the ring pack: one pack of the page, as its drawing has one slider; null where there is none. */
+function packPart(model, context) {
+  if (model.packs.length !== 1) return null;
+  const packed = new PackModel(model.packs[0], model);
+  const figures = packFigures(packed).map((figure) => new FigureView(figure, context));
+  const drawing = packed.hasCurves || packed.pack.gas ? new PackDrawing(packed, context) : null;
+  return { packed, views: [drawing, ...figures].filter(Boolean) };
+}
+
 /** Film and friction: before the fields along the face. */
 const kFirstRow = 2;
 
@@ -191,9 +203,11 @@ function buildPage(model) {
     hasCurves ? view(clearanceFigure(model)) : null,
     hasCurves ? view(gapFigure(model)) : null,
   ].filter(Boolean);
+  const pack = packPart(model, context);
   const influence = view(influenceFigure(model));
   views.push(
     ...cycle,
+    ...(pack?.views ?? []),
     ...(along ? [along] : []),
     ...others,
     ...faces,
@@ -202,6 +216,7 @@ function buildPage(model) {
   );
 
   const contents = [
+    ['pack', 'Ring pack', pack],
     ['cycle', 'Over the cycle', cycle.length],
     ['friction', 'Friction and wear', others.length],
     ['face', 'Face', faces.length],
@@ -222,6 +237,15 @@ function buildPage(model) {
         { class: 'contents', 'aria-label': 'Contents' },
         contents.map(([id, label]) => element('a', { href: `#${id}` }, label)),
       ),
+      pack
+        ? section(
+            'pack',
+            'Ring pack',
+            ringTable(pack.packed),
+            packSentences(pack.packed),
+            charts(pack.views.map((v) => v.node)),
+          )
+        : null,
       cycle.length
         ? section(
             'cycle',

@@ -48,7 +48,7 @@ function shownValue(text, unit) {
 /** The sum over the rings of a pack, under those of its rings. */
 function sumRow(model, pack, name, detail) {
   const { value, unit } = model.value(pack, name);
-  const isAlone = model.packs.length === 1 && pack.n_rings === model.cases.length;
+  const isAlone = model.packs.length === 1 && pack.ring_numbers.length === model.cases.length;
   return element(
     'div',
     { class: 'card-row' },

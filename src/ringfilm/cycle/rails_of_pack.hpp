@@ -1,0 +1,21 @@
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "ringfilm/cycle/case/case.hpp"
+
+namespace ringfilm::cycle {
+
+/// The pack with an oil ring of several rails as one ring for each of them: narrow faces at the distance of the rails,
+/// which share the force of the expander and have the drained groove between them. The gas passes their end gap once.
+/// Cases without such a ring as they are.
+Case with_rails(Case pack);
+
+/// Of a ring that with_rails() made: its rail from 1, the one next to the chamber; 0 of other rings.
+/// @param ring index in the rings of that pack
+std::size_t rail_number(const Case& pack_without_rails, std::size_t ring);
+
+/// The same ring for people: "2", or "3, rail 1".
+std::string ring_label(const Case& pack_without_rails, std::size_t ring);
+
+}  // namespace ringfilm::cycle

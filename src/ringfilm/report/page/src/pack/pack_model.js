@@ -1,0 +1,96 @@
+// A ring pack of the payload with its cases, and the gas between its rings: computed, or the pressures that are given.
+import { onCycleAxis } from '../model.js';
+
+const kBar = 1e5;
+
+/** Value of an input of a case in SI; null where it is not in use. */
+export function inputOf(c, key) {
+  return c.inputs.find((entry) => entry.key === key)?.value_si ?? null;
+}
+
+/** Name of the region below the ring of that index, where it has a volume: "land 2" below the first. */
+export function regionBelow(ring) {
+  return 'land 2'.replace('2', ring + 2);
+}
+
+/** Are two lists of numbers the same? */
+const alike = (a, b) => a.length === b.length && a.every((v, k) => v === b[k]);
+
+/** Pressures above and below each ring as the films have them: the cylinder first, then below each ring. */
+function givenRegions(cases) {
+  const curve = (c, name) => ({ angle: c.curves.crank_angle, pressure: c.curves[name] });
+  const regions = [{ name: 'chamber', ring: null, ...curve(cases[0], 'gas_pressure') }];
+  cases.forEach((c, i) => {
+    const below = curve(c, 'crankcase_pressure');
+    if (alike(below.pressure, regions[regions.length - 1].pressure)) return;
+    const isLast = i + 1 === cases.length;
+    regions.push({ name: isLast ? 'crankcase' : regionBelow(i), ring: i, ...below });
+  });
+  return regions;
+}
+
+/** The ring that borders a region: of groove n and of the piston land below ring n its index. */
+function ringOf(name) {
+  const [, kind, number] = /^(groove|land) (\d+)$/.exec(name) ?? [];
+  if (!kind) return null;
+  return kind === 'groove' ? number - 1 : number - 2;
+}
+
+export class PackModel {
+  constructor(pack, model) {
+    this.pack = pack;
+    this.model = model;
+    this.cases = model.cases.slice(pack.first_case, pack.first_case + pack.ring_numbers.length);
+    const { gas } = pack;
+    this.regions = gas
+      ? gas.regions.map((region, i) => ({
+          name: region.name,
+          ring: ringOf(region.name),
+          angle: gas.crank_angle,
+          pressure: gas.pressure[i],
+        }))
+      : givenRegions(this.cases);
+  }
+
+  get hasCurves() {
+    return this.cases.every((c) => c.curves.crank_angle.length > 1);
+  }
+
+  /** Pressure of a region in bar on the axis of the charts. */
+  pressureCurve(region) {
+    return onCycleAxis(
+      region.angle,
+      region.pressure.map((p) => p / kBar),
+    );
+  }
+
+  /** Pressure of a region [Pa] at a crank angle of the charts. */
+  pressureAt(region, angle) {
+    const at = ((angle % 720) + 720) % 720;
+    let best = 0;
+    region.angle.forEach((a, k) => {
+      const distance = (b) => Math.min(Math.abs(b - at), 720 - Math.abs(b - at));
+      if (distance(a) < distance(region.angle[best])) best = k;
+    });
+    return region.pressure[best];
+  }
+
+  /** Height of a ring above its lower flank [m] at a crank angle; null where it is not computed. */
+  positionAt(ring, angle) {
+    const { gas } = this.pack;
+    const k = gas ? gas.rings.indexOf(this.pack.ring_numbers[ring]) : -1;
+    if (k < 0) return null;
+    const at = Math.round(((angle % 720) + 720) % 720) % 720;
+    return gas.position[k][at] ?? null;
+  }
+
+  /** The case that a region of gas is drawn with. */
+  seriesOf(region) {
+    return region.ring === null ? null : (this.cases[region.ring]?.series ?? null);
+  }
+}
+
+/** "piston land 2" for the names of the gas path, which count the piston lands alone. */
+export function regionWords(name) {
+  return name.replace(/^land /, 'piston land ').replace(/^chamber$/, 'cylinder');
+}

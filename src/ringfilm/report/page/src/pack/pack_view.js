@@ -1,0 +1,147 @@
+// The drawing of a ring pack with its slider, and the section of a pack on the page.
+import { element, svgElement } from '../dom.js';
+import { fileStem, save, savePng } from '../downloads.js';
+import { figure as numberCell, table } from '../tables.js';
+import { angleInWords, number } from '../units.js';
+import { packSvg } from './pack_drawing.js';
+
+export class PackDrawing {
+  constructor(packed, context) {
+    Object.assign(this, { packed, context, angle: Math.round(packed.model.peakAngle(packed.cases[0]) ?? 0) });
+    this.host = element('div', { class: 'pack-drawing', role: 'img' });
+    this.print = element('div', { class: 'print-only' });
+    this.slider = element('input', {
+      type: 'range',
+      min: -360,
+      max: 360,
+      step: 1,
+      value: this.angle,
+      id: 'pack-angle',
+      'aria-label': 'crank angle of the drawing of the ring pack',
+      oninput: () => {
+        this.show(Number(this.slider.value));
+        context.group.point(this.angle);
+      },
+    });
+    this.angleText = element('output', { for: 'pack-angle' });
+    context.group.followers.push((angle) => this.follow(angle));
+    this.node = element(
+      'figure',
+      { id: 'pack-drawing', class: 'figure half' },
+      element(
+        'div',
+        { class: 'figure-heading' },
+        element('h3', {}, 'The pack and its gas pressures'),
+        this.downloads(),
+      ),
+      element(
+        'div',
+        { class: 'slider' },
+        element('label', { for: 'pack-angle' }, 'Crank angle'),
+        this.slider,
+        this.angleText,
+      ),
+      element('div', { class: 'panels' }, this.host),
+      this.print,
+      element(
+        'figcaption',
+        {},
+        'Widths of the rings and heights of the piston lands to scale, from the keys of the case; side clearances ' +
+          'and the gap to the liner enlarged, thicknesses not to scale. The darker a space, the higher its pressure ' +
+          '(logarithmic). Rings are drawn where they are in their grooves at this crank angle.',
+      ),
+    );
+  }
+
+  follow(angle) {
+    const next = Math.round(angle);
+    if (next === this.angle || this.isWaiting) return;
+    this.isWaiting = true;
+    requestAnimationFrame(() => {
+      this.isWaiting = false;
+      this.slider.value = next;
+      this.show(next);
+    });
+  }
+
+  show(angle) {
+    this.angle = angle;
+    const words = angleInWords(angle);
+    this.angleText.textContent = words.replace(/^at /, '');
+    this.slider.setAttribute('aria-valuetext', words);
+    this.host.setAttribute('aria-label', `Section of the ring pack ${words}`);
+    this.host.replaceChildren(svgElement(packSvg(this.packed, angle)));
+  }
+
+  downloads() {
+    const name = (ending) => `${fileStem(this.context.stem, 'ring-pack')}.${ending}`;
+    const button = (label, action) =>
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'download',
+          'aria-label': `Drawing of the ring pack as ${label}`,
+          onclick: action,
+        },
+        label,
+      );
+    const svg = () => packSvg(this.packed, this.angle);
+    return element(
+      'span',
+      { class: 'downloads' },
+      button('PNG', () => savePng(name('png'), svg())),
+      button('SVG', () => save(name('svg'), 'image/svg+xml', svg())),
+    );
+  }
+
+  start() {
+    this.show(this.angle);
+  }
+
+  beforePrint() {
+    this.print.replaceChildren(svgElement(packSvg(this.packed, this.angle)));
+  }
+}
+
+/** Friction of each ring and of the pack. */
+export function ringTable({ pack, model }) {
+  const power = model.value(pack, 'mean_power_loss');
+  const fmep = model.value(pack, 'fmep');
+  const row = (name, values) => [
+    name,
+    numberCell(number(model.value({ values }, 'mean_power_loss').value, 4)),
+    numberCell(number(model.value({ values }, 'fmep').value, 4)),
+    numberCell(`${number((100 * values.mean_power_loss) / pack.values.mean_power_loss, 3)} %`),
+  ];
+  const head = (text) => ({ text, attributes: { class: 'number' } });
+  return table(
+    'Friction by ring',
+    [
+      'ring',
+      head(`mean friction power [${power.unit}]`),
+      head(`friction mean effective pressure [${fmep.unit}]`),
+      head('share'),
+    ],
+    [...pack.by_ring.map(({ ring, values }) => row(`ring ${ring}`, values)), row('pack', pack.values)],
+  );
+}
+
+/** What the gas and the oil of the pack come to, in words. */
+export function packSentences({ pack }) {
+  const { gas, oil } = pack;
+  const sentences = [];
+  if (gas)
+    sentences.push(
+      `Blow-by ${number(gas.blow_by_per_cycle * 1e6, 3)} mg per cycle, ${number(gas.blow_by_flow * 6e4, 3)} l/min at ` +
+        '1.01325 bar and 25 °C.',
+    );
+  if (oil)
+    sentences.push(
+      `Oil on the liner above the first ring: ${number(oil.film_after_power_stroke * 1e6, 3)} µm after the power ` +
+        `stroke, ${number(oil.film_after_intake_stroke * 1e6, 3)} µm after the intake stroke. Upper bound of oil to ` +
+        `the chamber: ${number(oil.to_chamber_upper_bound * 1e6, 3)} mg per cycle, all that the first ring leaves ` +
+        'there on its downstrokes.',
+    );
+  return sentences.map((words) => element('p', { class: 'how' }, words));
+}

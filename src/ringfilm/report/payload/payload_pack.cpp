@@ -1,0 +1,86 @@
+#include "ringfilm/report/payload/payload_pack.hpp"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "ringfilm/io/gas_path/pack_sums.hpp"
+#include "ringfilm/io/result/result_document.hpp"
+#include "ringfilm/report/payload/payload_numbers.hpp"
+
+namespace ringfilm::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int kGasDigits = 6;
+
+/// The columns of a table of `n` columns, row by row, as one list each.
+ordered_json columns(const std::vector<double>& rows, std::size_t n) {
+  ordered_json lists = ordered_json::array();
+  for (std::size_t column = 0; column < n; ++column) {
+    std::vector<double> list;
+    for (std::size_t k = column; k < rows.size(); k += n) list.push_back(rows[k]);
+    lists.push_back(rounded_list(list, kGasDigits));
+  }
+  return lists;
+}
+
+ordered_json gas_payload(const io::PackGas& gas) {
+  ordered_json regions = ordered_json::array(), paths = ordered_json::array(), events = ordered_json::array(),
+               rings = ordered_json::array();
+  for (const gas_path::RegionValues& region : gas.regions) {
+    regions.push_back({{"name", region.name},
+                       {"peak_pressure", exact(region.peak_pressure)},
+                       {"peak_pressure_angle", exact(region.peak_pressure_angle_deg)}});
+  }
+  for (const io::PackGas::Path& path : gas.paths) {
+    paths.push_back({{"name", path.name}, {"mass_per_cycle", exact(path.mass_per_cycle)}});
+  }
+  for (const io::PackGas::Event& event : gas.events) {
+    events.push_back({{"ring", event.ring}, {"crank_angle", exact(event.crank_angle_deg)}, {"event", event.event}});
+  }
+  for (const io::PackGas::Ring& ring : gas.rings) rings.push_back(ring.number);
+  return {{"blow_by_per_cycle", exact(gas.blow_by_per_cycle)},
+          {"blow_by_flow", exact(gas.blow_by_flow)},
+          {"crank_angle", rounded_list(gas.crank_angle_deg, kGasDigits)},
+          {"regions", std::move(regions)},
+          {"paths", std::move(paths)},
+          {"events", std::move(events)},
+          {"rings", std::move(rings)},
+          {"pressure", columns(gas.pressure, gas.regions.size())},
+          {"flow", columns(gas.flow, gas.paths.size())},
+          {"position", columns(gas.position, gas.rings.size())}};
+}
+
+ordered_json oil_payload(const io::PackOil& oil) {
+  return {{"film_after_power_stroke", exact(oil.film_after_power_stroke)},
+          {"film_after_intake_stroke", exact(oil.film_after_intake_stroke)},
+          {"left_at_tdc", exact(oil.left_at_tdc)},
+          {"to_chamber_upper_bound", exact(oil.to_chamber_upper_bound)}};
+}
+
+}  // namespace
+
+ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case) {
+  ordered_json by_ring = ordered_json::array();
+  for (const io::RingSums& ring : io::ring_sums(pack)) {
+    by_ring.push_back({{"ring", ring.ring},
+                       {"values",
+                        {{"fmep", exact(ring.fmep)},
+                         {"mean_power_loss", exact(ring.mean_power_loss)},
+                         {"energy_per_cycle", exact(ring.energy_per_cycle)}}}});
+  }
+  const cycle::CycleValues& sum = pack.result.values;
+  const std::optional<io::PackOil> oil = io::pack_oil(pack);
+  return {{"title", pack.title},
+          {"n_rings", by_ring.size()},
+          {"complete", pack.result.complete},
+          {"first_case", first_case},
+          {"ring_numbers", io::ring_numbers(pack)},
+          {"values", {{"fmep", exact(sum.fmep)}, {"mean_power_loss", exact(sum.mean_power_loss)}}},
+          {"by_ring", std::move(by_ring)},
+          {"oil", oil ? oil_payload(*oil) : ordered_json(nullptr)},
+          {"gas", pack.gas ? gas_payload(*pack.gas) : ordered_json(nullptr)}};
+}
+
+}  // namespace ringfilm::report

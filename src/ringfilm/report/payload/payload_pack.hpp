@@ -1,0 +1,13 @@
+#pragma once
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+
+#include "ringfilm/io/result/result_file.hpp"
+
+namespace ringfilm::report {
+
+/// What the page shows of a ring pack as a whole: sums of its rings, oil at the chamber, gas between the rings.
+/// @param first_case index of its first ring among the cases of the page
+nlohmann::ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case);
+
+}  // namespace ringfilm::report
