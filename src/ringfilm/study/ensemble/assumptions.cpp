@@ -371,6 +371,11 @@ Assumption smooth_gap_flow(const Case& c) {
                       "film.flow_factors with film.orientation computes it",
                       others);
   }
+  if (c.film.flow_factors == cycle::Roughness::kMeasured) {
+    return assumption(topic, "roughness changes the flow by pressure as the gap of the measured pair does",
+                      "the maps are one sample of one state; waves longer than they are belong to face and bore",
+                      others);
+  }
   const double gamma = c.film.orientation;
   for (Alternative& other : other_numbers("film.orientation", c, gamma, kPlain, {1.0 / 3, 1, 3})) {
     others.push_back(std::move(other));
@@ -378,6 +383,24 @@ Assumption smooth_gap_flow(const Case& c) {
   return assumption(topic, text("roughness changes the flow by pressure as that of an orientation of %.3g", gamma),
                     "the factors are fits to Gaussian surfaces that may overlap and do not deform; below a lambda "
                     "ratio of about 1 they are extrapolated",
+                    others);
+}
+
+/// The band of a pair of the library gives the alternatives.
+Assumption boundary_friction(const Case& c) {
+  const char* key = "contact.boundary_shear_strength_coefficient";
+  const double zeta = c.contact.boundary_shear_strength_coefficient;
+  std::vector<Alternative> others;
+  std::string statement =
+      text("the boundary shear strength coefficient is %.4g at any temperature, speed and film", zeta);
+  if (c.contact.friction_pair) {
+    const models::FrictionPair& pair = *c.contact.pair;
+    statement += " (\"" + pair.name + "\": " + pair.source + ")";
+    if (pair.low) others = other_numbers(key, c, zeta, kPlain, {*pair.low, *pair.high});
+  }
+  return assumption("dry-shear-strength", statement,
+                    "boundary friction is proportional to it; a value of lateral force microscopy is that of dry "
+                    "surfaces at other spots than N, beta and sigma, and additives lower it",
                     others);
 }
 
@@ -389,12 +412,7 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
       assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
                  "holds where film pressures stay far below the moduli, as under piston rings"),
       ring_gap(c),
-      assumption(
-          "dry-shear-strength",
-          text("the boundary shear strength coefficient is %.4g at any temperature, speed and film",
-               c.contact.boundary_shear_strength_coefficient),
-          "boundary friction is proportional to it; a value of lateral force microscopy is that of dry surfaces at "
-          "other spots than N, beta and sigma, and additives lower it"),
+      boundary_friction(c),
       gaussian_summits(setup),
       newtonian_oil(c),
       smooth_gap_flow(c),
