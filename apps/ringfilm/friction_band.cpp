@@ -19,7 +19,8 @@ using cycle::Case;
 
 constexpr const char* kOfOil = "any-in-engine-oil";
 constexpr int kPlacesOfCurve = 101;
-constexpr double kEndOfCurve = 4;  // sigma
+constexpr double kEndOfCurve = 4;    // sigma
+constexpr double kLeastDrawn = 1e5;  // [Pa]
 
 /// A law of the same two maps.
 struct LawOfMaps {
@@ -56,14 +57,14 @@ std::vector<LawOfMaps> laws(const io::ContactLawFile& file) {
     return c;
   };
   return {{"greenwood_tripp", "Greenwood-Tripp as styles2014 feeds it", [](Case&) {}},
-          {"greenwood_williamson", "Greenwood-Williamson from the summits, elastic",
+          {"greenwood_williamson", "Greenwood-Williamson, elastic",
            [](Case& c) { c = with_summits(std::move(c), cycle::AsperityLaw::kElastic); }},
-          {"zhao_maietta_chang", "the same, flowing (Zhao-Maietta-Chang)",
+          {"zhao_maietta_chang", "Greenwood-Williamson, flowing (Zhao-Maietta-Chang)",
            [](Case& c) { c = with_summits(std::move(c), cycle::AsperityLaw::kZhaoMaiettaChang); }},
-          {"measured", "the maps in contact", [table](Case& c) { c = table(std::move(c)); }},
+          {"measured", "the maps", [table](Case& c) { c = table(std::move(c)); }},
           {"measured_low", "the maps, one deviation less", [table](Case& c) { c = moved(table(std::move(c)), -1); }},
           {"measured_high", "the maps, one deviation more", [table](Case& c) { c = moved(table(std::move(c)), 1); }},
-          {"measured_flow", "the maps in contact and the flow between them",
+          {"measured_flow", "the maps, and the flow between them",
            [table](Case& c) { c = with_measured_flow(table(std::move(c))); }}};
 }
 
@@ -113,10 +114,10 @@ io::Measurement friction_band(const FrictionBandRequest& request) {
   table.title = "Film and mean friction power by contact law";
   add_column(table, "lambda_ratio_at_peak_pressure", "lambda ratio at the peak pressure", "1", "1");
   add_column(table, "min_film_thickness", "minimum film thickness", "m", "um");
-  add_column(table, "power_as_measured", "mean power loss, zeta as measured", "W", "W");
-  add_column(table, "power_low", "the same, low end of oil with additive", "W", "W");
-  add_column(table, "power_typical", "the same, typical", "W", "W");
-  add_column(table, "power_high", "the same, high end", "W", "W");
+  add_column(table, "power_as_measured", fmt::format("mean power loss, zeta {:.4g} as measured", zeta.own), "W", "W");
+  add_column(table, "power_low", fmt::format("mean power loss, zeta {:.2g}", zeta.low), "W", "W");
+  add_column(table, "power_typical", fmt::format("mean power loss, zeta {:.2g}", zeta.typical), "W", "W");
+  add_column(table, "power_high", fmt::format("mean power loss, zeta {:.2g}", zeta.high), "W", "W");
   io::MeasuredCurve curve;
   curve.name = "laws";
   curve.title = "Contact laws of both maps";
@@ -145,7 +146,7 @@ io::Measurement friction_band(const FrictionBandRequest& request) {
     const auto contact = cycle::asperity_contact(c);
     for (const double h : curve.x) {
       const double p = contact->contact(h).pressure;
-      series.y.push_back(p > 1e3 ? p : std::numeric_limits<double>::quiet_NaN());
+      series.y.push_back(p > kLeastDrawn ? p : std::numeric_limits<double>::quiet_NaN());
     }
     curve.series.push_back(std::move(series));
   }

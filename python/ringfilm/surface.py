@@ -35,7 +35,6 @@ from ._ringfilm.surface import (
     read,
     row_roughness,
     single_parameters,
-    summit_contact,
     summit_theory,
     surface_measures,
 )
@@ -89,7 +88,6 @@ __all__ = [
     "SurfaceMeasures",
     "asperity_parameters",
     "contact_law",
-    "summit_contact",
     "material_ratio_curve",
     "cavities",
     "core_roughness",

@@ -136,7 +136,7 @@ io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column
   return curve;
 }
 
-/// Share of the area at each true gap, a series for each separation in the order of the table.
+/// Share of the area at each true gap, a series for each separation in the order of the table; six of them are drawn.
 io::MeasuredCurve gap_curve(const surface::ContactLaw& law) {
   io::MeasuredCurve curve;
   curve.name = io::kGapDistribution;
@@ -145,9 +145,11 @@ io::MeasuredCurve gap_curve(const surface::ContactLaw& law) {
   curve.x_axis = {"gap", "true gap", "m", "um", true};
   curve.y_axis = {"share", "share of the area", "1", "%"};
   curve.x = law.gap_places_m;
+  const std::size_t step = (law.points.size() + 5) / 6;
   for (const Point& point : law.points) {
-    curve.series.push_back({io::gap_series(curve.series.size()), "h = " + surface::length_text(point.mean.separation_m),
-                            point.flow.gap_share, false});
+    const std::size_t k = curve.series.size();
+    const std::string label = k % step == 0 ? "h = " + surface::length_text(point.mean.separation_m) : std::string();
+    curve.series.push_back({io::gap_series(k), label, point.flow.gap_share, false});
   }
   return curve;
 }

@@ -30,8 +30,8 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   return {std::move(entry), std::move(alternatives)};
 }
 
-constexpr Unit kMicrometre{"um", 1e-6}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1},
-    kMm{"mm", 1e-3};
+constexpr Unit kMicrometre{"um", 1e-6}, kNanometre{"nm", 1e-9}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5},
+    kNewton{"N", 1}, kMm{"mm", 1e-3};
 constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
 
 // --- choices of model -------------------------------------------------------------------------------------------
@@ -325,8 +325,14 @@ std::vector<Alternative> other_contact_laws(const Case& c) {
 
 Assumption gaussian_summits(const cycle::Setup& setup) {
   if (setup.input.contact.model == cycle::ContactLaw::kTable) {
-    return assumption("gaussian-summits", "contact follows the table " + setup.input.contact.law_file,
-                      "the maps are a sample of the faces, in the state in which they were measured");
+    const cycle::Contact& contact = setup.input.contact;
+    std::vector<Alternative> others;
+    if (const auto& deviation = contact.law->shift_deviation; deviation && *deviation > 0) {
+      others = other_numbers("contact.law_shift", setup.input, contact.law_shift, kNanometre,
+                             {contact.law_shift - *deviation, contact.law_shift + *deviation});
+    }
+    return assumption("gaussian-summits", "contact follows the table " + contact.law_file,
+                      "the maps are a sample of the faces, in the state in which they were measured", others);
   }
   constexpr double kLambda = 2;  // the ratio of load and area depends little on it
   const auto contact = setup.ring.contact->contact(kLambda * setup.ring.sigma);
