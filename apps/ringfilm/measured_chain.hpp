@@ -12,6 +12,9 @@ namespace ringfilm::app::chain {
 /// States of life of the ring, as the files are named.
 inline constexpr std::array kRings = {"new", "run_in", "embedded"};
 
+/// Relative positions of two maps in contact.
+inline constexpr std::size_t kPositions = 2;
+
 /// Tilt removed, S-filter 1 um, L-filter 80 um, 2 x 2 regions, sigma from Ra.
 instrument::SurfaceAnalysis surface_analysis();
 

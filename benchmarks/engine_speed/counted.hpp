@@ -30,6 +30,7 @@ struct Pack<1, benchmarks::kCounted> {
   static Pack of(double value) { return Pack(value); }
   static Pack load(const double* from) { return Pack(*from); }
   static Pack gather(const double* from, int) { return Pack(*from); }
+  static Pack of_rows(const double* const* row, int column) { return Pack(row[0][column]); }
   void store(double* to) const { *to = v; }
 
   friend Pack operator+(Pack a, Pack b) { return counted(a.v + b.v); }

@@ -197,6 +197,7 @@ temperatures at which no oil flows, masked values, and viscosities that do not f
 void bind_laws(py::module_& module) {
   py::module_ part = module.def_submodule("laws", "Laws of contact and oil; see ringfilm.laws.");
   bind_contact(part);
+  bind_summit_contact(part);
   bind_oil(part);
 }
 

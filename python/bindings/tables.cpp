@@ -5,6 +5,7 @@
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/storage/shipped_oils.hpp"
+#include "ringfilm/io/storage/shipped_pairs.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
@@ -112,6 +113,33 @@ void bind_tables(py::module_& module) {
 
 The key `grade` is a value of lubricant.grade, or None. At 150 degC by the law of temperature, without shear
 thinning.)");
+  module.def(
+      "pairs",
+      [] {
+        py::list pairs;
+        const auto maybe = [](const std::optional<double>& value) {
+          return value ? py::object(py::float_(*value)) : py::object(py::none());
+        };
+        for (const models::FrictionPair& pair : io::shipped_pairs(io::Units()).pairs) {
+          py::dict entry;
+          entry["name"] = pair.name;
+          entry["coating"] = pair.coating;
+          entry["liner"] = pair.liner;
+          entry["state"] = io::name_of(pair.state);
+          entry["friction"] = pair.friction;
+          entry["friction_low"] = maybe(pair.low);
+          entry["friction_high"] = maybe(pair.high);
+          entry["hardness"] = maybe(pair.hardness);
+          entry["roughness_class"] = pair.roughness_class;
+          entry["source"] = pair.source;
+          pairs.append(entry);
+        }
+        return pairs;
+      },
+      R"(The shipped pairs of coating and liner, a list of dicts as `ringfilm pairs --json` prints them, SI units.
+
+The key `name` is a value of contact.friction_pair. `state` is "lubricated" or "dry": a dry coefficient is that of a
+probe without oil, which orders surfaces and is not an input of an engine.)");
   module.def("fields", &fields, "All keys of a case, a list of Field in the order of a case file.");
   module.def(
       "note_topics",

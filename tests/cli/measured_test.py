@@ -119,7 +119,15 @@ class OneCommand(MeasuredTest):
         self.assertEqual(len(lines), 12)  # six values, each of both
 
     def test_shipped_fragments_are_those_that_the_chain_writes(self):
-        self.run_well("reproduce", "measured", "--output", "out")
+        printed = self.run_well("reproduce", "measured", "--output", "out", "--friction-band")
+        for ring in RINGS:
+            for part in ("law", "friction_band"):
+                self.assertIn("</html>", (self.folder / "out" / f"{ring}_{part}.html").read_text())
+        power = [float(line.split()[-4]) for line in printed.splitlines() if line.startswith("  Greenwood-Tripp as")][
+            1::2
+        ]
+        for found, expected in zip(power, POWER.values()):
+            self.assertAlmostEqual(found / expected, 1, delta=0.005)
         for ring in RINGS:
             for part in PARTS:
                 name = f"{ring}_{part}.toml"

@@ -181,6 +181,32 @@ def test_contact_follows_its_formula():
     assert (contact.pressure_slope(h) < 0).all() and contact.area_share(h).shape == (2, 2)
 
 
+def test_closed_laws_have_their_published_values():
+    def at(**choice):
+        of = ringfilm.laws.summit_contact([1.286 * 0.48e-6], 0.097e12, 1.56e-6, 0.48e-6, 134.8e9, **choice)
+        return of["contact_pressure"][0], of["real_area"][0]
+
+    as_fed = at(model="greenwood-tripp", summit_plane="surface")
+    closed = ringfilm.laws.GreenwoodTripp(0.097e12, 1.56e-6, 0.48e-6, 134.8e9)
+    assert as_fed[0] == pytest.approx(closed.pressure(1.286 * 0.48e-6), rel=1e-6)
+    pressure, area = at()
+    assert pressure == pytest.approx(486.86444e6, rel=1e-5) and area == pytest.approx(0.03263409, rel=1e-5)
+    assert at(asperity="zhao-maietta-chang", hardness=2.5e9)[0] < 0.5 * pressure
+    with pytest.raises(ringfilm.InputError, match="hardness"):
+        at(model="plastic")
+    with pytest.raises(ringfilm.InputError, match="model"):
+        at(model="hertz")
+
+
+def test_the_flow_through_a_measured_gap_and_its_pairs():
+    heights, step = waves(amplitude=0.6e-6)
+    law = ringfilm.surface.contact_law(heights, step, [1e-6], 134.8e9, edges="periodic", flow_factors=True)
+    e = 0.6
+    assert law["phi_x"][0] == pytest.approx((1 - e * e) ** 2.5 / (1 + e * e / 2), rel=1e-3)
+    assert law["phi_fp"][0] == pytest.approx((1 - e * e) / (1 + e * e / 2), rel=2e-2)
+    assert {pair["state"] for pair in ringfilm.pairs()} == {"lubricated", "dry"}
+
+
 def test_the_oil_of_a_case(case):
     oil = ringfilm.laws.oil(case)
     p = numpy.array([1e5, 1e7, 1e8])

@@ -15,6 +15,7 @@
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/storage/shipped_oils.hpp"
+#include "ringfilm/io/storage/shipped_pairs.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 #include "text/wrapped_text.hpp"
@@ -109,6 +110,11 @@ void fields() { std::cout << io::fields_table(); }
 void oils(const OilsOptions& options) {
   const std::vector<io::ShippedOil> shipped = io::shipped_oils(io::Units());
   std::cout << (options.summary == SummaryForm::kJson ? io::oils_json(shipped) : io::oils_table(shipped));
+}
+
+void pairs(const OilsOptions& options) {
+  const auto shipped = io::shipped_pairs(io::Units()).pairs;
+  std::cout << (options.summary == SummaryForm::kJson ? io::pairs_json(shipped) : io::pairs_table(shipped));
 }
 
 void start_case(const NewOptions& options) {

@@ -82,6 +82,11 @@ constexpr const char* kOilsFooter = R"(Examples:
   ringfilm run case.toml --set lubricant.grade='SAE 10W-40'
 )";
 
+constexpr const char* kPairsFooter = R"(Examples:
+  ringfilm pairs
+  ringfilm run case.toml --set contact.friction_pair=crn-on-grey-iron --set contact.boundary_shear_strength_coefficient=
+)";
+
 constexpr const char* kFieldsFooter = R"(Examples:
   ringfilm fields
   ringfilm fields | grep ring.
@@ -273,6 +278,13 @@ class Commands {
     command.footer(kOilsFooter);
   }
 
+  void add_pairs() {
+    auto& command = add("pairs", "List the shipped pairs of coating and liner with their boundary friction",
+                        [this] { pairs({json_ ? SummaryForm::kJson : SummaryForm::kTable}); });
+    command.add_flag("--json", json_, "print the list as JSON, SI units");
+    command.footer(kPairsFooter);
+  }
+
   void add_new() {
     auto& command = add("new", "Write a commented case to start from", [this] { start_case(new_); });
     command.add_option("CASE.toml", new_.path, "the file to write; must not exist yet")->required()->type_name("");
@@ -306,6 +318,7 @@ class Commands {
   void add_reproduce() {
     auto& command = add("reproduce", "Compute a publication anew and compare with it", [this] {
       reproduce_.jobs = jobs();
+      if (bands_) reproduce_.bands = FrictionBands::kComputed;
       reproduce(reproduce_);
     });
     command
@@ -315,6 +328,8 @@ class Commands {
         ->type_name("");
     command.add_option("-o,--output", reproduce_.folder, "folder for results and report (default ./<publication>)")
         ->type_name("DIR");
+    command.add_flag("--friction-band", bands_,
+                     "of measured: press the maps against each other, and compute film and friction with each law");
     add_jobs(command);
     command.footer(kReproduceFooter);
   }
@@ -378,6 +393,7 @@ class Commands {
   NewOptions new_;
   ReportOptions report_;
   ReproduceOptions reproduce_;
+  bool bands_ = false;
   VerifyOptions verify_;
   bool list_ = false, verify_json_ = false;
 };
@@ -493,6 +509,7 @@ Request read_command_line(int argc, const char* const* argv) {
   commands->add_measuring();
   commands->add_fields();
   commands->add_oils();
+  commands->add_pairs();
   commands->add_new();
   const std::vector<std::string> words = with_joined_settings(argc, argv);
   std::vector<const char*> joined;

@@ -11,9 +11,13 @@
 #include "commands/command_surface.hpp"
 #include "commands/commands.hpp"
 #include "computation.hpp"
+#include "friction_band.hpp"
 #include "measured_chain.hpp"
 #include "output_names.hpp"
 #include "reproduction.hpp"
+#include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/instrument/documents/contact_measurement.hpp"
+#include "ringfilm/io/measurement/measurement_text.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/report/html.hpp"
@@ -68,6 +72,25 @@ class Chain {
     friction.outputs.fragment = in_folder(ring + "_shear_strength.toml");
     lateral_force(friction);
     return written_case(ring);
+  }
+
+  /// The contact law of the maps of a ring and the liner, and what each law makes of friction, as files and as text.
+  std::string measure_band(const std::string& ring, const cycle::Case& measured) const {
+    const io::Units units;
+    const auto read = [&](const std::string& name) { return instrument::read_surface_file(file(name), {}, units); };
+    instrument::ContactAnalysis analysis;
+    analysis.preparation = chain::surface_analysis().preparation;
+    analysis.material = {cycle::composite_modulus(measured) / 2, cycle::kUsualHardness};
+    analysis.shifts = chain::kPositions;
+    analysis.regions_across = analysis.regions_down = 2;
+    analysis.has_flow = true;
+    const instrument::SurfaceFile liner = read("liner.sur");
+    const io::Measurement law = contact_measurement(read("ring_" + ring + ".x3p"), &liner, analysis);
+    const MeasurementOutputs of_law = outputs(ring + "_law"), of_band = outputs(ring + "_friction_band");
+    deliver(law, of_law, numbers_of(law));
+    const io::Measurement band = friction_band({word_of(ring), measured, cycle::kUsualHardness, *of_law.netcdf});
+    deliver(band, of_band, numbers_of(band));
+    return io::measurement_text(band, units);
   }
 
  private:
@@ -255,6 +278,9 @@ void reproduce_measured(const ReproduceOptions& options) {
   }
   std::cout << table.text() << "\n";
 
+  if (options.bands == FrictionBands::kComputed) {
+    for (const RingPair& ring : rings) std::cout << chain.measure_band(ring.ring, ring.result) << "\n";
+  }
   std::vector<io::ResultDocument> documents = computed(rings, options.jobs);
   const auto half = documents.begin() + static_cast<std::ptrdiff_t>(rings.size());
   const std::vector<io::ResultDocument> published(std::make_move_iterator(half),
@@ -267,6 +293,9 @@ void reproduce_measured(const ReproduceOptions& options) {
   io::write_atomically(page, ringfilm::report::report_page(documents, {}));
   std::cout << "cases and results:     " << (folder / "{new,run_in,embedded}.{toml,nc}").string() << "\n"
             << "pages of measurements: " << (folder / "{surface_*,*_contact,*_face,*_shear_strength}.html").string()
+            << (options.bands == FrictionBands::kComputed
+                    ? "\nlaws of the maps:      " + (folder / "{*_law,*_friction_band}.{nc,html}").string()
+                    : std::string())
             << "\nreport:                " << fs::absolute(page).string() << "\n";
   if (table.failures() > 0) {
     throw FailedChecks(fmt::format("{} of the values that should come back are too far off", table.failures()));

@@ -4,9 +4,16 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <iostream>
 #include <memory>
 
+#include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/documents/contact_measurement.hpp"
+#include "ringfilm/io/case/contact_fragment.hpp"
+#include "ringfilm/io/measurement/measurement_netcdf.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/surface/topography/roughness.hpp"
@@ -64,6 +71,42 @@ std::optional<instrument::SurfaceFile> read_flat(const SurfaceCommand& command, 
   return instrument::read_surface_file(*command.noise, command.reading, units);
 }
 
+/// Throws InputError where the law would replace a file that is read, or another output.
+void check_law_output(const SurfaceCommand& command, std::vector<std::string> inputs) {
+  const std::string& path = command.law->path;
+  for (const auto& other : {command.outputs.netcdf, command.outputs.page, command.outputs.fragment}) {
+    if (other) inputs.push_back(*other);
+  }
+  for (const std::string& input : inputs) {
+    if (is_same_file(input, path))
+      throw InputError("--law " + path + " names another file of this command", "name another file");
+  }
+  io::check_can_write(path, io::Sink::kFile);
+  check_suffix("--law", path, OutputKind::kNetcdf);
+}
+
+/// Writes the contact law of two maps. @returns the fragment that names it
+std::string write_law(const instrument::SurfaceFile& ring, const instrument::SurfaceFile& liner,
+                      const SurfaceCommand& command) {
+  instrument::ContactAnalysis analysis;
+  analysis.preparation = command.analysis.preparation;
+  if (analysis.preparation.form.kind == surface::FormKind::none) analysis.preparation.form = {surface::FormKind::tilt};
+  analysis.material = {command.law->E_prime / 2, command.analysis.hardness};
+  analysis.shifts = command.law->shifts;
+  analysis.regions_across = std::max<std::size_t>(command.analysis.regions.across, 1);
+  analysis.regions_down = std::max<std::size_t>(command.analysis.regions.down, 1);
+  analysis.has_flow = true;
+  const io::Measurement law = contact_measurement(ring, &liner, analysis);
+  io::write_measurement(command.law->path, law, io::this_program());
+  namespace fs = std::filesystem;
+  const fs::path folder = command.outputs.fragment ? fs::absolute(*command.outputs.fragment).parent_path() : fs::path();
+  std::vector<std::string> heading = {law.title};
+  for (const std::string& note : law.notes) heading.push_back("note: " + note);
+  const std::string name =
+      folder.empty() ? command.law->path : fs::proximate(fs::absolute(command.law->path), folder).string();
+  return io::contact_law_fragment(name, heading);
+}
+
 }  // namespace
 
 void surface(const std::vector<std::string>& paths, const std::optional<std::string>& heights,
@@ -104,10 +147,18 @@ void pair(const std::vector<std::string>& ring, const std::vector<std::string>& 
     for (const std::string& path : paths) files.push_back(instrument::read_surface_file(path, command.reading, units));
     return files;
   };
+  if (command.law) {
+    if (ring.size() > 1 || liner.size() > 1) {
+      throw InputError("--law presses one map of each side against the other", "name one --ring and one --liner");
+    }
+    check_law_output(command, inputs);
+  }
   const auto flat = read_flat(command, units);
-  const io::Measurement measurement =
-      pair_measurement(read(ring), read(liner), command.analysis, flat ? &*flat : nullptr);
+  const std::vector<instrument::SurfaceFile> rings = read(ring), liners = read(liner);
+  io::Measurement measurement = pair_measurement(rings, liners, command.analysis, flat ? &*flat : nullptr);
+  if (command.law) measurement.fragment = write_law(rings.front(), liners.front(), command);
   deliver(measurement, command.outputs, numbers_of(measurement));
+  if (command.law && command.outputs.summary == SummaryForm::kTable) std::cout << "wrote " << command.law->path << "\n";
 }
 
 }  // namespace ringfilm::app

@@ -8,11 +8,19 @@
 
 namespace ringfilm::app {
 
+/// The contact law of the maps themselves, which `pair` writes next to their numbers.
+struct LawRequest {
+  std::string path;    ///< --law
+  double E_prime;      ///< --composite-modulus [Pa]
+  std::size_t shifts;  ///< --shifts
+};
+
 /// What `surface` and `pair` were asked for.
 struct SurfaceCommand {
   instrument::SurfaceOptions reading;
   instrument::SurfaceAnalysis analysis;
   std::optional<std::string> noise;  ///< file of a flat
+  std::optional<LawRequest> law;     ///< of a pair
   MeasurementOutputs outputs;
 };
 

@@ -51,10 +51,14 @@ struct ReportOptions {
 };
 void report(const ReportOptions& options);
 
+/// Are the maps pressed against each other, and their film computed with each contact law?
+enum class FrictionBands { kNone, kComputed };
+
 struct ReproduceOptions {
   std::string publication;
   std::string folder;
-  int jobs = 0;  ///< threads; 0: as many as the machine runs at once
+  FrictionBands bands = FrictionBands::kNone;  ///< of "measured"
+  int jobs = 0;                                ///< threads; 0: as many as the machine runs at once
 };
 void reproduce(const ReproduceOptions& options);
 
@@ -82,11 +86,15 @@ void verify(const VerifyOptions& options);
 /// Prints the table of case keys.
 void fields();
 
+/// Of `oils` and `pairs`.
 struct OilsOptions {
   SummaryForm summary = SummaryForm::kTable;
 };
 /// Prints the shipped oils.
 void oils(const OilsOptions& options);
+
+/// Prints the shipped pairs of coating and liner with their boundary friction.
+void pairs(const OilsOptions& options);
 
 struct NewOptions {
   std::string path;

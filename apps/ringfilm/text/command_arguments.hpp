@@ -50,6 +50,9 @@ struct MapArguments {
   surface::FormChoice form_choice(OptionValues& values, const surface::FormChoice& usual_form) const;
 };
 
+/// "3x2" as two counts from 1 to 1000. Throws InputError that names the option.
+std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const std::string& text);
+
 /// `ringfilm surface` and `ringfilm pair`.
 void add_surface_commands(CLI::App& program, Actions& actions);
 /// `ringfilm contact`.

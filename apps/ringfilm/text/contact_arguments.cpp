@@ -27,7 +27,7 @@ constexpr std::size_t kMostShifts = 1000;
 struct ContactArguments {
   std::vector<std::string> surfaces, settings;
   MapArguments maps;
-  std::optional<std::string> case_path, lambda, modulus, hardness, separations, shifts;
+  std::optional<std::string> case_path, lambda, modulus, hardness, separations, shifts, grid;
   bool periodic = false, mirrored = false, flow = false;
   OutputArguments outputs;
 
@@ -53,6 +53,10 @@ struct ContactArguments {
     command
         .add_option("--shifts", shifts, "relative positions of both maps over which the law is the mean (default 1)")
         ->type_name("N");
+    command
+        .add_option("--grid", grid,
+                    "equal regions across and down whose laws scatter, from the mean plane of the whole")
+        ->type_name("2x2");
     command.add_flag("--flow-factors", flow, "pressure and shear flow factors of the true gap, beyond contact, too");
     maps.add_to(command, "tilt; with --periodic mean");
     outputs.add_to(command, false);
@@ -86,6 +90,7 @@ struct ContactArguments {
     }
     if (hardness) of.analysis.material.hardness = pressure(values, "--hardness", *hardness, "2.5 GPa");
     if (separations) of.analysis.separations_m = lengths(values);
+    if (grid) std::tie(of.analysis.regions_across, of.analysis.regions_down) = counts_of("--grid", *grid);
     if (shifts) of.analysis.shifts = count_of_shifts(values);
     values.check();
     return of;
@@ -94,7 +99,7 @@ struct ContactArguments {
  private:
   void fill_of_case(ContactCommand& of, OptionValues& values) const {
     const bool names_maps =
-        !surfaces.empty() || modulus || hardness || separations || shifts || periodic || mirrored || flow;
+        !surfaces.empty() || modulus || hardness || separations || shifts || grid || periodic || mirrored || flow;
     if (names_maps) {
       values.refuse("--case has its own surfaces: --surface and its options do not belong to it",
                     "set keys of the case with --set, for example --set contact.hardness='2.5 GPa'");

@@ -25,24 +25,11 @@ constexpr const char* kPairFooter = R"(Examples:
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --short-cutoff "2.5 um" --fragment contact.toml
   ringfilm pair --ring r1.sur r2.sur r3.sur --liner l1.x3p l2.x3p --form cylinder --grid 3x3 --sigma Rq
 
+  ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --hardness "2.5 GPa" --composite-modulus "134.8 GPa" \
+      --law law.nc --fragment contact.toml
+
 Every file and region of a side is one sample of that surface; the means go into the case, the scatter with them.
 )";
-
-/// "3x2" as two counts.
-std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const std::string& text) {
-  const std::size_t cross = text.find('x');
-  std::size_t across = 0, down = 0;
-  const auto read = [](std::string_view word, std::size_t& to) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), to);
-    return error == std::errc() && end == word.data() + word.size() && to >= 1 && to <= 1000;
-  };
-  const std::string_view words = text;
-  if (cross == std::string::npos || !read(words.substr(0, cross), across) || !read(words.substr(cross + 1), down)) {
-    throw InputError(option + " " + text + ": these are not two counts from 1 to 1000",
-                     "for example " + option + " 3x2");
-  }
-  return {across, down};
-}
 
 /// The arguments of a surface command, as text.
 struct SurfaceArguments {
@@ -148,7 +135,61 @@ struct SurfaceArguments {
   }
 };
 
+/// What `pair` takes for laws beyond N, beta and sigma.
+struct LawArguments {
+  std::optional<std::string> hardness, law, modulus;
+  std::size_t shifts = 8;
+
+  void add_to(CLI::App& command) {
+    command
+        .add_option("--hardness", hardness,
+                    "of the softer face: the fragment states the law of new cases, which counts from the summits")
+        ->type_name("PRESSURE");
+    command
+        .add_option("--law", law, "write the contact law and the flow factors of both maps, which the fragment names")
+        ->type_name("LAW.nc");
+    command.add_option("--composite-modulus", modulus, "of --law: E' of 2/E' = sum (1 - nu^2)/E")
+        ->type_name("PRESSURE");
+    command.add_option("--shifts", shifts, "of --law: relative positions")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 1000))
+        ->type_name("N");
+  }
+
+  void fill(SurfaceCommand& of) const {
+    const io::Units units;
+    OptionValues values(units);
+    const auto pressure = [&](const std::string& option, const std::string& text, const std::string& example) {
+      const double value = values.quantity(option, text, "Pa", example);
+      if (!(value > 0)) values.refuse(option + " \"" + text + "\" is not above 0", "for example \"" + example + "\"");
+      return value;
+    };
+    if (hardness) of.analysis.hardness = pressure("--hardness", *hardness, "2.5 GPa");
+    if (law.has_value() != modulus.has_value()) {
+      values.refuse("--law and --composite-modulus belong together", "state both, or neither");
+    } else if (law) {
+      of.law = LawRequest{*law, pressure("--composite-modulus", *modulus, "134.8 GPa"), shifts};
+    }
+    values.check();
+  }
+};
+
 }  // namespace
+
+std::pair<std::size_t, std::size_t> counts_of(const std::string& option, const std::string& text) {
+  const std::size_t cross = text.find('x');
+  std::size_t across = 0, down = 0;
+  const auto read = [](std::string_view word, std::size_t& to) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), to);
+    return error == std::errc() && end == word.data() + word.size() && to >= 1 && to <= 1000;
+  };
+  const std::string_view words = text;
+  if (cross == std::string::npos || !read(words.substr(0, cross), across) || !read(words.substr(cross + 1), down)) {
+    throw InputError(option + " " + text + ": these are not two counts from 1 to 1000",
+                     "for example " + option + " 3x2");
+  }
+  return {across, down};
+}
 
 void add_surface_commands(CLI::App& program, Actions& actions) {
   {
@@ -175,12 +216,18 @@ void add_surface_commands(CLI::App& program, Actions& actions) {
     const auto arguments = std::make_shared<SurfaceArguments>();
     const auto ring = std::make_shared<std::vector<std::string>>();
     const auto liner = std::make_shared<std::vector<std::string>>();
+    const auto law = std::make_shared<LawArguments>();
     command->add_option("--ring", *ring, "maps of the ring's face")->required()->type_name("FILE ...");
     command->add_option("--liner", *liner, "maps of the liner")->required()->type_name("FILE ...");
     arguments->add_to(*command);
     arguments->outputs.add_to(*command, true);
+    law->add_to(*command);
     command->footer(kPairFooter);
-    actions.emplace_back(command, [arguments, ring, liner] { pair(*ring, *liner, arguments->command()); });
+    actions.emplace_back(command, [arguments, law, ring, liner] {
+      SurfaceCommand of = arguments->command();
+      law->fill(of);
+      pair(*ring, *liner, of);
+    });
   }
 }
 

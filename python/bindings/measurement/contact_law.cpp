@@ -43,6 +43,7 @@ py::dict contact_law_of(const GivenNumbers& heights, const GivenStep& step, cons
   put("phi_x", [](const Point& point) { return point.flow.phi_x; });
   put("phi_y", [](const Point& point) { return point.flow.phi_y; });
   put("phi_s", [](const Point& point) { return point.flow.phi_s; });
+  put("phi_fp", [](const Point& point) { return point.flow.phi_fp; });
   return of;
 }
 
@@ -57,7 +58,7 @@ void bind_contact_law(py::module_& part) {
 heights, second: levelled maps of shape (y, x) [m], NaN where nothing was measured; second None: a flat. step: [m].
 separations: distances of the mean planes of the undeformed maps [m]. E_prime: 2 E* [Pa]. hardness: of the softer
 face [Pa]; None: elastic. edges: "mirrored" or "periodic". shifts: relative positions, of which the law is the mean.
-flow_factors: phi_x, phi_y, phi_s of the true gap, too, and separations beyond the highest point.
+flow_factors: phi_x, phi_y, phi_s, phi_fp of the true gap, too, and separations beyond the highest point.
 
 Returns a dict of arrays: separation, contact_pressure, real_area, mean_gap, share_at_cap, spot_radius,
 contact_pressure_deviation, residual. Raises InputError, ConvergenceError, TypeError.

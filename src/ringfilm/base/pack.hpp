@@ -57,6 +57,19 @@ struct Pack {
       return load(from);
     }
   }
+  /// The number at `column` of a row for each lane.
+  RINGFILM_INLINE static Pack of_rows(const double* const* row, int column) {
+    if constexpr (kLanes == 8) {
+      return of(Values{row[0][column], row[1][column], row[2][column], row[3][column], row[4][column], row[5][column],
+                       row[6][column], row[7][column]});
+    } else if constexpr (kLanes == 4) {
+      return of(Values{row[0][column], row[1][column], row[2][column], row[3][column]});
+    } else if constexpr (kLanes == 2) {
+      return of(Values{row[0][column], row[1][column]});
+    } else {
+      return load(row[0] + column);
+    }
+  }
   RINGFILM_INLINE void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
 
   RINGFILM_INLINE friend Pack operator+(Pack a, Pack b) { return of(a.v + b.v); }

@@ -246,7 +246,7 @@ constexpr double kMuchExtrapolated = 0.01;
 void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& base, double beyond,
                                 std::vector<Note>& notes) {
   if (setup.input.contact.model != ContactLaw::kTable) return;
-  const double first = setup.input.contact.law->rows.h.front();
+  const double first = setup.input.contact.law->rows.h.front() + setup.input.contact.law_shift;
   const auto below = [&](const Sample& s) { return s.min_film_thickness < first; };
   const auto thinnest = std::min_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
     return a.min_film_thickness < b.min_film_thickness;
@@ -264,6 +264,37 @@ void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& b
                           "um, where few or no spots of the maps of contact.law touch: there it is extrapolated",
                           100 * beyond, setup.input.contact.law->last_supported_separation * 1e6),
                      1});
+  }
+}
+
+/// From this difference to a smooth gap on the end of a table of flow factors counts.
+constexpr double kMuchBeyondLast = 0.02;
+
+/// Where the film is outside the rows of measured flow factors.
+void append_measured_flow_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
+  if (!setup.input.film.is_measured()) return;
+  const models::MeasuredFlow flow(*setup.input.contact.law->flow);
+  const auto share = [&](const auto& is_there) {
+    return 100 * static_cast<double>(count(base, is_there)) / static_cast<double>(base.size());
+  };
+  const auto below = [&](const Sample& s) { return s.min_film_thickness < flow.first(); };
+  const auto beyond = [&](const Sample& s) { return s.min_film_thickness > flow.last(); };
+  if (share(below) > 0) {
+    notes.push_back(
+        {"flow-factors-left",
+         text("over %.3g %% of the crank angles the film is thinner than %.3g um, where the flow factors of "
+              "contact.law begin: they keep their first values there; compute smaller separations",
+              share(below), flow.first() * 1e6),
+         count(base, below)});
+  }
+  const double difference = std::abs(flow.pressure_flow(flow.last()) - 1);
+  if (share(beyond) > 0 || difference > kMuchBeyondLast) {
+    notes.push_back({"flow-factors-extrapolated",
+                     text("the flow factors of contact.law end at %.3g um, with phi_x %.3g %% from 1; beyond it this "
+                          "falls with the square of the film thickness; over %.3g %% of the crank angles the whole "
+                          "face is there",
+                          flow.last() * 1e6, 100 * difference, share(beyond)),
+                     count(base, beyond)});
   }
 }
 
@@ -332,7 +363,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
                           "smooth-gap film holds",
                           lowest->lambda_ratio, lowest->crank_angle_deg, kContactModelNeeds),
                      below(kContactModelNeeds)});
-  } else if (lowest->lambda_ratio < kSmoothGapNeeds) {
+  } else if (lowest->lambda_ratio < kSmoothGapNeeds && setup.input.film.flow_factors != Roughness::kMeasured) {
     notes.push_back({"lambda-ratio-low",
                      text("lambda ratio down to %.2f (at %.0f degree): below %.1f %s", lowest->lambda_ratio,
                           lowest->crank_angle_deg, kSmoothGapNeeds,
@@ -355,6 +386,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_limit_notes(setup, base, fmep, notes);
   append_asperity_notes(setup, base, notes);
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
+  append_measured_flow_notes(setup, base, notes);
   append_breakthrough_note(setup.input, base, notes);
   append_heating_note(setup, base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);

@@ -28,27 +28,16 @@ void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegra
 }
 
 /// The same of a law of cubics.
-void add_tabulated_contact(const FilmProblem& problem, const models::ContactPieces& law, const FilmState& state,
+void add_tabulated_contact(const FilmProblem& problem, const models::ContactPieces& law, const FilmView& film,
                            FilmIntegrals& sums) {
-  const FilmGrid& grid = problem.grid;
-  const bool local = problem.contact_spread == ContactSpread::kLocal;
-  const double trusted_up_to = problem.contact->trusted_up_to();
-  double load = 0, beyond = 0, area = 0;
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
-    const double h = local ? state.h_m + grid.node_height[i] : state.h_m;
-    if (!(h < law.reach)) continue;
-    const auto [piece, within] = law.place(std::max(h, 0.0));
-    const auto power = [&](const auto& cubics) {
-      return models::ContactPieces::eighth_power(models::ContactPieces::value(cubics[piece], within));
-    };
-    const double share = grid.share[i] * power(law.pressure);
-    load += share;
-    beyond += h > trusted_up_to ? share : 0;
-    area += grid.share[i] * power(law.area);
-  }
-  sums.asperity_load += law.pressure_scale * load;
-  sums.asperity_load_beyond_polynomial += law.pressure_scale * beyond;
-  sums.asperity_area += law.area_scale * area;
+  const double pieces = static_cast<double>(law.pressure.size());
+  const ContactSums of = problem.kernels->tabulated_contact(
+      film, {law.pressure.front().data(), law.area.front().data(), law.reach, pieces / law.reach, law.pressure_scale,
+             law.area_scale, std::nextafter(pieces, 0.0), problem.contact_spread == ContactSpread::kLocal ? 1.0 : 0.0,
+             problem.contact->trusted_up_to()});
+  sums.asperity_load = of.load;
+  sums.asperity_load_beyond_polynomial = of.load_beyond;
+  sums.asperity_area = of.area;
 }
 
 void add_fitted_contact(const FilmProblem& problem, const models::FittedContact& contact, const FilmView& film,
@@ -191,7 +180,7 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   if (fitted && inputs.oil->fit() != nullptr) {
     add_fitted_contact(problem, *fitted, film, sums);
   } else if (problem.contact != nullptr && problem.contact->pieces() != nullptr && state.h_m >= 0) {
-    add_tabulated_contact(problem, *problem.contact->pieces(), state, sums);
+    add_tabulated_contact(problem, *problem.contact->pieces(), film, sums);
   } else if (problem.contact != nullptr) {
     add_contact(problem, state, sums);
   }

@@ -80,6 +80,7 @@ ordered_json curve_object(const io::MeasuredCurve& curve, std::size_t stretches,
   ordered_json series = ordered_json::array(), marks = ordered_json::array();
   std::size_t n_drawn = 0;
   for (const io::MeasuredSeries& one : curve.series) {
+    if (one.label.empty()) continue;
     const io::ThinnedSeries few = io::thinned(curve, one, stretches);
     n_drawn = std::max(n_drawn, few.x.size());
     series.push_back({{"label", one.label},

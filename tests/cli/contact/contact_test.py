@@ -137,6 +137,41 @@ class FlowFactors(ContactTest):
         words = ("--surface", "ring.csv", "--surface", "ring.csv", "--flow-factors", "--separations", "3 um")
         self.assertAlmostEqual(self.json_of(*words)["phi_s"][0], 0, delta=1e-12)
 
+    def test_maps_of_unequal_steps_are_interpolated_with_a_note(self):
+        coarse = [[wave(2 * i, j) / 4 for i in range(POINTS // 2)] for j in range(8)]
+        (self.folder / "coarse.csv").write_text(matrix_text(coarse))
+        (self.folder / "fine.csv").write_text(map_text(lambda i, j: wave(i, j) / 4, rows=16))
+        self.run_well(
+            "surface", "coarse.csv", "--unit", "um", "--step-x", "2 um", "--layout", "matrix", "--heights", "c.csv"
+        )
+        self.run_well(
+            "surface", "fine.csv", "--unit", "um", "--step-x", "1 um", "--layout", "matrix", "--heights", "f.csv"
+        )
+        words = ("--separations", "0.2 um", *MODULUS, "--json", "--form", "mean")
+        of = json.loads(self.run_well("contact", "--surface", "c.csv", "--surface", "f.csv", *words))
+        self.assertTrue(any("interpolated to 1 um" in note for note in of["notes"]), of["notes"])
+        same = json.loads(self.run_well("contact", "--surface", "f.csv", "--surface", "f.csv", *words))
+        self.assertAlmostEqual(of["contact_pressure"][0] / same["contact_pressure"][0], 1, delta=1e-2)
+        result = self.run_program("contact", "--surface", "c.csv", "--surface", "f.csv", *MODULUS, "--periodic")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("steps of the two maps differ", result.stderr)
+
+    def test_scatter_is_over_positions_regions_and_cutoffs(self):
+        for name, seed in (("ring.csv", 1), ("liner.csv", 2)):
+            (self.folder / name).write_text(rough(96, 96, seed, 60))
+        pair = ("--surface", "ring.csv", "--surface", "liner.csv", "--hardness", "2.5 GPa")
+        of = self.json_of(*pair, "--shifts", "3", "--grid", "2x2", "--short-cutoff", "5 um")
+        self.assertEqual(of["law_samples"], 3 + 4 - 1)
+        self.assertGreater(of["shift_deviation"], 0)
+        self.assertLessEqual(abs(of["shift_pressure_correlation"]), 1)
+        middle = len(of["separation"]) // 2
+        self.assertGreater(of["contact_pressure_deviation_of_regions"][middle], 0)
+        self.assertLess(of["pressure_ratio_twice_cutoff"][middle], 1)
+        self.assertGreater(of["pressure_ratio_half_cutoff"][middle], 0.99)
+        of = self.json_of(*pair)
+        self.assertNotIn("shift_deviation", of)
+        self.assertNotIn("pressure_ratio_half_cutoff", of)
+
 
 class LawOfACase(ContactTest):
     PAIR = ("contact.summit_plane=nayak",)
@@ -212,6 +247,33 @@ class TableInACase(ContactTest):
         self.assertGreater(run["mean_power_loss"], 0)
         self.assertNotIn("plasticity_index", run)
 
+    def test_the_film_takes_the_flow_through_the_same_gap(self):
+        measured = ("flow_factors", "shear_flow", "stress_factors", "average_gap")
+        settings = [word for name in measured for word in ("--set", f"film.{name}=measured")]
+        result = self.run_program("run", "case.toml", *settings)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("contact.law has no flow factors", result.stderr)
+        pair = ("--surface", "ring.csv", "--surface", "liner.csv", "--hardness", "2.5 GPa", "--flow-factors")
+        law = self.json_of(*pair, "-o", "law.nc")
+        self.assertGreater(law["separation"][0], 1.9 * law["highest_point"])
+        smooth = json.loads(self.run_well("run", "case.toml", "--json"))
+        rough_film = json.loads(self.run_well("run", "case.toml", "--json", *settings))
+        ratio = rough_film["mean_power_loss"] / smooth["mean_power_loss"]
+        self.assertTrue(0.5 < ratio < 1.5 and abs(ratio - 1) > 1e-3, ratio)
+        result = self.run_program("run", "case.toml", *settings, "--set", "contact.eyring_shear_stress='0 Pa'")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("eyring_shear_stress above 0", result.stderr)
+
+    def test_the_law_moves_and_scales(self):
+        ratio = ("--lambda", "1.5", "--json")
+        plain = json.loads(self.run_well("contact", "--case", "case.toml", *ratio))
+        scaled = json.loads(self.run_well("contact", "--case", "case.toml", *ratio, "--set", "contact.law_factor=1.5"))
+        self.assertAlmostEqual(scaled["contact_pressure"][0] / plain["contact_pressure"][0], 1.5, delta=1e-6)
+        moved = json.loads(
+            self.run_well("contact", "--case", "case.toml", *ratio, "--set", "contact.law_shift='20 nm'")
+        )
+        self.assertGreater(moved["contact_pressure"][0], plain["contact_pressure"][0])
+
     def test_other_files_are_refused(self):
         self.run_well("surface", "ring.csv", *self.STATED, "-o", "surface.nc")
         for name, message in (
@@ -227,6 +289,62 @@ class TableInACase(ContactTest):
         self.assertIn("contact.law", result.stderr)
 
 
+class BoundaryFriction(ContactTest):
+    def test_the_library_lists_dry_and_lubricated_pairs(self):
+        pairs = {pair["name"]: pair for pair in json.loads(self.run_well("pairs", "--json"))}
+        crn = pairs["crn-on-grey-iron"]
+        self.assertEqual((crn["state"], crn["friction"], crn["hardness"]), ("lubricated", 0.12, 2.5e9))
+        self.assertTrue(crn["friction_low"] < crn["friction"] < crn["friction_high"])
+        self.assertEqual(pairs["styles2014-new-dry"]["state"], "dry")
+        self.assertTrue(all(pair["source"] for pair in pairs.values()))
+        self.assertIn("crn-on-grey-iron", self.run_well("pairs"))
+
+    def test_a_case_takes_its_friction_from_a_pair(self):
+        text = (self.folder / "case.toml").read_text()
+        lines = [line for line in text.splitlines() if not line.startswith("boundary_shear_strength_coefficient")]
+        text = "\n".join(lines).replace("[contact]", '[contact]\nfriction_pair = "crn-on-grey-iron"') + "\n"
+        (self.folder / "pair.toml").write_text(text)
+        own = json.loads(
+            self.run_well("run", "case.toml", "--json", "--set", "contact.boundary_shear_strength_coefficient=0.12")
+        )
+        of_pair = json.loads(self.run_well("run", "pair.toml", "--json"))
+        self.assertEqual(own["mean_power_loss"], of_pair["mean_power_loss"])
+        law = json.loads(self.run_well("contact", "--case", "pair.toml", "--json"))
+        self.assertEqual((law["hardness"], law["boundary_friction_coefficient"]), (2.5e9, 0.12))
+        self.assertAlmostEqual(law["friction_at_hardness"], 0.12 + 2e6 / 2.5e9, delta=1e-12)
+        dry = self.run_well("check", "pair.toml", "--set", "contact.friction_pair=styles2014-new-dry")
+        self.assertIn("probe without oil", dry)
+        both = ("--set", "contact.boundary_shear_strength_coefficient=0.1")
+        for words, message in ((("--set", "contact.friction_pair=other"), "choose one of"), (both, "not used")):
+            result = self.run_program("run", "pair.toml", *words)
+            self.assertEqual(result.returncode, 2, result.stdout)
+            self.assertIn(message, result.stderr)
+
+    def test_a_pair_writes_what_the_laws_need(self):
+        for name, seed in (("ring.x3p", "1"), ("liner.x3p", "2")):
+            self.run_well("synthetic", "gaussian", name, "--points", "96x96", "--seed", seed)
+        pair = ("pair", "--ring", "ring.x3p", "--liner", "liner.x3p", "--form", "tilt")
+        self.run_well(*pair, "--hardness", "2.5 GPa", "--fragment", "contact.toml")
+        text = (self.folder / "contact.toml").read_text()
+        for line in ('model = "greenwood-williamson"', 'summit_plane = "nayak"', 'hardness = "2.5 GPa"'):
+            self.assertIn(line, text)
+        law = ("--law", "law.nc", "--shifts", "2")
+        self.run_well(*pair, "--hardness", "2.5 GPa", *MODULUS, *law, "--fragment", "contact.toml")
+        text = (self.folder / "contact.toml").read_text()
+        for line in ('law = "law.nc"', 'flow_factors = "measured"'):
+            self.assertIn(line, text)
+        own = [
+            line
+            for line in (self.folder / "case.toml").read_text().splitlines()
+            if not line.startswith(("asperity_", "roughness"))
+        ]
+        (self.folder / "measured.toml").write_text('include = ["contact.toml"]\n' + "\n".join(own) + "\n")
+        self.run_well("run", "measured.toml")
+        result = self.run_program(*pair, *law)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("belong together", result.stderr)
+
+
 class Refusals(ContactTest):
     def test_what_cannot_be_computed_is_named(self):
         wave_at = ("--surface", "wave.csv", "--periodic", "--separations")
@@ -240,21 +358,6 @@ class Refusals(ContactTest):
         self.assertIn("contradict", self.refused(*wave_at, "0.5 um", *MODULUS, "--mirrored"))
         self.assertIn("there is one", self.refused(*wave_at, "0.5 um", *MODULUS, "--shifts", "8"))
         self.assertIn("not a count", self.refused(*wave_at, "0.5 um", *MODULUS, "--shifts", "none"))
-
-    def test_maps_that_do_not_belong_together_are_refused(self):
-        (self.folder / "points.csv").write_text(
-            "x [um],y [um],z [um]\n"
-            + "".join(f"{2 * i},{2 * j},{0.1 * ((i * j) % 7)}\n" for j in range(20) for i in range(20))
-        )
-        result = self.run_program("contact", "--surface", "points.csv", "--surface", "points.csv", *MODULUS)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        (self.folder / "other.csv").write_text((self.folder / "points.csv").read_text().replace("38,", "38,"))
-        (self.folder / "fine.csv").write_text(
-            "x [um],y [um],z [um]\n" + "".join(f"{i},{j},{0.1 * ((i * j) % 7)}\n" for j in range(20) for i in range(20))
-        )
-        result = self.run_program("contact", "--surface", "points.csv", "--surface", "fine.csv", *MODULUS)
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("steps of the two maps differ", result.stderr)
 
     def test_missing_points_are_noted_and_too_many_refused(self):
         random.seed(3)

@@ -6,6 +6,7 @@
 #include "batch_cases.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/models/patir_cheng.hpp"
 
 namespace ringfilm::cycle::testing {
 namespace {
@@ -108,6 +109,88 @@ TEST(ContactLaw, LawsThatCannotBeAreRefused) {
   EXPECT_THAT(keys(c), ::testing::IsEmpty());
   c.contact.roughness = 0.05e-6;  // bandwidth parameter below 1.5
   EXPECT_THAT(keys(c), ::testing::ElementsAre("contact.summit_plane"));
+}
+
+/// The same with the flow of Patir and Cheng as if it had been measured, from `first` to `last` in lambda.
+Case with_flow(Case c, double first = 0.5, double last = 8) {
+  ContactLawTable law = *c.contact.law;
+  const double sigma = law.composite_roughness;
+  const models::PatirCheng factors(1);
+  models::FlowTable flow;
+  flow.sigma = sigma;
+  flow.gap = {1e-9, 1e-3};
+  for (double lambda = first; lambda < last + 1e-9; lambda += 0.05) {
+    const double h = lambda * sigma;
+    flow.h.push_back(h);
+    flow.pressure_flow_x.push_back(factors.pressure_flow(lambda));
+    flow.pressure_flow_y.push_back(factors.pressure_flow(lambda));
+    flow.shear_flow.push_back(0.4 * factors.shear_flow(lambda));
+    flow.pressure_stress.push_back(1);
+    flow.mean_gap.push_back(h + sigma * models::average_gap_excess(lambda));
+    flow.gap_share.push_back({(1e-3 - h) / (1e-3 - 1e-9), (h - 1e-9) / (1e-3 - 1e-9)});
+  }
+  law.flow = base::Shared<models::FlowTable>(std::move(flow));
+  c.contact.law = base::Shared<ContactLawTable>(std::move(law));
+  c.film.flow_factors = c.film.shear_flow = Roughness::kMeasured;
+  c.film.average_gap = AverageGap::kMeasured;
+  return c;
+}
+
+TEST(MeasuredFlow, OfPatirAndChengsNumbersGivesTheirCycle) {
+  const Case table = with_table(styles_new_ring());
+  Case published = table;
+  published.film.flow_factors = published.film.shear_flow = Roughness::kPatirCheng;
+  published.film.average_gap = AverageGap::kTruncated;
+  published.contact.ring_roughness_share = 0.7;  // V_r = -0.4: the ring at rest is the rougher one
+  const CycleResult one = simulate(prepare(published)), other = simulate(prepare(with_flow(table)));
+  const CycleResult smooth = simulate(prepare(table));
+  ASSERT_TRUE(one.complete && other.complete);
+  EXPECT_NEAR(other.values.mean_power_loss / one.values.mean_power_loss, 1, 1e-3);
+  EXPECT_NEAR(other.values.min_film_thickness / one.values.min_film_thickness, 1, 1e-3);
+  EXPECT_GT(std::abs(smooth.values.mean_power_loss / one.values.mean_power_loss - 1), 0.01);
+  EXPECT_THAT(topics(other), ::testing::Not(::testing::Contains("flow-factors-left")));
+}
+
+TEST(MeasuredFlow, NotesWhereTheFactorsEnd) {
+  const Case table = with_table(styles_new_ring());
+  const auto few = topics(simulate(prepare(with_flow(table, 2, 3))));
+  EXPECT_THAT(few, ::testing::Contains("flow-factors-left"));
+  EXPECT_THAT(few, ::testing::Contains("flow-factors-extrapolated"));
+  EXPECT_THAT(few, ::testing::Not(::testing::Contains("lambda-ratio-low")));
+}
+
+TEST(MeasuredFlow, BelongsToTheContactLaw) {
+  const auto keys = [](const Case& c) {
+    std::vector<std::string> found;
+    for (const RuleBreach& breach : broken_rules(c)) found.push_back(breach.key);
+    return found;
+  };
+  const Case table = with_table(styles_new_ring()), whole = with_flow(table);
+  EXPECT_THAT(keys(whole), ::testing::IsEmpty());
+  Case without = table;
+  without.film.flow_factors = Roughness::kMeasured;
+  EXPECT_THAT(keys(without), ::testing::ElementsAre("film.flow_factors"));
+  Case closed = styles_new_ring();
+  closed.film.average_gap = AverageGap::kMeasured;
+  EXPECT_THAT(keys(closed), ::testing::ElementsAre("film.average_gap"));
+  Case unlimited = whole;
+  unlimited.film.stress_factors = Roughness::kMeasured;
+  EXPECT_THAT(keys(unlimited), ::testing::IsEmpty());
+  unlimited.contact.eyring_shear_stress = 0;
+  EXPECT_THAT(keys(unlimited), ::testing::ElementsAre("film.stress_factors"));
+}
+
+TEST(ContactLaw, MovesAndScalesAsTheCaseStates) {
+  Case c = with_table(styles_new_ring(), 0.5);
+  const auto law = asperity_contact(c);
+  c.contact.law_shift = 50e-9;
+  c.contact.law_factor = 1.3;
+  const auto moved = asperity_contact(c);
+  for (const double h : {0.4e-6, 0.7e-6, 1.2e-6}) {
+    const auto one = law->contact(h - 50e-9), other = moved->contact(h);
+    EXPECT_NEAR(other.pressure / one.pressure, 1.3, 1e-3) << h;
+    EXPECT_NEAR(other.area_share / one.area_share, 1.3, 1e-3) << h;
+  }
 }
 
 }  // namespace

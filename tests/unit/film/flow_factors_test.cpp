@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "film_cases.hpp"
 #include "ringfilm/film/factors/factor_iteration.hpp"
@@ -156,6 +157,82 @@ TEST(FlowFactors, UnderALoadTheFilmIsThatOfItsOwnFactors) {
   const auto own = flow_factors(laws, film.problem, inputs, state, state.h_m);
   EXPECT_LT(difference(*state.factors, *own, film.problem.grid, state.h_m), 1e-8);
   EXPECT_NEAR(film_integrals(film.problem, inputs, previous, state).hydrodynamic_load, inputs.load, 1e-8 * inputs.load);
+}
+
+/// The factors of waves of this amplitude across the motion, on the wall at rest, by their closed forms: those of a
+/// "measured" gap.
+models::FlowTable waves_across(double amplitude) {
+  models::FlowTable table;
+  table.sigma = amplitude / std::numbers::sqrt2;
+  for (int k = 0; k <= 160; ++k) table.gap.push_back(1e-8 * std::pow(10, k / 40.0));
+  for (int row = 0; row < 40; ++row) {
+    const double h = (0.8 + 0.075 * row) * 1e-6, e = amplitude / h, across = 1 + e * e / 2, rest = 1 - e * e;
+    table.h.push_back(h);
+    table.pressure_flow_x.push_back(std::pow(rest, 2.5) / across);
+    table.pressure_flow_y.push_back(1 + 1.5 * e * e);
+    table.shear_flow.push_back(h * (1 - rest / across) / table.sigma);
+    table.pressure_stress.push_back(rest / across);
+    table.mean_gap.push_back(h);
+    auto& share = table.gap_share.emplace_back(table.gap.size(), 0.0);
+    constexpr int kPhases = 2000;
+    for (int i = 0; i < kPhases; ++i) {
+      const double H = h + amplitude * std::cos(2 * std::numbers::pi * (i + 0.5) / kPhases);
+      const auto k = static_cast<std::size_t>(std::max(0.0, 40 * std::log10(H / 1e-8)));
+      const double upper = std::max(0.0, (H - table.gap[k]) / (table.gap[k + 1] - table.gap[k]));
+      share[k] += (1 - upper) / kPhases;
+      share[k + 1] += upper / kPhases;
+    }
+  }
+  return table;
+}
+
+TEST(FlowFactors, OfAMeasuredGapGiveTheFilmThatResolvesItsWaves) {
+  // The same wavy slider twice: each wave on the grid between smooth walls, and their averages.
+  constexpr double kAmplitude = 0.5e-6, kWaves = 60, h_m = 1e-6;
+  SmoothFilm resolved(
+      3600, kWidth,
+      [](double x) { return slope(x) + kAmplitude * (1 + std::cos(2 * std::numbers::pi * kWaves * x / kWidth)); }, kEta,
+      Cavitation::kMassConserving);
+  const SmoothFilm film = film_of(slope);
+  FilmInputs inputs = inputs_of(film);
+  inputs.left.pressure = inputs.right.pressure = 2e7;  // no cavity
+  FilmInputs of_resolved = inputs;
+  of_resolved.oil = resolved.oil;
+  const Solved exact = steady_at(resolved.problem, of_resolved, h_m - kAmplitude);
+  FactorLaws laws;
+  const auto flow = std::make_shared<const models::MeasuredFlow>(waves_across(kAmplitude));
+  laws.measured = {flow, flow, flow, flow, 1e12};
+  const Solved averaged = solved_at(film, laws, inputs, h_m), smooth = solved_at(film, {}, inputs, h_m);
+  ASSERT_TRUE(exact.report.converged && averaged.report.converged);
+  const auto load = [](const Solved& of) { return of.integrals.hydrodynamic_load - 2e7 * kWidth; };
+  EXPECT_NEAR(load(averaged) / load(exact), 1, 0.02);
+  EXPECT_GT(std::abs(load(smooth) / load(exact) - 1), 0.2);
+  EXPECT_NEAR(averaged.integrals.flow_middle / exact.integrals.flow_middle, 1, 0.01);
+  EXPECT_NEAR(averaged.integrals.shear_couette / exact.integrals.shear_couette, 1, 0.01);
+  // What the pressures of single waves make of the stress, 3 eta U <H dw/dx>, is not part of the averages: here it is
+  // known.
+  double of_waves = 0;
+  for (std::size_t i = 0; i < film.problem.grid.face_height.size(); ++i) {
+    const double h = h_m + film.problem.grid.face_height[i], e = kAmplitude / h;
+    of_waves +=
+        film.problem.grid.spacing[i] * kEta * kSpeed / h * 1.5 * e * e / (std::sqrt(1 - e * e) * (1 + e * e / 2));
+  }
+  EXPECT_NEAR((averaged.integrals.shear_poiseuille + of_waves) / exact.integrals.shear_poiseuille, 1, 0.02);
+}
+
+TEST(FlowFactors, OfAMeasuredGapLimitTheStressByThatOfTheOil) {
+  const SmoothFilm film = film_of([](double) { return 0.0; });
+  const FilmInputs inputs = inputs_of(film);
+  FactorLaws laws;
+  const auto flow = std::make_shared<const models::MeasuredFlow>(waves_across(0.799e-6));
+  laws.measured = {nullptr, nullptr, flow, nullptr, 1e12};
+  const double h = 0.8e-6, newtonian = solved_at(film, laws, inputs, h).integrals.shear_couette;
+  laws.measured.eyring_stress = 1e4;
+  const double limited = solved_at(film, laws, inputs, h).integrals.shear_couette;
+  EXPECT_LT(limited, 0.7 * newtonian);
+  // Between the largest and the smallest gap the stress rises with the logarithm of their ratio only.
+  EXPECT_LT(limited, kWidth * 1e4 * std::asinh(kEta * kSpeed / 1e-9 / 1e4));
+  EXPECT_GT(limited, kWidth * 1e4 * std::asinh(kEta * kSpeed / 1.6e-6 / 1e4));
 }
 
 }  // namespace

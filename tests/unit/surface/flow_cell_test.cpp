@@ -45,6 +45,15 @@ TEST(FlowCell, AWaveHasTheFactorsOfParallelAndSerialGaps) {
   }
 }
 
+TEST(FlowCell, AWaveHasTheStressOfItsClosedForms) {
+  // Across the wave <H dp/dx>/(h dP/dx) = (1 - e^2)/(1 + e^2/2).
+  for (const double e : {0.3, 0.6, 0.9}) {
+    const auto gap = gap_of(512, 8, [&](double x, double) { return 1 + e * std::cos(2 * pi * x); });
+    const FlowFactorsOfGap of = flow_factors(gap, {512, 8, 1.0 / 512, 0.01, MapEdges::periodic});
+    EXPECT_NEAR(of.pressure_stress / ((1 - e * e) / (1 + e * e / 2)), 1, 1e-3) << e;
+  }
+}
+
 TEST(FlowCell, ASmoothGapConvergesFasterThanAnyPowerOfTheStep) {
   // Harmonic means in a row are the trapezoidal rule of 1/H^3 over a period.
   constexpr double e = 0.8;

@@ -7,6 +7,8 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/cycle/case/case_choices.hpp"
+#include "ringfilm/models/contact/friction_pair.hpp"
+#include "ringfilm/models/contact/measured_flow.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
@@ -304,6 +306,9 @@ struct ContactLawTable {
   double composite_modulus = 0;          ///< E' [Pa]
   std::optional<double> hardness;        ///< nothing: elastic [Pa]
   double last_supported_separation = 0;  ///< up to here several spots carry; beyond it is an extrapolation [m]
+  base::Shared<models::FlowTable> flow;  ///< through the same gaps; empty where the file has none
+  /// Standard deviations of the shift of the separation [m] and of ln p [-], and their correlation.
+  std::optional<double> shift_deviation, factor_deviation, shift_factor_correlation;
 };
 
 /// The keys under `contact`.
@@ -314,6 +319,8 @@ struct Contact {
   ContactMoments moments = ContactMoments::kPair;    ///< whose N and beta the law of pairs takes
   std::string law_file;                              ///< of kTable
   base::Shared<ContactLawTable> law;                 ///< of that file; empty without one
+  double law_shift = 0;                              ///< by which the law moves to larger separations [m]
+  double law_factor = 1;                             ///< of its pressure and area [-]
   double asperity_density = 0;                       ///< N: asperity peaks per area of the pair [1/m2]
   double asperity_radius = 0;                        ///< beta: mean radius of their summits [m]
   double roughness = 0;                              ///< sigma: composite roughness of the pair, as stated [m]
@@ -321,6 +328,8 @@ struct Contact {
   RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
   double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
   double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]
+  std::optional<std::string> friction_pair;        ///< of data/pairs, which states zeta and the hardness
+  base::Shared<models::FrictionPair> pair;         ///< that pair; without a name where there is none
   std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E; absent: of ring and liner [Pa]
   /// H of the softer face; the contact is elastic, and its pressure is compared with it [Pa].
   std::optional<double> hardness;
@@ -389,12 +398,14 @@ struct Film {
   AverageGap average_gap = AverageGap::kNominal;  ///< that is stored and carried
   double orientation = 1;  ///< gamma of the roughness: correlation length along the motion over that across it [-]
 
-  /// Do roughness keys take orientation?
-  bool has_pattern() const {
-    return flow_factors != Roughness::kNone || shear_flow != Roughness::kNone || stress_factors != Roughness::kNone;
-  }
+  /// Is one of the factors of this origin?
+  bool has_factors(Roughness of) const { return flow_factors == of || shear_flow == of || stress_factors == of; }
+  /// Is the flow, or a part of it, that through the gap of contact.law?
+  bool is_measured() const { return has_factors(Roughness::kMeasured) || average_gap == AverageGap::kMeasured; }
   /// Does the film differ by roughness from that of smooth walls?
-  bool is_rough() const { return has_pattern() || average_gap != AverageGap::kNominal; }
+  bool is_rough() const {
+    return has_factors(Roughness::kPatirCheng) || is_measured() || average_gap != AverageGap::kNominal;
+  }
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
   // of a pad
   EdgeFluid left_edge = EdgeFluid::kOil, right_edge = EdgeFluid::kOil;  ///< at x = 0 and x = length

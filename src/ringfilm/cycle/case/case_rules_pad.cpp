@@ -261,6 +261,23 @@ std::string key_of_factors(const Case& c) {
   return "lubricant.shear_thinning";
 }
 
+/// Factors of a measured pair belong to its contact law.
+void check_measured_factors(const Case& c, const std::string& key, Breaches& breaches) {
+  if (!c.film.is_measured()) return;
+  if (c.contact.model != ContactLaw::kTable) {
+    breaches.push_back({key, "a flow of \"measured\" requires contact.model = \"table\"",
+                        "contact and flow are those of one gap; state contact.law, or \"patir-cheng\""});
+  } else if (!c.contact.law_file.empty() && !c.contact.law->rows.h.empty() && c.contact.law->flow->empty()) {
+    breaches.push_back({key, "contact.law has no flow factors, and a flow is \"measured\"",
+                        "write it with ringfilm contact --flow-factors, or state \"patir-cheng\""});
+  }
+  if (c.film.stress_factors == Roughness::kMeasured && !(c.contact.eyring_shear_stress > 0)) {
+    breaches.push_back({"film.stress_factors",
+                        "film.stress_factors = \"measured\" requires a contact.eyring_shear_stress above 0",
+                        "it limits the stress in the thinnest gaps; oils have 2 to 10 MPa"});
+  }
+}
+
 }  // namespace
 
 std::vector<RuleBreach> broken_pad_rules(const Case& c) {
@@ -349,6 +366,7 @@ void append_flow_factor_breaches(const Case& c, std::vector<RuleBreach>& breache
   check_thinning(c, breaches);
   if (!c.has_flow_factors()) return;
   const std::string key = key_of_factors(c);
+  check_measured_factors(c, key, breaches);
   if (c.is_unrolled()) {
     breaches.push_back(
         {key, key + " requires film.dimension = \"face\"",

@@ -63,6 +63,13 @@ void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes)
              ": dry metals reach a friction coefficient of about 1, and a boundary film lowers it",
          1});
   }
+  if (contact.friction_pair && contact.pair->state == models::FrictionState::kDry) {
+    notes.push_back({"boundary-friction-dry",
+                     "contact.friction_pair = \"" + *contact.friction_pair + "\": its coefficient of " +
+                         number_text(contact.pair->friction) +
+                         " is that of a probe without oil, not of asperities in engine oil, which have 0.08 to 0.15",
+                     1});
+  }
   if (contact.eyring_shear_stress > kHighestEyringStress) {
     notes.push_back({"eyring-stress-high",
                      "contact.eyring_shear_stress = " + number_text(contact.eyring_shear_stress / 1e6) +

@@ -31,6 +31,19 @@ models::ContactModel summit_model(ContactLaw law) {
   return models::ContactModel::kGreenwoodTripp;
 }
 
+/// The table of the case, moved and scaled as it states. Rows that move to 0 or below are omitted.
+std::shared_ptr<const models::AsperityContact> measured_contact(const Contact& contact) {
+  models::ContactTable rows;
+  for (std::size_t k = 0; k < contact.law->rows.h.size(); ++k) {
+    const double h = contact.law->rows.h[k] + contact.law_shift;
+    if (!(h > 0)) continue;
+    rows.h.push_back(h);
+    rows.pressure.push_back(contact.law_factor * contact.law->rows.pressure[k]);
+    rows.area_share.push_back(contact.law_factor * contact.law->rows.area_share[k]);
+  }
+  return std::make_shared<models::TabulatedContact>(rows, contact.law->last_supported_separation + contact.law_shift);
+}
+
 }  // namespace
 
 double composite_modulus(const Case& c) {
@@ -61,7 +74,7 @@ std::optional<models::GreenwoodTripp::Parameters> asperities(const Case& c) {
 std::shared_ptr<const models::AsperityContact> asperity_contact(const Case& c) {
   const Contact& contact = c.contact;
   if (contact.model == ContactLaw::kTable) {
-    return std::make_shared<models::TabulatedContact>(contact.law->rows, contact.law->last_supported_separation);
+    return measured_contact(contact);
   }
   const models::GreenwoodTripp::Parameters pair = *asperities(c);
   if (is_closed_form(contact)) return std::make_shared<models::GreenwoodTripp>(pair);

@@ -181,18 +181,35 @@ double elastic_pressure(const Case& c) {
                                                 c.engine.bore);
 }
 
+namespace {
+
+film::MeasuredFactors measured_factors(const Case& c) {
+  film::MeasuredFactors factors;
+  if (!c.film.is_measured()) return factors;
+  const auto flow = std::make_shared<const models::MeasuredFlow>(*c.contact.law->flow);
+  if (c.film.flow_factors == Roughness::kMeasured) factors.pressure_flow = flow;
+  if (c.film.shear_flow == Roughness::kMeasured) factors.shear_flow = flow;
+  if (c.film.stress_factors == Roughness::kMeasured) factors.stress = flow;
+  if (c.film.average_gap == AverageGap::kMeasured) factors.average_gap = flow;
+  factors.eyring_stress = c.contact.eyring_shear_stress;
+  return factors;
+}
+
+}  // namespace
+
 film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<film::ThinningOil>& thinning) {
   film::FactorLaws laws;
   laws.thinning = thinning;
   laws.sigma = sigma;
   const models::PatirCheng rough(c.film.orientation);
-  if (c.film.flow_factors != Roughness::kNone) laws.pressure_flow = rough;
-  if (c.film.stress_factors != Roughness::kNone) laws.stress = rough;
-  if (c.film.shear_flow != Roughness::kNone) {
+  if (c.film.flow_factors == Roughness::kPatirCheng) laws.pressure_flow = rough;
+  if (c.film.stress_factors == Roughness::kPatirCheng) laws.stress = rough;
+  if (c.film.shear_flow == Roughness::kPatirCheng) {
     laws.shear_flow = rough;
     laws.share_difference = 1 - 2 * c.contact.ring_roughness_share;
   }
   laws.average_gap = c.film.average_gap;
+  laws.measured = measured_factors(c);
   return laws;
 }
 

@@ -41,33 +41,71 @@ void add_stress(const FactorLaws& laws, const FilmGrid& grid, double h_m, FlowFa
   factors.stress_difference = at_faces([&](double H) { return laws.share_difference * laws.stress->shear_stress(H); });
 }
 
+/// The same of the gap of a measured pair, whose stress by sliding depends on the oil.
+void add_measured_stress(const FactorLaws& laws, const FilmProblem& problem, const FilmInputs& inputs,
+                         const FilmState& state, double h_m, FlowFactors& factors) {
+  const models::MeasuredFlow& law = *laws.measured.stress;
+  const auto& heights = problem.grid.face_height;
+  factors.pressure_stress = along(heights, h_m, [&](double h) { return law.pressure_stress(h); });
+  const auto eta = [&](int i) {
+    const double newtonian = viscosity_at(*inputs.oil, state.laws, state.p[i]);
+    return factors.thinning.empty() ? newtonian : factors.thinning[i] * newtonian;
+  };
+  for (int i = 0; i < problem.grid.n_cells(); ++i) {
+    const double length = 0.5 * (eta(i) + eta(i + 1)) * inputs.U / laws.measured.eyring_stress;
+    factors.sliding_stress.push_back(law.sliding_stress(h_m + heights[i], length));
+  }
+}
+
+/// phi_x at the nodes; empty: 1.
+std::vector<double> pressure_flow(const FactorLaws& laws, const FilmGrid& grid, double h_m) {
+  if (laws.measured.pressure_flow) {
+    return along(grid.node_height, h_m, [&](double h) { return laws.measured.pressure_flow->pressure_flow(h); });
+  }
+  if (!laws.pressure_flow) return {};
+  return along(grid.node_height, h_m, [&](double h) { return laws.pressure_flow->pressure_flow(h / laws.sigma); });
+}
+
+/// By how much the mean gap exceeds the film thickness; empty: nowhere [m].
+std::vector<double> gap_excess(const FactorLaws& laws, const std::vector<double>& heights, double h_m) {
+  if (const auto& measured = laws.measured.average_gap) {
+    return along(heights, h_m, [&](double h) { return measured->mean_gap(h) - h; });
+  }
+  if (laws.average_gap != AverageGap::kTruncated) return {};
+  return along(heights, h_m, [&](double h) { return laws.sigma * models::average_gap_excess(h / laws.sigma); });
+}
+
+/// What roughness adds to the film that the moving wall carries; empty: nothing [m].
+std::vector<double> shear_flow(const FactorLaws& laws, const std::vector<double>& heights, double h_m) {
+  if (const auto& measured = laws.measured.shear_flow) {
+    return along(heights, h_m, [&](double h) { return -measured->sigma() * measured->shear_flow(h); });
+  }
+  if (!laws.shear_flow || laws.share_difference == 0) return {};
+  return along(heights, h_m, [&](double h) {
+    return laws.sigma * laws.share_difference * laws.shear_flow->shear_flow(h / laws.sigma);
+  });
+}
+
 }  // namespace
 
 std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const FilmProblem& problem,
                                                 const FilmInputs& inputs, const FilmState& state, double h_m) {
   const FilmGrid& grid = problem.grid;
-  const double sigma = laws.sigma;
   auto factors = std::make_shared<FlowFactors>();
   if (laws.thinning) add_thinning(*laws.thinning, problem, inputs, state, h_m, *factors);
-  if (laws.pressure_flow) {
-    factors->mobility =
-        along(grid.node_height, h_m, [&](double h) { return laws.pressure_flow->pressure_flow(h / sigma); });
-  }
-  if (laws.thinning && !laws.pressure_flow) factors->mobility.assign(grid.x.size(), 1.0);
+  factors->mobility = pressure_flow(laws, grid, h_m);
+  if (laws.thinning && factors->mobility.empty()) factors->mobility.assign(grid.x.size(), 1.0);
   for (std::size_t i = 0; i < factors->thinning.size(); ++i) factors->mobility[i] /= factors->thinning[i];
-  if (laws.average_gap == AverageGap::kTruncated) {
-    const auto excess = [&](double h) { return sigma * models::average_gap_excess(h / sigma); };
-    factors->stored = along(grid.node_height, h_m, excess);
-    factors->carried = along(grid.face_height, h_m, excess);
+  factors->stored = gap_excess(laws, grid.node_height, h_m);
+  factors->carried = gap_excess(laws, grid.face_height, h_m);
+  const std::vector<double> by_shear = shear_flow(laws, grid.face_height, h_m);
+  factors->carried.resize(std::max(factors->carried.size(), by_shear.size()));
+  for (std::size_t i = 0; i < by_shear.size(); ++i) factors->carried[i] += by_shear[i];
+  if (laws.measured.stress) {
+    add_measured_stress(laws, problem, inputs, state, h_m, *factors);
+  } else if (laws.stress) {
+    add_stress(laws, grid, h_m, *factors);
   }
-  if (laws.shear_flow && laws.share_difference != 0) {
-    factors->carried.resize(grid.face_height.size());
-    for (std::size_t i = 0; i < factors->carried.size(); ++i) {
-      factors->carried[i] +=
-          sigma * laws.share_difference * laws.shear_flow->shear_flow((h_m + grid.face_height[i]) / sigma);
-    }
-  }
-  if (laws.stress) add_stress(laws, grid, h_m, *factors);
   return factors;
 }
 

@@ -4,6 +4,7 @@
 
 #include "ringfilm/film/factors/roughness.hpp"
 #include "ringfilm/film/film_state.hpp"
+#include "ringfilm/models/contact/measured_flow.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
 #include "ringfilm/models/patir_cheng.hpp"
 
@@ -16,16 +17,27 @@ struct ThinningOil {
   double reference_pressure;  ///< absolute, or from the zero of a pad [Pa]
 };
 
+/// Factors of the gap of a measured pair, in place of those of the literature; the same object in each that is used.
+struct MeasuredFactors {
+  using Flow = std::shared_ptr<const models::MeasuredFlow>;
+  Flow pressure_flow, shear_flow, stress, average_gap;
+  double eyring_stress = 0;  ///< of the oil in thin gaps, above 0 with `stress` [Pa]
+
+  bool are_absent() const { return !pressure_flow && !shear_flow && !stress && !average_gap; }
+};
+
 /// The laws from which the factors of a film follow; those that are absent have no influence.
 struct FactorLaws {
   std::optional<ThinningOil> thinning;
   std::optional<models::PatirCheng> pressure_flow, shear_flow, stress;
-  AverageGap average_gap = AverageGap::kNominal;
-  double sigma = 0;             ///< composite roughness [m]
+  AverageGap average_gap = AverageGap::kNominal;  ///< kMeasured counts where `measured` has it
+  double sigma = 0;                               ///< composite roughness [m]
+  MeasuredFactors measured;
   double share_difference = 0;  ///< V_r: share of the moving wall in sigma^2 less that of the fixed one [-]
 
   bool are_of_plain_film() const {
-    return !thinning && !pressure_flow && !shear_flow && !stress && average_gap == AverageGap::kNominal;
+    return !thinning && !pressure_flow && !shear_flow && !stress && average_gap == AverageGap::kNominal &&
+           measured.are_absent();
   }
 };
 

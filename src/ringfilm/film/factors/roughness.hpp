@@ -5,14 +5,16 @@ namespace ringfilm::film {
 
 /// Factors of rough walls.
 enum class Roughness {
-  kNone,       ///< none: smooth walls
-  kPatirCheng  ///< those of Patir and Cheng
+  kNone,        ///< none: smooth walls
+  kPatirCheng,  ///< those of Patir and Cheng
+  kMeasured     ///< those of the gap of a measured pair
 };
 
 /// Film thickness that the gap stores and the wall carries.
 enum class AverageGap {
-  kNominal,   ///< that of smooth walls
-  kTruncated  ///< mean of the local one, where Gaussian heights do not overlap
+  kNominal,    ///< that of smooth walls
+  kTruncated,  ///< mean of the local one, where Gaussian heights do not overlap
+  kMeasured    ///< mean of the true gap of a measured pair
 };
 
 }  // namespace ringfilm::film

@@ -72,6 +72,15 @@ struct FittedContactView {
   double turning_gap;  ///< the load beyond it is also summed separately [m]
 };
 
+/// Cubics that are the contact law (models::ContactPieces): four coefficients of each piece of both eighth roots.
+struct TabulatedContactView {
+  const double *pressure, *area;
+  double reach, per_gap, pressure_scale, area_scale;
+  double end;          ///< largest place in the last piece, counted in pieces
+  double spread;       ///< as above
+  double turning_gap;  ///< likewise [m]
+};
+
 struct ContactSums {
   double load, load_beyond;  ///< [N/m]
   double area;               ///< [m]
@@ -187,7 +196,8 @@ class AlongFace {
     return total(packs, rest, step);
   }
 
-  RINGFILM_INLINE static ContactSums contact(const FilmView& film, const FittedContactView& contact) {
+  template <class View>
+  RINGFILM_INLINE static ContactSums contact(const FilmView& film, const View& contact) {
     Contact<Real> packs;
     Contact<One> rest;
     int i = 0;
@@ -300,6 +310,29 @@ class AlongFace {
       load += p;
       beyond += select(gap > Some(contact.turning_gap), p, Some(0));
       area += weight * eighth_power(root_2);
+    }
+    RINGFILM_INLINE void add(const FilmView& film, const TabulatedContactView& contact, int i) {
+      const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
+      const typename Some::Mask inside = gap < Some(contact.reach);
+      if (!Some::any(inside)) return;
+      const Some place = min(max(Some(0), gap) * Some(contact.per_gap), Some(contact.end));
+      alignas(64) double places[Some::kWidth], pieces[Some::kWidth];
+      place.store(places);
+      const double *pressure[Some::kWidth], *area_of[Some::kWidth];
+      for (int k = 0; k < Some::kWidth; ++k) {
+        const int piece = static_cast<int>(places[k]);
+        pieces[k] = piece;
+        pressure[k] = contact.pressure + 4 * piece;
+        area_of[k] = contact.area + 4 * piece;
+      }
+      const Some d = place - Some::load(pieces), weight = select(inside, Some::load(film.share + i), Some(0));
+      const Some p = weight * eighth_power(cubic(pressure, d));
+      load += p;
+      beyond += select(gap > Some(contact.turning_gap), p, Some(0));
+      area += weight * eighth_power(cubic(area_of, d));
+    }
+    RINGFILM_INLINE static Some cubic(const double* const* c, Some d) {
+      return Some::of_rows(c, 0) + d * (Some::of_rows(c, 1) + d * (Some::of_rows(c, 2) + d * Some::of_rows(c, 3)));
     }
     RINGFILM_INLINE static Some eighth_power(Some root) {
       const Some square = root * root;

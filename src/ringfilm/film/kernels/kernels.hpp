@@ -19,6 +19,7 @@ struct FilmKernels {
   FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxRequest&);
   int (*next_node)(const double* deficit, int i, int end, bool cavity);
   ContactSums (*contact)(const FilmView&, const FittedContactView&);
+  ContactSums (*tabulated_contact)(const FilmView&, const TabulatedContactView&);
 };
 
 /// The widest that this machine has, or the one that the environment variable RINGFILM_KERNELS names ("baseline",

@@ -52,8 +52,8 @@ int next_node(const double* deficit, int i, int end, bool cavity) {
   return AlongFace<Real, One>::next_node(deficit, i, end, cavity);
 }
 
-template <class Real, class One>
-ContactSums contact_sums(const FilmView& film, const FittedContactView& contact) {
+template <class Real, class One, class View>
+ContactSums contact_sums(const FilmView& film, const View& contact) {
   return AlongFace<Real, One>::contact(film, contact);
 }
 
@@ -70,7 +70,8 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           sums<Real, One, FittedOilView>,
           sums<Real, One, NodalOilView>,
           next_node<Real, One>,
-          contact_sums<Real, One>};
+          contact_sums<Real, One, FittedContactView>,
+          contact_sums<Real, One, TabulatedContactView>};
 }
 
 }  // namespace ringfilm::film

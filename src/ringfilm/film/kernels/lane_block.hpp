@@ -87,7 +87,7 @@ struct LaneBlock {
   // Contact of lanes whose law is cubics on equal pieces (models::ContactPieces)
   bool has_tables;                  ///< does any lane have them?
   const double* table[kMostLanes];  ///< four coefficients of each piece
-  int table_pieces[kMostLanes];     ///< how many
+  alignas(64) Lanes table_end;      ///< the largest place in the last of them, from 0 at the first
   alignas(64) Lanes table_reach;    ///< beyond this gap there is none; negative: nowhere [m]
   alignas(64) Lanes table_per_gap;  ///< from the gap to the number of the piece [1/m]
   alignas(64) Lanes table_scale;    ///< of the pressure [Pa]

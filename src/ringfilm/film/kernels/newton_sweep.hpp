@@ -176,23 +176,28 @@ class NewtonSweep {
   RINGFILM_INLINE void add_tabulated_contact(int i) {
     const Visitor h_m = of_lanes(b_.h_m), spread = of_lanes(b_.contact_spread), reach = of_lanes(b_.table_reach);
     const Visitor per_gap = of_lanes(b_.table_per_gap), scale = of_lanes(b_.table_scale);
+    const Visitor end = of_lanes(b_.table_end);
     for (int a = 0; a < kAbreast; ++a) {
       const Visitor gap = h_m + spread * seen(b_.node_height, i, a);
       if (!Visitor::any(gap < reach)) continue;
       const Visitor lowest = max(Visitor(0), gap);
-      alignas(64) double place[Visitor::kWidth], root[Visitor::kWidth], root_slope[Visitor::kWidth];
-      (lowest * per_gap).store(place);
+      const Visitor place = min(lowest * per_gap, end);  // a NaN is there
+      alignas(64) double places[Visitor::kWidth];
+      place.store(places);
+      const double* cubic[Visitor::kWidth];
+      alignas(64) double piece[Visitor::kWidth];
       for (int k = 0; k < Visitor::kWidth; ++k) {
-        const int lane = kAlongFace ? 0 : k;
-        const int last = b_.table_pieces[lane] - 1;
-        const int piece = place[k] < last ? static_cast<int>(place[k]) : last;  // a NaN is in the last one
-        const double* const c = b_.table[lane] + 4 * piece;
-        const double d = place[k] - piece;
-        root[k] = c[0] + d * (c[1] + d * (c[2] + d * c[3]));
-        root_slope[k] = c[1] + d * (2 * c[2] + 3 * d * c[3]);
+        const int number = static_cast<int>(places[k]);
+        piece[k] = number;
+        cubic[k] = b_.table[kAlongFace ? 0 : k] + 4 * number;
       }
-      const Visitor value = Visitor::load(root), square = value * value, fourth = square * square;
-      const Visitor dF = Visitor(8) * fourth * square * value * Visitor::load(root_slope) * per_gap;
+      const Visitor d = place - Visitor::load(piece);
+      const Visitor c_3 = Visitor::of_rows(cubic, 3), c_2 = Visitor::of_rows(cubic, 2),
+                    c_1 = Visitor::of_rows(cubic, 1);
+      const Visitor value = Visitor::of_rows(cubic, 0) + d * (c_1 + d * (c_2 + d * c_3));
+      const Visitor root_slope = c_1 + d * (c_2 + c_2 + Visitor(3) * d * c_3);
+      const Visitor square = value * value, fourth = square * square;
+      const Visitor dF = Visitor(8) * fourth * square * value * root_slope * per_gap;
       const Visitor F = fourth * fourth + dF * (gap - lowest);
       const Visitor weight = select(gap < reach, seen(b_.share, i, a) * scale, Visitor(0));
       load_ += weight * F;

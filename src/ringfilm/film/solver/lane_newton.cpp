@@ -128,7 +128,7 @@ void LaneNewton::set_contact(int lane) {
 void LaneNewton::clear_table(int lane) {
   static constexpr double kNoContact[4] = {};
   block_.table[lane] = kNoContact;
-  block_.table_pieces[lane] = 1;
+  block_.table_end[lane] = 0;
   block_.table_reach[lane] = kNowhere;
   block_.table_per_gap[lane] = block_.table_scale[lane] = 0;
   block_.has_tables = false;
@@ -137,7 +137,7 @@ void LaneNewton::clear_table(int lane) {
 
 void LaneNewton::set_table(int lane, const models::ContactPieces& pieces) {
   block_.table[lane] = pieces.pressure.front().data();
-  block_.table_pieces[lane] = static_cast<int>(pieces.pressure.size());
+  block_.table_end[lane] = std::nextafter(static_cast<double>(pieces.pressure.size()), 0.0);
   block_.table_reach[lane] = pieces.reach;
   block_.table_per_gap[lane] = static_cast<double>(pieces.pressure.size()) / pieces.reach;
   block_.table_scale[lane] = pieces.pressure_scale;

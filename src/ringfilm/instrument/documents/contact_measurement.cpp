@@ -9,6 +9,8 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
+#include "ringfilm/models/contact/persson.hpp"
+#include "ringfilm/surface/contact/resampled_map.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -65,8 +67,17 @@ constexpr Column kFlowColumns[] = {
     {"phi_y", "pressure flow factor across the rows", "phi_y", "1", "1", [](const Point& of) { return of.flow.phi_y; }},
     {"phi_s", "shear flow factor along the rows, first surface at rest", "phi_s", "1", "1",
      [](const Point& of) { return of.flow.phi_s; }},
+    {"phi_fp", "stress factor of the pressure flow along the rows", "phi_fp", "1", "1",
+     [](const Point& of) { return of.flow.phi_fp; }},
     {"flow_residual", "largest relative residual of the cell problems", "", "1", "1",
      [](const Point& of) { return of.flow.residual; }},
+};
+
+constexpr Column kRegionColumns[] = {
+    {"contact_pressure_deviation_of_regions", "standard deviation of the pressure over regions", "s_r(p)", "Pa", "MPa",
+     [](const Point& of) { return of.pressure_deviation_of_regions; }},
+    {"real_area_deviation_of_regions", "standard deviation of the real contact area over regions", "s_r(A)", "1", "%",
+     [](const Point& of) { return of.area_deviation_of_regions; }},
 };
 
 io::MeasuredTable law_table(const surface::ContactLaw& law, const ContactAnalysis& analysis) {
@@ -78,14 +89,22 @@ io::MeasuredTable law_table(const surface::ContactLaw& law, const ContactAnalysi
     for (const Point& point : law.points) table.values.back().push_back(column.value(point));
   };
   for (const Column& column : kColumns) add(column);
+  if (analysis.regions_across * analysis.regions_down > 1) {
+    for (const Column& column : kRegionColumns) add(column);
+  }
   if (analysis.has_flow) {
     for (const Column& column : kFlowColumns) add(column);
   }
   return table;
 }
 
+double pressure_band(const Point& of) { return std::hypot(of.pressure_deviation, of.pressure_deviation_of_regions); }
+double area_band(const Point& of) { return std::hypot(of.area_deviation, of.area_deviation_of_regions); }
+
 /// A column of the law over the separation, smallest first.
-io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column, const std::string& name) {
+/// @param deviation of a point, drawn as a band; nullptr: none
+io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column, const std::string& name,
+                            double (*deviation)(const Point&) = nullptr) {
   std::vector<Point> points = law.points;
   std::stable_sort(points.begin(), points.end(),
                    [](const Point& a, const Point& b) { return a.mean.separation_m < b.mean.separation_m; });
@@ -101,6 +120,37 @@ io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column
     series.y.push_back(column.value(point));
   }
   curve.series.push_back(std::move(series));
+  if (deviation != nullptr) {
+    const std::vector<double> mean = curve.series.front().y;
+    for (const double sign : {-1.0, 1.0}) {
+      io::MeasuredSeries edge{sign < 0 ? "lower" : "upper",
+                              sign < 0 ? "less one standard deviation" : "plus one standard deviation",
+                              {},
+                              false};
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        edge.y.push_back(std::max(0.0, mean[k] + sign * deviation(points[k])));
+      }
+      curve.series.push_back(std::move(edge));
+    }
+  }
+  return curve;
+}
+
+/// Share of the area at each true gap, a series for each separation in the order of the table; six of them are drawn.
+io::MeasuredCurve gap_curve(const surface::ContactLaw& law) {
+  io::MeasuredCurve curve;
+  curve.name = io::kGapDistribution;
+  curve.title = "Distribution of the true gap";
+  curve.caption = "Share of the area at each gap; what is missing from 1 is contact.";
+  curve.x_axis = {"gap", "true gap", "m", "um", true};
+  curve.y_axis = {"share", "share of the area", "1", "%"};
+  curve.x = law.gap_places_m;
+  const std::size_t step = (law.points.size() + 5) / 6;
+  for (const Point& point : law.points) {
+    const std::size_t k = curve.series.size();
+    const std::string label = k % step == 0 ? "h = " + surface::length_text(point.mean.separation_m) : std::string();
+    curve.series.push_back({io::gap_series(k), label, point.flow.gap_share, false});
+  }
   return curve;
 }
 
@@ -123,19 +173,6 @@ io::MeasuredMap pressure_map(const surface::ContactLaw& law) {
   return picture;
 }
 
-constexpr double kFewSpots = 5;  // on all maps of a law: fewer are one sample
-
-/// Beyond it a law is an extrapolation; the smallest separation where nowhere enough spots carry [m].
-double last_supported(const surface::ContactLaw& law, double positions) {
-  const double area = static_cast<double>(law.grid.points()) * law.grid.step_x_m * law.grid.step_y_m * positions;
-  double last = 0, smallest = std::numeric_limits<double>::max();
-  for (const Point& point : law.points) {
-    smallest = std::min(smallest, point.mean.separation_m);
-    if (point.mean.spots_per_m2 * area >= kFewSpots) last = std::max(last, point.mean.separation_m);
-  }
-  return last > 0 ? last : smallest;
-}
-
 io::MeasuredGroup law_group(const surface::ContactLaw& law, const ContactAnalysis& analysis) {
   io::MeasuredGroup group{"The pair in contact", {}};
   const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
@@ -156,11 +193,37 @@ io::MeasuredGroup law_group(const surface::ContactLaw& law, const ContactAnalysi
   add("relative_positions", "relative positions of both surfaces", "", "1", "1", static_cast<double>(analysis.shifts));
   add("missing_share", "share of the points without a height", "", "1", "%", law.missing_share);
   add(io::kLastSupportedSeparation, "largest separation at which five spots of a map or more carry", "", "m", "um",
-      last_supported(law, static_cast<double>(analysis.shifts)));
+      law.last_supported_m);
   add("complementarity_residual", "largest rms violation of the complementarity over Sq", "", "1", "1", residual);
   add("iterations", "iterations of the conjugate gradients", "", "1", "1", iterations);
   return group;
 }
+
+/// ln p of a sample: ln p(h - dh) + ds.
+io::MeasuredGroup scatter_group(const surface::LawScatter& scatter) {
+  io::MeasuredGroup group{"Scatter of one relative position and one region", {}};
+  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
+                       double value) {
+    group.values.push_back(value_of(name, words, symbol, unit, display, value, ""));
+  };
+  add("law_samples", "relative positions and regions beyond the first", "", "1", "1",
+      static_cast<double>(scatter.samples));
+  add(io::kShiftDeviation, "standard deviation of the shift of the separation", "s(dh)", "m", "nm",
+      scatter.shift_deviation());
+  add(io::kLogPressureDeviation, "standard deviation of the logarithm of the pressure", "s(ln p)", "1", "%",
+      scatter.log_deviation());
+  add(io::kShiftPressureCorrelation, "correlation of both", "", "1", "1", scatter.correlation());
+  return group;
+}
+
+/// The law of the first position with half of the short cut-off and with twice of it, over that with it.
+struct CutoffLaw {
+  double factor;
+  const char *name, *long_name;
+};
+constexpr CutoffLaw kOtherCutoffs[] = {
+    {0.5, "pressure_ratio_half_cutoff", "pressure with half of the short cut-off over that with it, first position"},
+    {2.0, "pressure_ratio_twice_cutoff", "pressure with twice the short cut-off over that with it, first position"}};
 
 double rms_slope(const surface::HeightMap& map) {
   double squares = 0, count = 0;
@@ -180,6 +243,26 @@ double rms_slope(const surface::HeightMap& map) {
   return count > 0 ? std::sqrt(directions * squares / count) : 0;
 }
 
+double pair_slope(const surface::SurfacePair& pair) {
+  return std::hypot(rms_slope(pair.first), pair.second ? rms_slope(*pair.second) : 0.0);
+}
+
+/// The area after Persson at the pressures of the law, eq-persson-area, smallest separation first.
+io::MeasuredSeries persson_series(const surface::SurfacePair& pair, const surface::ContactLaw& law) {
+  std::vector<Point> points = law.points;
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Point& a, const Point& b) { return a.mean.separation_m < b.mean.separation_m; });
+  const double modulus = pair.material.E_star * pair_slope(pair);
+  io::MeasuredSeries series{"persson", "Persson's area at the same pressure", {}, false};
+  for (const Point& point : points) {
+    const double p = point.mean.pressure;
+    series.y.push_back(pair.material.hardness && p < *pair.material.hardness
+                           ? models::persson_area(p, modulus, *pair.material.hardness).total()
+                           : models::persson_area(p, modulus));
+  }
+  return series;
+}
+
 std::vector<std::string> law_notes(const surface::SurfacePair& pair, const surface::ContactLaw& law) {
   std::vector<std::string> notes;
   if (pair.first.is_profile()) notes.push_back("profiles are computed as ridges without end across them");
@@ -191,7 +274,7 @@ std::vector<std::string> law_notes(const surface::SurfacePair& pair, const surfa
   if (near_missing > kMuchLoadNextToMissing) {
     notes.push_back(fmt::format("up to {:.3g} % of the load is next to points without a height", 100 * near_missing));
   }
-  const double slope = std::hypot(rms_slope(pair.first), pair.second ? rms_slope(*pair.second) : 0.0);
+  const double slope = pair_slope(pair);
   if (slope > kSteepSlope) {
     notes.push_back(fmt::format("the rms slope of the pair is {:.2g}: half-space theory is for small slopes, below {}",
                                 slope, kSteepSlope));
@@ -217,38 +300,114 @@ std::vector<std::string> statements_of(const ContactAnalysis& analysis, const Pr
   return lines;
 }
 
+/// Both maps as they meet, with the lines that report where they come from.
+struct PreparedPair {
+  surface::SurfacePair pair;
+  PreparedSurface first;
+  std::vector<std::string> sources;
+};
+
+/// On the finer steps of another map, with a note.
+SurfaceFile on_steps_of(const SurfaceFile& file, double step_x, double step_y, std::vector<std::string>& notes) {
+  const surface::HeightMap& map = file.map;
+  if (same_step(map.step_x_m, step_x) && (map.is_profile() || same_step(map.step_y_m, step_y))) return file;
+  notes.push_back(
+      fmt::format("{}: steps of {} x {} are interpolated to {} x {}, those of the other map; its waves "
+                  "below {} are not part of the law",
+                  file_name(file.origin.path), surface::length_text(map.step_x_m), surface::length_text(map.step_y_m),
+                  surface::length_text(step_x), surface::length_text(step_y),
+                  surface::length_text(2 * std::max(map.step_x_m, map.is_profile() ? 0 : map.step_y_m))));
+  return {surface::resampled(map, step_x, step_y), file.origin, file.plausibility_line};
+}
+
+PreparedPair prepared_pair(const SurfaceFile& first, const SurfaceFile* second, const ContactAnalysis& analysis,
+                           std::vector<std::string>& notes) {
+  std::optional<SurfaceFile> one, other;
+  const bool is_resampled = second != nullptr && analysis.edges == surface::MapEdges::mirrored &&
+                            first.map.is_profile() == second->map.is_profile() && steps_differ(first.map, second->map);
+  if (is_resampled) {  // of periodic maps the periods would differ: surface::sum_of_surfaces refuses them
+    const double step_x = std::min(first.map.step_x_m, second->map.step_x_m);
+    const double step_y = std::min(first.map.step_y_m, second->map.step_y_m);
+    one = on_steps_of(first, step_x, step_y, notes);
+    other = on_steps_of(*second, step_x, step_y, notes);
+  }
+  PreparedPair of{{}, prepared(one ? *one : first, analysis, notes), {}};
+  of.sources = source_lines(of.first);
+  of.pair = {of.first.map,          {},
+             analysis.edges,        analysis.material,
+             analysis.shifts,       analysis.regions_across,
+             analysis.regions_down, analysis.has_flow};
+  if (second == nullptr) return of;
+  const PreparedSurface prepared_second = prepared(other ? *other : *second, analysis, notes);
+  for (std::string& line : source_lines(prepared_second)) of.sources.push_back(std::move(line));
+  of.pair.second = prepared_second.map;
+  return of;
+}
+
+/// By how much the short cut-off decides: the ratios of pressures as columns, NaN without contact.
+void add_other_cutoffs(const SurfaceFile& first, const SurfaceFile* second, const ContactAnalysis& analysis,
+                       const std::vector<double>& separations, io::MeasuredTable& table,
+                       std::vector<std::string>& notes) {
+  const auto pressures = [&](double factor) {
+    ContactAnalysis changed = analysis;
+    changed.preparation.short_cutoff_m = factor * *analysis.preparation.short_cutoff_m;
+    std::vector<std::string> known;
+    std::vector<double> of;
+    for (const auto& contact :
+         surface::contact_of_first_position(prepared_pair(first, second, changed, known).pair, separations)) {
+      of.push_back(contact.pressure);
+    }
+    return of;
+  };
+  const std::vector<double> with = pressures(1);
+  for (const CutoffLaw& other : kOtherCutoffs) {
+    std::vector<double> ratio(separations.size(), std::numeric_limits<double>::quiet_NaN());
+    try {
+      const std::vector<double> without = pressures(other.factor);
+      for (std::size_t k = 0; k < ratio.size(); ++k) {
+        if (with[k] > 0) ratio[k] = without[k] / with[k];
+      }
+    } catch (const InputError& refusal) {
+      notes.push_back(fmt::format("the law with {:g} times the short cut-off is not computed: {}", other.factor,
+                                  refusal.faults().front().message));
+    }
+    add_column(table, other.name, other.long_name, "", "1", "1");
+    table.values.back() = std::move(ratio);
+  }
+}
+
 }  // namespace
 
 io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile* second,
                                     const ContactAnalysis& analysis) {
   io::Measurement all;
   all.kind = io::kContactLawKind;
-  const PreparedSurface one = prepared(first, analysis, all.notes);
-  std::optional<PreparedSurface> other;
-  if (second != nullptr) other = prepared(*second, analysis, all.notes);
-  all.title = "Contact law of " + file_name(one.origin.path) + " with " +
-              (other ? file_name(other->origin.path) : std::string("a smooth flat"));
-  all.sources = source_lines(one);
-  if (other) {
-    for (std::string& line : source_lines(*other)) all.sources.push_back(std::move(line));
-  }
-  all.statements = statements_of(analysis, one);
-
-  surface::SurfacePair pair{one.map, {}, analysis.edges, analysis.material, analysis.shifts, analysis.has_flow};
-  if (other) pair.second = other->map;
+  const PreparedPair prepared = prepared_pair(first, second, analysis, all.notes);
+  const surface::SurfacePair& pair = prepared.pair;
+  all.title = "Contact law of " + file_name(first.origin.path) + " with " +
+              (second != nullptr ? file_name(second->origin.path) : std::string("a smooth flat"));
+  all.sources = prepared.sources;
+  all.statements = statements_of(analysis, prepared.first);
   const std::vector<double> separations =
       analysis.separations_m.empty() ? surface::usual_separations(pair) : analysis.separations_m;
   const surface::ContactLaw law = surface::contact_law(pair, separations);
 
   for (std::string& note : law_notes(pair, law)) all.notes.push_back(std::move(note));
   all.groups.push_back(law_group(law, analysis));
+  if (law.scatter.samples > 1) all.groups.push_back(scatter_group(law.scatter));
   all.tables.push_back(law_table(law, analysis));
-  all.curves.push_back(law_curve(law, kColumns[1], "pressure_curve"));
-  all.curves.push_back(law_curve(law, kColumns[2], "area_curve"));
+  if (analysis.preparation.short_cutoff_m) {
+    add_other_cutoffs(first, second, analysis, separations, all.tables.back(), all.notes);
+  }
+  const bool has_band = law.scatter.samples > 1;
+  all.curves.push_back(law_curve(law, kColumns[1], "pressure_curve", has_band ? pressure_band : nullptr));
+  all.curves.push_back(law_curve(law, kColumns[2], "area_curve", has_band ? area_band : nullptr));
+  all.curves.back().series.push_back(persson_series(pair, law));
   if (analysis.has_flow) {
     for (const Column& column : {kFlowColumns[0], kFlowColumns[1], kFlowColumns[2]}) {
       all.curves.push_back(law_curve(law, column, std::string(column.name) + "_curve"));
     }
+    all.curves.push_back(gap_curve(law));
   }
   if (!pair.first.is_profile()) all.maps.push_back(pressure_map(law));
   return all;

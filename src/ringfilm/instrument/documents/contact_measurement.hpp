@@ -14,9 +14,10 @@ struct ContactAnalysis {
   surface::Preparation preparation;  ///< of each map, before both are added
   surface::MapEdges edges = surface::MapEdges::mirrored;
   surface::ContactMaterial material;
-  std::vector<double> separations_m;  ///< in the order of the table; empty: surface::usual_separations
-  std::size_t shifts = 1;             ///< relative positions of both surfaces
-  bool has_flow = false;              ///< with the factors of the flow through the gap
+  std::vector<double> separations_m;                 ///< in the order of the table; empty: surface::usual_separations
+  std::size_t shifts = 1;                            ///< relative positions of both surfaces
+  std::size_t regions_across = 1, regions_down = 1;  ///< whose laws scatter
+  bool has_flow = false;                             ///< with the factors of the flow through the gap
 };
 
 /// The contact law of a pair of measured surfaces: table, curves, contact map. Throws InputError where maps do not

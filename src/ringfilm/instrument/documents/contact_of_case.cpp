@@ -79,6 +79,10 @@ io::MeasuredGroup validity_group(const cycle::Case& c) {
   if (!c.contact.hardness && c.contact.model != ContactLaw::kTable) {
     group.values.back().remark = "assumed: grey iron; contact.hardness states it";
   }
+  add("boundary_friction_coefficient", "boundary shear strength over contact pressure", "zeta", "1", "1",
+      c.contact.boundary_shear_strength_coefficient);
+  add("friction_at_hardness", "friction coefficient of asperities that flow, zeta + tau_0/H", "mu", "1", "1",
+      c.contact.boundary_shear_strength_coefficient + c.contact.eyring_shear_stress / hardness);
   const auto pair = asperities(c);
   const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
   if (!summits) return group;

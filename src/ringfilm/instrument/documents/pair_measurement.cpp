@@ -9,17 +9,12 @@
 #include "ringfilm/instrument/documents/surface_side.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/io/case/contact_fragment.hpp"
+#include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/surface/asperity/scatter.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
 
 namespace ringfilm::instrument {
 namespace {
-
-/// A profile has no step along y.
-bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b) {
-  return !same_step(a.step_x_m, b.step_x_m) ||
-         (!a.is_profile() && !b.is_profile() && !same_step(a.step_y_m, b.step_y_m));
-}
 
 /// Which filters and pixels the numbers hold for: of all maps in one, or one for each side.
 std::string measured_with(const Side& ring, const Side& liner) {
@@ -61,6 +56,23 @@ io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const Surf
   pair.measured.difference_scheme = moment_text(first, analysis);
   add_scatter(scatter, pair);
   return pair;
+}
+
+/// What a Gaussian surface of these numbers has; nothing where none exists.
+std::optional<models::SummitStatistics> summits_of(const surface::PairScatter& scatter) {
+  return models::summit_statistics(
+      {scatter.central.density_per_m2, scatter.central.beta_m, scatter.central.sigma_m, 1});
+}
+
+io::MeasuredGroup summit_plane_group(const models::SummitStatistics& summits, const std::string& rule) {
+  io::MeasuredGroup group{"Summits of a Gaussian surface with this N, beta and sigma", {}};
+  group.values = {value_of("asperity_bandwidth", "bandwidth parameter", "alpha", "1", "1", summits.bandwidth, rule),
+                  value_of("asperity_slope", "rms slope", "h'", "1", "1", summits.rms_slope, rule),
+                  value_of("summit_plane_offset", "plane of the summits above that of the surface", "z_s", "m", "um",
+                           summits.summit_offset, rule),
+                  value_of("summit_spread", "standard deviation of the summit heights", "sigma_s", "m", "um",
+                           summits.summit_spread, rule)};
+  return group;
 }
 
 io::MeasuredGroup pair_group(const surface::PairScatter& scatter, const std::string& rule, const std::string& sigma) {
@@ -136,6 +148,12 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
 
   const std::string rule = measured_with(ring, liner);
   all.groups.push_back(pair_group(scatter, rule, rule + "; " + surface_sigma_text(analysis.sigma_rule)));
+  const auto summits = summits_of(scatter);
+  if (summits) all.groups.push_back(summit_plane_group(*summits, rule));
+  if (!summits && analysis.hardness) {
+    all.notes.push_back(
+        "no Gaussian surface has this N, beta and sigma together: the fragment states no plane of the summits");
+  }
   const surface::HeightMap &first = ring.surfaces.front().map, &second = liner.surfaces.front().map;
   const bool maps = !first.is_profile() && !second.is_profile();
   if (maps && !steps_differ(first, second)) {
@@ -155,7 +173,9 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   for (const Side* side : {&ring, &liner}) {
     for (std::string& line : digest_lines(*side)) heading.push_back(std::move(line));
   }
-  all.fragment = contact_fragment(pair_for_case(ring, liner, analysis, scatter, flat), heading);
+  io::PairOfSurfaces pair = pair_for_case(ring, liner, analysis, scatter, flat);
+  if (summits) pair.hardness = analysis.hardness;
+  all.fragment = contact_fragment(pair, heading);
   return all;
 }
 

@@ -31,6 +31,7 @@ struct SurfaceAnalysis {
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
   surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< is Ra (Sa) or Rq (Sq) used as sigma?
   std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are reported, too
+  std::optional<double> hardness;        ///< of the softer face of a pair, for the law of its case [Pa]
   std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 

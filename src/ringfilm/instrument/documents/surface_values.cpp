@@ -95,6 +95,11 @@ io::MeasuredFrame frame_of(const surface::Region& region, const surface::HeightM
 
 bool same_step(double a_m, double b_m) { return std::abs(a_m / b_m - 1) <= kSameStep; }
 
+bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b) {
+  return !same_step(a.step_x_m, b.step_x_m) ||
+         (!a.is_profile() && !b.is_profile() && !same_step(a.step_y_m, b.step_y_m));
+}
+
 std::string file_name(const std::string& path) { return std::filesystem::path(path).filename().string(); }
 
 std::string surface_sigma_text(surface::SigmaRule rule) {

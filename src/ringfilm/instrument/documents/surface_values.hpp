@@ -29,6 +29,8 @@ std::string file_name(const std::string& path);
 
 /// Are two steps one, but for the digits of their files?
 bool same_step(double a_m, double b_m);
+/// Of two maps; a profile has no step along y.
+bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b);
 
 /// How slopes and curvatures were made, and along which direction.
 std::string moment_text(const PreparedSurface& surface, const SurfaceAnalysis& analysis);

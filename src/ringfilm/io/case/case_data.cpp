@@ -9,6 +9,7 @@
 #include "ringfilm/io/measurement/bore_map_file.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
+#include "ringfilm/io/storage/shipped_pairs.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -85,6 +86,13 @@ void append_land_file(const std::string& key, cycle::LandPressure cycle::Ring::*
                    }});
 }
 
+/// What the case does not state of boundary friction is that of the pair.
+void take_pair(const models::FrictionPair& pair, Case& to) {
+  to.contact.pair = pair;
+  to.contact.boundary_shear_strength_coefficient = pair.friction;
+  if (!to.stated.contains("contact.hardness")) to.contact.hardness = pair.hardness;
+}
+
 }  // namespace
 
 std::vector<DataFile> data_files(const Case& c, const Units& units) {
@@ -123,6 +131,14 @@ std::vector<DataFile> data_files(const Case& c, const Units& units) {
                        ContactLawFile law = read_contact_law(file);
                        to.contact.law = std::move(law.law);
                        return {law.sha256, law.notes};
+                     }});
+  }
+  if (c.contact.friction_pair) {
+    const std::string name = *c.contact.friction_pair;
+    files.push_back({"contact.friction_pair", kPairsFile, [&units, name](const NamedFile& file, Case& to) -> ReadData {
+                       const FrictionPairs all = read_friction_pairs(file, units);
+                       take_pair(pair_of_name(all, name), to);
+                       return {all.sha256, {}};
                      }});
   }
   return files;

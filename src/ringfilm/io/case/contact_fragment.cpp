@@ -79,9 +79,27 @@ std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::
   c.contact.roughness_measure = pair.roughness_measure;
   c.contact.measured = pair.measured;
   c.contact.measured.shear_strength = {};
+  std::vector<std::string> keys = {"contact.asperity_density", "contact.asperity_radius", "contact.roughness",
+                                   "contact.roughness_measure", "contact.measured."};
+  if (pair.hardness) {
+    c.contact.model = cycle::ContactLaw::kGreenwoodWilliamson;
+    c.contact.asperity = cycle::AsperityLaw::kZhaoMaiettaChang;
+    c.contact.summit_plane = cycle::SummitPlane::kNayak;
+    c.contact.hardness = pair.hardness;
+    keys.insert(keys.end(), {"contact.model", "contact.asperity", "contact.summit_plane", "contact.hardness"});
+  }
+  return fragment(c, keys, heading);
+}
+
+std::string contact_law_fragment(const std::string& law_name, const std::vector<std::string>& heading) {
+  cycle::Case c;
+  c.contact.model = cycle::ContactLaw::kTable;
+  c.contact.law_file = law_name;
+  c.film.flow_factors = c.film.shear_flow = c.film.stress_factors = cycle::Roughness::kMeasured;
+  c.film.average_gap = cycle::AverageGap::kMeasured;
   return fragment(c,
-                  {"contact.asperity_density", "contact.asperity_radius", "contact.roughness",
-                   "contact.roughness_measure", "contact.measured."},
+                  {"contact.model", "contact.law", "film.flow_factors", "film.shear_flow", "film.stress_factors",
+                   "film.average_gap"},
                   heading);
 }
 

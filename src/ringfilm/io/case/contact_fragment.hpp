@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,18 @@ struct PairOfSurfaces {
   double asperity_radius = 0;   ///< [m]
   double roughness = 0;         ///< [m]
   cycle::RoughnessMeasure roughness_measure = cycle::RoughnessMeasure::kAsGiven;
+  std::optional<double> hardness;   ///< with which the law counts from the summits, which flow [Pa]
   cycle::MeasuredContact measured;  ///< without the shear strength, which another fragment brings
 };
 
-/// `[contact]` asperity_density, asperity_radius, roughness, roughness_measure and `[contact.measured]`.
+/// `[contact]` asperity_density, asperity_radius, roughness, roughness_measure and `[contact.measured]`; with a
+/// hardness the law of new cases, too: model, asperity, summit_plane, hardness.
 /// @param heading what people should know, put in front as comments, line by line
 std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::string>& heading);
+
+/// `[contact]` model = "table" and law, with the flow through the same gap in `[film]`.
+/// @param law_name file of the law, relative to the fragment
+std::string contact_law_fragment(const std::string& law_name, const std::vector<std::string>& heading);
 
 /// `[ring.face]` as a polynomial, with `[ring.face.measured]`.
 /// @param trace_name file of the trace, for the record

@@ -32,15 +32,48 @@ double scalar(const ResultFileReader& file, const char* name) {
   return value;
 }
 
+std::vector<std::size_t> rising_order(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
+}
+
+/// The flow through the gap, in the order of the separations; nothing where the file has none.
+std::optional<models::FlowTable> flow_of(const ResultFileReader& file) {
+  if (!file.has_variable(std::string(kContactLawTable) + "_phi_x")) return std::nullopt;
+  const std::vector<std::size_t> order = rising_order(column(file, "separation"));
+  const auto sorted = [&](const char* name) {
+    const std::vector<double> values = column(file, name);
+    std::vector<double> of;
+    for (const std::size_t k : order) of.push_back(values[k]);
+    return of;
+  };
+  models::FlowTable flow{sorted("separation"),
+                         sorted("phi_x"),
+                         sorted("phi_y"),
+                         sorted("phi_s"),
+                         sorted("phi_fp"),
+                         sorted("mean_gap"),
+                         {},
+                         {},
+                         0};
+  const std::string along = std::string(kGapDistribution) + "_gap";
+  file.numbers({along.c_str()}, {along, "", "", "", "", ""}, flow.gap);
+  for (const std::size_t k : order) {
+    file.numbers({along.c_str()}, {std::string(kGapDistribution) + "_" + gap_series(k), "", "", "", "", ""},
+                 flow.gap_share.emplace_back());
+  }
+  flow.sigma = scalar(file, "composite_roughness");
+  return flow;
+}
+
 /// Rows by their separation, of those with contact.
 cycle::ContactLawTable rows_with_contact(const ResultFileReader& file) {
   const std::vector<double> h = column(file, "separation"), p = column(file, "contact_pressure"),
                             A = column(file, "real_area"), gap = column(file, "mean_gap");
-  std::vector<std::size_t> order(h.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return h[a] < h[b]; });
   cycle::ContactLawTable law;
-  for (const std::size_t k : order) {
+  for (const std::size_t k : rising_order(h)) {
     if (!(p[k] > 0)) continue;
     law.rows.h.push_back(h[k]);
     law.rows.pressure.push_back(p[k]);
@@ -51,6 +84,8 @@ cycle::ContactLawTable rows_with_contact(const ResultFileReader& file) {
 }
 
 }  // namespace
+
+std::string gap_series(std::size_t row) { return "h" + std::to_string(row); }
 
 ContactLawFile read_contact_law(const NamedFile& named) {
   const std::string bytes = read_source_bytes(named.path, named.shown, kLargestFile);
@@ -68,8 +103,16 @@ ContactLawFile read_contact_law(const NamedFile& named) {
     of.law.composite_modulus = scalar(file, "composite_modulus");
     of.law.last_supported_separation = scalar(file, kLastSupportedSeparation);
     if (file.has_variable("hardness")) of.law.hardness = scalar(file, "hardness");
+    const auto maybe = [&](const char* name) {
+      return file.has_variable(name) ? std::optional(scalar(file, name)) : std::nullopt;
+    };
+    of.law.shift_deviation = maybe(kShiftDeviation);
+    of.law.factor_deviation = maybe(kLogPressureDeviation);
+    of.law.shift_factor_correlation = maybe(kShiftPressureCorrelation);
+    if (auto flow = flow_of(file)) of.law.flow = base::Shared<models::FlowTable>(std::move(*flow));
   }
   try {
+    if (!of.law.flow->empty()) models::MeasuredFlow(*of.law.flow);
     const models::TabulatedContact contact(of.law.rows, of.law.last_supported_separation);
     if (contact.row_error() > models::TabulatedContact::kMostError) {
       of.notes.push_back("contact.law: between its rows the law errs by up to " + number_text(contact.row_error()) +

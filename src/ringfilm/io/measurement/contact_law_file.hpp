@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@ namespace ringfilm::io {
 inline constexpr const char* kContactLawKind = "contact";
 inline constexpr const char* kContactLawTable = "law";
 inline constexpr const char* kLastSupportedSeparation = "last_supported_separation";
+inline constexpr const char* kShiftDeviation = "shift_deviation";
+inline constexpr const char* kLogPressureDeviation = "log_pressure_deviation";
+inline constexpr const char* kShiftPressureCorrelation = "shift_pressure_correlation";
+inline constexpr const char* kGapDistribution = "gap_distribution";
+/// Name of the shares of the gap at one row of the table.
+std::string gap_series(std::size_t row);
 
 /// The contact law of a measured pair.
 struct ContactLawFile {

@@ -37,7 +37,7 @@ struct MeasuredAxis {
 /// Numbers over a common axis, drawn as lines or points.
 struct MeasuredSeries {
   std::string name;
-  std::string label;
+  std::string label;  ///< empty: in files, not drawn
   std::vector<double> y;
   bool points = false;  ///< drawn as points, not as a line
 };
@@ -85,7 +85,8 @@ struct MeasuredTable {
 };
 
 struct Measurement {
-  std::string kind;                     ///< "surface", "pair", "contact", "conformity", "face", "lateral-force"
+  std::string kind;                     ///< "surface", "pair", "contact", "friction-band", "conformity", "face",
+                                        ///< "lateral-force"
   std::string title;                    ///< of the page
   std::vector<std::string> sources;     ///< file, format, channel, plausibility: a line each
   std::vector<std::string> statements;  ///< what was done, in its order: form, filters, rules

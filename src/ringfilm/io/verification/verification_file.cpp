@@ -219,6 +219,8 @@ class VerificationReader {
           read_curve(table);
         } else if (name == "wear") {
           read_wear(table);
+        } else if (name == "contact") {
+          read_contact(table);
         } else {
           faults_.push_back({tables.key_mark, "unknown table [[" + name + "]]", kTables});
           break;
@@ -241,7 +243,7 @@ class VerificationReader {
 
  private:
   static constexpr const char* kTables =
-      "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]], [[curve]] and [[wear]]";
+      "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]], [[curve]], [[wear]] and [[contact]]";
 
   /// Heading and first paragraph of the README.
   void read_claim() {
@@ -419,6 +421,35 @@ class VerificationReader {
     check.expected = table.number("expected", unit);
     check.tolerance = table.tolerance(unit);
     verification_.wear.push_back(std::move(check));
+  }
+
+  void read_contact(Table& table) {
+    study::ContactCheck check;
+    table.read(check);
+    study::ContactForm& form = check.form;
+    const auto& surfaces = study::contact_surfaces();
+    form.surface = table.text("surface");
+    if (std::find(surfaces.begin(), surfaces.end(), form.surface) == surfaces.end()) {
+      table.refuse("surface", "is not a surface", fmt::format("one of: {}", fmt::join(surfaces, ", ")));
+    }
+    const auto number = [&](const char* key) { return table.find(key) != nullptr ? table.number(key, "1") : 0.0; };
+    form.separation = number("separation");
+    form.hardness = number("hardness");
+    form.size = number("size");
+    check.quantity = table.text("quantity");
+    const auto& known = study::contact_form_quantities();
+    if (std::none_of(known.begin(), known.end(), [&](const auto& one) { return one.name == check.quantity; })) {
+      table.refuse("quantity", "is not a quantity of such a surface");
+    }
+    check.expected = table.number("expected", "1");
+    if (table.find("levels") != nullptr) {
+      check.levels = table.counts("levels", kFewestCells);
+      check.order = table.number("order", "1");
+    } else if (form.surface != "persson") {
+      form.points = table.count("points", kFewestCells);
+    }
+    check.tolerance = table.tolerance("1");
+    verification_.contact.push_back(std::move(check));
   }
 
   void read_samples(Table& table, const std::string& unit, study::CurveCheck& check) {

@@ -34,7 +34,8 @@ class MeasuredFactors {
     add_shear_strength(b, base);
     if (n_errors_ > before) return;
     throw InputError("base \"" + base.name + "\" states no scatter in [contact.measured]",
-                     "`ringfilm pair` and `ringfilm lateral-force` write it; or state a distribution in [[factor]]");
+                     "`ringfilm pair` and `ringfilm lateral-force` write it, `ringfilm contact` that of a law; or "
+                     "state a distribution in [[factor]]");
   }
 
  private:
@@ -57,6 +58,7 @@ class MeasuredFactors {
     // A copy, because factors are added to the study that holds it.
     const cycle::Contact contact = base.input.contact;
     const cycle::MeasuredContact& m = contact.measured;
+    if (contact.model == cycle::ContactLaw::kTable) return add_law(b, contact);
     const auto N = add_normal(b, "contact.asperity_density", contact.asperity_density, m.asperity_density_deviation,
                               "m-2", "um-2");
     const auto beta =
@@ -65,6 +67,22 @@ class MeasuredFactors {
     correlate(N, beta, m.density_radius_correlation);
     correlate(N, sigma, m.density_roughness_correlation);
     correlate(beta, sigma, m.radius_roughness_correlation);
+  }
+
+  /// The two numbers of a measured contact law: its shift and its factor.
+  void add_law(std::size_t b, const cycle::Contact& contact) {
+    const cycle::ContactLawTable& law = *contact.law;
+    const auto shift = add_shift(b, contact.law_shift, law.shift_deviation);
+    const auto factor = add_normal(b, "contact.law_factor", contact.law_factor, law.factor_deviation, "1", "1");
+    if (factor) study_.factors[*factor].variation = lognormal(contact.law_factor, *law.factor_deviation);
+    correlate(shift, factor, law.shift_factor_correlation);
+  }
+
+  /// Of either sign.
+  std::optional<std::size_t> add_shift(std::size_t b, double mean, const Deviation& deviation) {
+    const auto added = add_normal(b, "contact.law_shift", mean, deviation, "m", "nm");
+    if (added) study_.factors[*added].variation = normal(mean, *deviation);
+    return added;
   }
 
   void add_shear_strength(std::size_t b, const Base& base) {

@@ -30,8 +30,8 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   return {std::move(entry), std::move(alternatives)};
 }
 
-constexpr Unit kMicrometre{"um", 1e-6}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5}, kNewton{"N", 1},
-    kMm{"mm", 1e-3};
+constexpr Unit kMicrometre{"um", 1e-6}, kNanometre{"nm", 1e-9}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5},
+    kNewton{"N", 1}, kMm{"mm", 1e-3};
 constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
 
 // --- choices of model -------------------------------------------------------------------------------------------
@@ -348,8 +348,14 @@ std::vector<Alternative> other_contact_laws(const Case& c) {
 
 Assumption gaussian_summits(const cycle::Setup& setup) {
   if (setup.input.contact.model == cycle::ContactLaw::kTable) {
-    return assumption("gaussian-summits", "contact follows the table " + setup.input.contact.law_file,
-                      "the maps are a sample of the faces, in the state in which they were measured");
+    const cycle::Contact& contact = setup.input.contact;
+    std::vector<Alternative> others;
+    if (const auto& deviation = contact.law->shift_deviation; deviation && *deviation > 0) {
+      others = other_numbers("contact.law_shift", setup.input, contact.law_shift, kNanometre,
+                             {contact.law_shift - *deviation, contact.law_shift + *deviation});
+    }
+    return assumption("gaussian-summits", "contact follows the table " + contact.law_file,
+                      "the maps are a sample of the faces, in the state in which they were measured", others);
   }
   constexpr double kLambda = 2;  // the ratio of load and area depends little on it
   const auto contact = setup.ring.contact->contact(kLambda * setup.ring.sigma);
@@ -394,6 +400,11 @@ Assumption smooth_gap_flow(const Case& c) {
                       "film.flow_factors with film.orientation computes it",
                       others);
   }
+  if (c.film.flow_factors == cycle::Roughness::kMeasured) {
+    return assumption(topic, "roughness changes the flow by pressure as the gap of the measured pair does",
+                      "the maps are one sample of one state; waves longer than they are belong to face and bore",
+                      others);
+  }
   const double gamma = c.film.orientation;
   for (Alternative& other : other_numbers("film.orientation", c, gamma, kPlain, {1.0 / 3, 1, 3})) {
     others.push_back(std::move(other));
@@ -418,6 +429,24 @@ Assumption conformity(const Case& c) {
   return round;
 }
 
+/// The band of a pair of the library gives the alternatives.
+Assumption boundary_friction(const Case& c) {
+  const char* key = "contact.boundary_shear_strength_coefficient";
+  const double zeta = c.contact.boundary_shear_strength_coefficient;
+  std::vector<Alternative> others;
+  std::string statement =
+      text("the boundary shear strength coefficient is %.4g at any temperature, speed and film", zeta);
+  if (c.contact.friction_pair) {
+    const models::FrictionPair& pair = *c.contact.pair;
+    statement += " (\"" + pair.name + "\": " + pair.source + ")";
+    if (pair.low) others = other_numbers(key, c, zeta, kPlain, {*pair.low, *pair.high});
+  }
+  return assumption("dry-shear-strength", statement,
+                    "boundary friction is proportional to it; a value of lateral force microscopy is that of dry "
+                    "surfaces at other spots than N, beta and sigma, and additives lower it",
+                    others);
+}
+
 std::vector<Assumption> always_open(const cycle::Setup& setup) {
   const Case& c = setup.input;
   return {
@@ -425,12 +454,7 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
       assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
                  "holds where film pressures stay far below the moduli, as under piston rings"),
       ring_gap(c),
-      assumption(
-          "dry-shear-strength",
-          text("the boundary shear strength coefficient is %.4g at any temperature, speed and film",
-               c.contact.boundary_shear_strength_coefficient),
-          "boundary friction is proportional to it; a value of lateral force microscopy is that of dry surfaces at "
-          "other spots than N, beta and sigma, and additives lower it"),
+      boundary_friction(c),
       gaussian_summits(setup),
       newtonian_oil(c),
       smooth_gap_flow(c),

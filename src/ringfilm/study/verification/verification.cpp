@@ -149,9 +149,41 @@ class Runner {
     add(row_of(check, *quantity, check.expected, got, check.tolerance));
   }
 
+  void check(const ContactCheck& check) {
+    if (!check.levels.empty()) return check_order(check);
+    const std::vector<cycle::Quantity>& all = contact_form_quantities();
+    const auto quantity = std::find_if(all.begin(), all.end(),
+                                       [&check](const cycle::Quantity& one) { return one.name == check.quantity; });
+    add(row_of(check, *quantity, check.expected, contact_number(check, check.form.points), check.tolerance));
+  }
+
   VerificationOutcome outcome() const { return outcome_; }
 
  private:
+  void check_order(const ContactCheck& check) {
+    ConvergenceLine line;
+    line.label = check.label;
+    line.expected_order = check.order;
+    for (const double level : check.levels) {
+      line.levels.push_back(1 / level);
+      line.errors.push_back(std::abs(contact_number(check, static_cast<int>(level)) / check.expected - 1));
+    }
+    line.observed_order = observed_order(line.levels, line.errors);
+    add(row_of(check, plain_number("order in cells"), check.order, *line.observed_order, check.tolerance));
+    outcome_.lines.push_back(std::move(line));
+  }
+
+  double contact_number(const ContactCheck& check, int points) {
+    ContactForm form = check.form;
+    form.points = points;
+    try {
+      return contact_form_value(form, check.quantity);
+    } catch (const ConvergenceError& stopped) {
+      outcome_.stops.push_back(check.label + ": " + stopped.what());
+      return kNothing;
+    }
+  }
+
   void add(VerificationRow row) { outcome_.rows.push_back(std::move(row)); }
 
   static cycle::Quantity quantity_of(const Probe& probe) { return *find_measured(probe.quantity); }
@@ -252,6 +284,7 @@ VerificationOutcome verify(const Verification& verification) {
   for (const OptimumCheck& check : verification.optima) runner.check(check);
   for (const CurveCheck& check : verification.curves) runner.check(check);
   for (const WearCheck& check : verification.wear) runner.check(check);
+  for (const ContactCheck& check : verification.contact) runner.check(check);
   for (const OrderCheck& check : verification.orders) runner.check(check);
   for (const BoundCheck& check : verification.bounds) runner.check(check);
   return runner.outcome();

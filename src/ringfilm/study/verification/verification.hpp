@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/study/measurement.hpp"
+#include "ringfilm/study/verification/contact_form.hpp"
 #include "ringfilm/study/verification/dry_wear.hpp"
 
 /// Runs with known answers, the checks on them and what came of each. docs/manual/verification.md.
@@ -80,6 +81,16 @@ struct WearCheck : Check {
   Tolerance tolerance;
 };
 
+/// A surface in contact, or the flow between two: a number, or how fast its error falls with the step.
+struct ContactCheck : Check {
+  ContactForm form;
+  std::string quantity;        ///< one of contact_form_quantities()
+  double expected = 0;         ///< [-]
+  Tolerance tolerance;         ///< of the number, or of the order
+  std::vector<double> levels;  ///< numbers of points; empty: the number itself
+  double order = 0;            ///< expected slope of the error; with levels [-]
+};
+
 /// A curve of a ring over crank angle.
 struct CurveCheck : Check {
   std::string run;
@@ -102,6 +113,7 @@ struct Verification {
   std::vector<OptimumCheck> optima;
   std::vector<CurveCheck> curves;
   std::vector<WearCheck> wear;
+  std::vector<ContactCheck> contact;
 };
 
 enum class Verdict { kHolds, kFails };

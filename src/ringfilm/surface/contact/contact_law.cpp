@@ -2,19 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/surface/contact/flow_cell.hpp"
+#include "ringfilm/surface/topography/regions.hpp"
 
 namespace ringfilm::surface {
 namespace {
 
 constexpr std::size_t kUsualSeparations = 16;
-constexpr double kSmallestUsual = 0.4;        // Sq
-constexpr double kLargestUsual = 0.97;        // of the highest point
-constexpr double kMostUsualArea = 1.0 / 3.0;  // rings remain below it
+constexpr double kSmallestUsual = 0.4;                   // Sq
+constexpr double kLargestUsual = 0.97;                   // of the highest point
+constexpr double kMostUsualArea = 1.0 / 3.0;             // rings remain below it
+constexpr double kUsualOfFlow[] = {2.0, 1.6, 1.3, 1.1};  // of the highest point: separations without contact
+constexpr double kSmallestGap = 1e-4;                    // Sq: first place of the distribution of the gap
+constexpr double kGapsPerDecade = 16, kMostGap = 100;    // places, and the last one over Sq or the largest separation
 
 HeightMap sum_at(const SurfacePair& pair, std::size_t position) {
   if (!pair.second) return pair.first;
@@ -27,6 +32,16 @@ RoughContact contact_at(const SurfacePair& pair, std::size_t position) {
 }
 
 std::size_t positions_of(const SurfacePair& pair) { return pair.second ? std::max<std::size_t>(pair.shifts, 1) : 1; }
+
+double mean_height(const HeightMap& map) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!map.measured(i)) continue;
+    sum += map.height_m[i];
+    count += 1;
+  }
+  return count > 0 ? sum / count : 0;
+}
 
 /// Largest first: each solution is the first guess of the next.
 std::vector<std::size_t> falling_order(std::span<const double> values) {
@@ -49,8 +64,6 @@ void add(const ContactAtSeparation& of, double weight, ContactLawPoint& to) {
   // Shares of the area in contact and of the load: divided by the sums at the end.
   mean.share_at_cap += weight * of.pixel_share * of.share_at_cap;
   mean.load_next_to_missing += weight * of.pressure * of.load_next_to_missing;
-  to.pressure_deviation += weight * of.pressure * of.pressure;
-  to.area_deviation += weight * of.area_share * of.area_share;
 }
 
 double variance(const HeightMap& map) {
@@ -83,8 +96,35 @@ std::vector<double> open_gap(const RoughContact& contact) {
   return gap;
 }
 
+/// Even in ln H, from far below the roughness to far above the largest separation.
+std::vector<double> gap_places(double Sq_m, std::span<const double> separations_m) {
+  const double largest = std::max(kMostGap * Sq_m, 2 * *std::max_element(separations_m.begin(), separations_m.end()));
+  std::vector<double> places;
+  for (int k = 0; places.empty() || places.back() < largest; ++k) {
+    places.push_back(kSmallestGap * Sq_m * std::pow(10.0, k / kGapsPerDecade));
+  }
+  return places;
+}
+
+/// Adds the open gaps to the distribution, each to both places next to it, so that area and mean gap are kept.
+void add_gaps(const RoughContact& contact, std::span<const double> gap, const std::vector<double>& places,
+              double weight, std::vector<double>& share) {
+  share.resize(places.size());
+  double points = 0;
+  for (std::size_t i = 0; i < gap.size(); ++i) points += contact.measured(i) ? 1 : 0;
+  const double each = weight / points;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (!contact.measured(i) || !(gap[i] > 0)) continue;
+    const double place = kGapsPerDecade * std::log10(gap[i] / places.front());
+    const auto low = static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(places.size()) - 2));
+    const double upper = std::clamp((gap[i] - places[low]) / (places[low + 1] - places[low]), 0.0, 1.0);
+    share[low] += each * (1 - upper);
+    share[low + 1] += each * upper;
+  }
+}
+
 void add_flow(const RoughContact& contact, const ContactAtSeparation& found, double difference, double weight,
-              FlowFactorsOfLaw& to) {
+              const std::vector<double>& places, FlowFactorsOfLaw& to) {
   const std::vector<double> gap = open_gap(contact);
   const FlowFactorsOfGap of = flow_factors(gap, contact.grid());
   const double cube = found.separation_m * found.separation_m * found.separation_m;
@@ -94,17 +134,13 @@ void add_flow(const RoughContact& contact, const ContactAtSeparation& found, dou
   to.phi_x += weight * of.conductance_x / cube;
   to.phi_y += weight * of.conductance_y / cube;
   to.phi_s += weight * difference * (mean - of.couette) / contact.Sq_m();
+  to.phi_fp += weight * of.pressure_stress / found.separation_m;
+  add_gaps(contact, gap, places, weight, to.gap_share);
   to.residual = std::max(to.residual, of.residual);
 }
 
-void complete(std::size_t positions, ContactLawPoint& point) {
+void complete(ContactLawPoint& point) {
   ContactAtSeparation& mean = point.mean;
-  const double n = static_cast<double>(positions);
-  const auto deviation = [&](double squares, double value) {
-    return positions < 2 ? 0.0 : std::sqrt(std::max(0.0, squares - value * value) * n / (n - 1));
-  };
-  point.pressure_deviation = deviation(point.pressure_deviation, mean.pressure);
-  point.area_deviation = deviation(point.area_deviation, mean.area_share);
   if (mean.pixel_share > 0) mean.share_at_cap /= mean.pixel_share;
   if (mean.pressure > 0) mean.load_next_to_missing /= mean.pressure;
   if (mean.spots_per_m2 > 0) mean.spot_radius_m = std::sqrt(mean.area_share / (mean.spots_per_m2 * std::numbers::pi));
@@ -117,6 +153,73 @@ double highest_point(const SurfacePair& pair) {
     highest = std::max(highest, contact_at(pair, position).highest_m());
   }
   return highest;
+}
+
+constexpr double kFewSpots = 5;  // on all maps of a law: fewer are one sample
+
+double last_supported(const ContactLaw& law, std::size_t positions) {
+  const double area = static_cast<double>(law.grid.points() * positions) * law.grid.step_x_m * law.grid.step_y_m;
+  double last = 0, smallest = std::numeric_limits<double>::max();
+  for (const ContactLawPoint& point : law.points) {
+    smallest = std::min(smallest, point.mean.separation_m);
+    if (point.mean.spots_per_m2 * area >= kFewSpots) last = std::max(last, point.mean.separation_m);
+  }
+  return last > 0 ? last : smallest;
+}
+
+/// Pressure and area of each sample at each separation.
+struct Samples {
+  std::vector<std::vector<double>> pressure, area;
+
+  void add(std::size_t separations) {
+    pressure.emplace_back(separations, 0.0);
+    area.emplace_back(separations, 0.0);
+  }
+  void set(std::size_t k, const ContactAtSeparation& of) {
+    pressure.back()[k] = of.pressure;
+    area.back()[k] = of.area_share;
+  }
+};
+
+double deviation_of(const std::vector<std::vector<double>>& samples, std::size_t k) {
+  const double n = static_cast<double>(samples.size());
+  double sum = 0, squares = 0;
+  for (const auto& sample : samples) sum += sample[k];
+  for (const auto& sample : samples) squares += (sample[k] - sum / n) * (sample[k] - sum / n);
+  return n < 2 ? 0 : std::sqrt(squares / (n - 1));
+}
+
+/// The law of each region of the first position, from the mean plane of the whole: long waves are what they scatter by.
+Samples laws_of_regions(const SurfacePair& pair, std::span<const double> separations_m,
+                        const std::vector<std::size_t>& order) {
+  Samples samples;
+  if (pair.regions_across * pair.regions_down < 2) return samples;
+  const HeightMap whole = sum_at(pair, 0);
+  const double plane = mean_height(whole);
+  for (const Region& region : grid_regions(whole, pair.regions_across, pair.regions_down)) {
+    const HeightMap part = part_of_map(whole, region);
+    const double rise = mean_height(part) - plane;
+    RoughContact contact(part, MapEdges::mirrored, pair.material);
+    samples.add(separations_m.size());
+    for (const std::size_t k : order) {
+      if (separations_m[k] > rise) samples.set(k, contact.solve(separations_m[k] - rise));
+    }
+  }
+  return samples;
+}
+
+/// Of the pressures at separations that several spots support.
+LawScatter scatter_of(const Samples& samples, const ContactLaw& law) {
+  std::vector<double> at, spots;
+  std::vector<std::vector<double>> pressure(samples.pressure.size());
+  for (std::size_t k = 0; k < law.points.size(); ++k) {
+    const ContactAtSeparation& mean = law.points[k].mean;
+    if (mean.separation_m > law.last_supported_m) continue;
+    at.push_back(mean.separation_m);
+    spots.push_back(mean.spots_per_m2);
+    for (std::size_t j = 0; j < pressure.size(); ++j) pressure[j].push_back(samples.pressure[j][k]);
+  }
+  return law_scatter(at, spots, pressure);
 }
 
 void check_reach(double highest_m, std::span<const double> separations_m) {
@@ -149,27 +252,49 @@ ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separati
   const double difference = roughness_difference(pair);
   const std::size_t positions = positions_of(pair);
   const std::vector<std::size_t> order = falling_order(separations_m);
+  Samples samples;
   for (std::size_t position = 0; position < positions; ++position) {
     RoughContact contact = contact_at(pair, position);
     if (position == 0) {
       law.Sq_m = contact.Sq_m();
       law.missing_share = contact.missing_share();
       law.grid = contact.grid();
+      if (pair.has_flow) law.gap_places_m = gap_places(law.Sq_m, separations_m);
     }
+    samples.add(separations_m.size());
     for (const std::size_t k : order) {
       const ContactAtSeparation found = contact.solve(separations_m[k]);
       check_area(found);
+      samples.set(k, found);
       const double weight = 1 / static_cast<double>(positions);
       add(found, weight, law.points[k]);
-      if (pair.has_flow) add_flow(contact, found, difference, weight, law.points[k].flow);
+      if (pair.has_flow) add_flow(contact, found, difference, weight, law.gap_places_m, law.points[k].flow);
     }
     if (position > 0) continue;
     law.pressure.assign(contact.pressure().begin(), contact.pressure().end());
     law.gap_m.assign(contact.gap().begin(), contact.gap().end());
     for (double& gap : law.gap_m) gap = std::max(gap, 0.0);
   }
-  for (ContactLawPoint& point : law.points) complete(positions, point);
+  const Samples regions = laws_of_regions(pair, separations_m, order);
+  for (std::size_t k = 0; k < law.points.size(); ++k) {
+    ContactLawPoint& point = law.points[k];
+    complete(point);
+    point.pressure_deviation = deviation_of(samples.pressure, k);
+    point.area_deviation = deviation_of(samples.area, k);
+    point.pressure_deviation_of_regions = deviation_of(regions.pressure, k);
+    point.area_deviation_of_regions = deviation_of(regions.area, k);
+  }
+  law.last_supported_m = last_supported(law, positions);
+  law.scatter = scatter_of(samples, law) + scatter_of(regions, law);
   return law;
+}
+
+std::vector<ContactAtSeparation> contact_of_first_position(const SurfacePair& pair,
+                                                           std::span<const double> separations_m) {
+  RoughContact contact = contact_at(pair, 0);
+  std::vector<ContactAtSeparation> found(separations_m.size());
+  for (const std::size_t k : falling_order(separations_m)) found[k] = contact.solve(separations_m[k]);
+  return found;
 }
 
 std::vector<double> usual_separations(const SurfacePair& pair) {
@@ -177,6 +302,9 @@ std::vector<double> usual_separations(const SurfacePair& pair) {
   const double from = kLargestUsual * contact.highest_m();
   const double to = std::min(kSmallestUsual * contact.Sq_m(), from / 2);
   std::vector<double> separations;
+  if (pair.has_flow) {
+    for (const double ratio : kUsualOfFlow) separations.push_back(ratio * contact.highest_m());
+  }
   for (std::size_t k = 0; k < kUsualSeparations; ++k) {
     const double h = from + (to - from) * static_cast<double>(k) / (kUsualSeparations - 1);
     if (k > 1 && contact.solve(h).pixel_share > kMostUsualArea) break;

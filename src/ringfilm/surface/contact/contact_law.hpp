@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "ringfilm/surface/contact/law_scatter.hpp"
 #include "ringfilm/surface/contact/rough_contact.hpp"
 
 namespace ringfilm::surface {
@@ -14,7 +15,9 @@ struct SurfacePair {
   MapEdges edges = MapEdges::mirrored;
   ContactMaterial material;
   std::size_t shifts = 1;  ///< relative positions over which the law is the mean
-  bool has_flow = false;   ///< with the flow through the gap, and for separations beyond the highest point, too
+  /// Equal parts of the first position, whose laws at the separation of the whole scatter; 1 x 1: none.
+  std::size_t regions_across = 1, regions_down = 1;
+  bool has_flow = false;  ///< with the flow through the gap, and for separations beyond the highest point, too
 };
 
 /// Factors of the flow through the true gap over that through a smooth one of the separation h.
@@ -22,15 +25,19 @@ struct FlowFactorsOfLaw {
   double phi_x = 0.0, phi_y = 0.0;  ///< pressure flow along and across the rows, K/h^3, eq-flow-cell [-]
   /// Shear flow along the rows, (<H> - 2 Q/U)/Sq with the first surface at rest, eq-shear-cell [-].
   double phi_s = 0.0;
-  double residual = 0.0;  ///< of the cell problems, relative
+  double phi_fp = 0.0;            ///< of the stress by pressure along the rows, eq-stress-cell [-]
+  std::vector<double> gap_share;  ///< of the measured area at each of ContactLaw::gap_places_m; the rest is contact [-]
+  double residual = 0.0;          ///< of the cell problems, relative
 };
 
 /// Contact at one separation, the mean over relative positions.
 struct ContactLawPoint {
-  ContactAtSeparation mean;         ///< the largest residual of all, and all iterations
-  double pressure_deviation = 0.0;  ///< standard deviation over relative positions [Pa]; 0 of one
-  double area_deviation = 0.0;      ///< likewise [-]
-  FlowFactorsOfLaw flow;            ///< where it was asked for
+  ContactAtSeparation mean;                    ///< the largest residual of all, and all iterations
+  double pressure_deviation = 0.0;             ///< standard deviation over relative positions [Pa]; 0 of one
+  double area_deviation = 0.0;                 ///< likewise [-]
+  double pressure_deviation_of_regions = 0.0;  ///< likewise over regions [Pa]
+  double area_deviation_of_regions = 0.0;      ///< likewise [-]
+  FlowFactorsOfLaw flow;                       ///< where it was asked for
 };
 
 /// The contact law of a pair of measured surfaces.
@@ -39,8 +46,11 @@ struct ContactLaw {
   double Sq_m = 0.0;                    ///< rms of the sum of both, of the first position [m]
   double highest_m = 0.0;               ///< largest separation with contact, of all positions [m]
   double missing_share = 0.0;           ///< of the points of the first position
+  double last_supported_m = 0.0;        ///< largest separation with five spots on all maps, or the smallest of all [m]
+  LawScatter scatter;                   ///< of one relative position and one region, up to last_supported_m
   std::vector<double> pressure;         ///< of the first position at the smallest separation, point by point [Pa]
   std::vector<double> gap_m;            ///< likewise the true gap, 0 in contact [m]
+  std::vector<double> gap_places_m;     ///< of the distribution of the gap, rising; empty without the flow [m]
   ContactGrid grid;                     ///< of both
 };
 
@@ -53,6 +63,11 @@ Shift shift_of(std::size_t k, const HeightMap& second, MapEdges edges);
 /// The law at these separations. Throws InputError where a separation is not above 0, lies beyond the highest point of
 /// every position (but with the flow), or lets more than half of the area touch.
 ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separations_m);
+
+/// Contact of the first position at these separations; beyond the highest point nothing touches, and the area is not
+/// limited.
+std::vector<ContactAtSeparation> contact_of_first_position(const SurfacePair& pair,
+                                                           std::span<const double> separations_m);
 
 /// Separations for a table where none are stated: evenly from the highest point down as far as contact is not more than
 /// a third of the area, at the most to 0.4 Sq.

@@ -130,14 +130,25 @@ class FlowCell {
     while (levels_.back().nx > kCoarsest || levels_.back().ny > kCoarsest) levels_.push_back(coarser(levels_.back()));
   }
 
-  /// <H^3 (1 + d chi/dx)>, of a pressure that falls by 1 along the axis.
-  double conductance() {
-    return solve([](double k) { return k; }, [](double k, double rise) { return k * (1 + rise); });
+  /// Means over the faces across the axis, of the flow and of the stress.
+  struct Means {
+    double flow, stress;
+  };
+  /// <H^3 (1 + d chi/dx)>, of a pressure that falls by 1 along the axis, and <H (1 + d chi/dx)>.
+  Means of_pressure() {
+    return solve([](double k) { return k; },
+                 [](double k, double rise) {
+                   return Means{k * (1 + rise), std::cbrt(k) * (1 + rise)};
+                 });
   }
 
-  /// <H - H^3 dw/dx> with div(H^3 grad w) = dH/dx.
-  double couette() {
-    return solve([](double k) { return -std::cbrt(k); }, [](double k, double rise) { return std::cbrt(k) - k * rise; });
+  /// <H - H^3 dw/dx> with div(H^3 grad w) = dH/dx. Its stress <H dw/dx> grows without end where contact begins.
+  double of_sliding() {
+    return solve([](double k) { return -std::cbrt(k); },
+                 [](double k, double rise) {
+                   return Means{std::cbrt(k) - k * rise, 0};
+                 })
+        .flow;
   }
 
   double residual() const { return residual_; }
@@ -172,10 +183,10 @@ class FlowCell {
     }
   }
 
-  /// Solves div(k grad chi) = -div(source) and returns the mean of the flux through all faces across the axis.
-  /// @param source of k of a face @param flux of k and the rise of chi over a step, divided by it
-  template <class Source, class Flux>
-  double solve(const Source& source, const Flux& flux) {
+  /// Solves div(k grad chi) = -div(source) and returns means over all faces across the axis.
+  /// @param source of k of a face @param of_face of k and the rise of chi over a step, divided by it
+  template <class Source, class OfFace>
+  Means solve(const Source& source, const OfFace& of_face) {
     const double step = axis_ == Axis::x ? grid_.step_x_m : grid_.step_y_m;
     const double width = axis_ == Axis::x ? grid_.step_y_m : grid_.step_x_m;
     Level& fine = levels_.front();
@@ -186,16 +197,19 @@ class FlowCell {
       if (right >= 0) b[static_cast<std::size_t>(right)] -= out;
     });
     iterate(b, chi);
-    double sum = 0, count = 0;
+    Means sum{0, 0};
+    double count = 0;
     for_faces_across([&](std::ptrdiff_t left, std::ptrdiff_t right, double k) {
       const bool is_edge = left < 0 || right < 0;
       const double from = left < 0 ? 0 : chi[static_cast<std::size_t>(left)];
       const double to = right < 0 ? 0 : chi[static_cast<std::size_t>(right)];
       const double share = is_edge ? 0.5 : 1;
-      sum += share * flux(k, (to - from) / (share * step));
+      const Means of = of_face(k, (to - from) / (share * step));
+      sum.flow += share * of.flow;
+      sum.stress += share * of.stress;
       count += share;
     });
-    return count > 0 ? sum / count : 0;
+    return count > 0 ? Means{sum.flow / count, sum.stress / count} : Means{0, 0};
   }
 
   void iterate(const std::vector<double>& b, std::vector<double>& chi) {
@@ -280,12 +294,14 @@ class FlowCell {
 FlowFactorsOfGap flow_factors(std::span<const double> gap_m, const ContactGrid& grid) {
   FlowFactorsOfGap of;
   FlowCell along(gap_m, grid, Axis::x);
-  of.conductance_x = along.conductance();
-  of.couette = along.couette();
+  const auto by_pressure = along.of_pressure();
+  of.conductance_x = by_pressure.flow;
+  of.pressure_stress = by_pressure.stress;
+  of.couette = along.of_sliding();
   of.residual = along.residual();
   if (grid.points_y > 1) {
     FlowCell across(gap_m, grid, Axis::y);
-    of.conductance_y = across.conductance();
+    of.conductance_y = across.of_pressure().flow;
     of.residual = std::max(of.residual, across.residual());
   } else {
     double sum = 0;

@@ -93,6 +93,34 @@ TEST(MeasuredFactors, ScatterIsThatOfTheMeasurement) {
   EXPECT_NEAR(product / (0.1 * 0.2), -0.6, 0.02);
 }
 
+TEST(MeasuredFactors, OfAContactLawAreItsShiftAndItsFactor) {
+  Study study = three_states();
+  study.bases.resize(1);
+  cycle::Contact& contact = study.bases[0].input.contact;
+  contact.measured.shear_strength = {};
+  contact.model = cycle::ContactLaw::kTable;
+  cycle::ContactLawTable law;
+  law.shift_deviation = 20e-9;
+  law.factor_deviation = 0.1;
+  law.shift_factor_correlation = -0.5;
+  contact.law = base::Shared<cycle::ContactLawTable>(std::move(law));
+  add_measured_factors(study, {0});
+  EXPECT_THAT(names(study), ::testing::ElementsAre("law_shift of new", "law_factor of new"));
+  const Plan plan(study);
+  double square = 0, product = 0, squares = 0;
+  constexpr double n = 4096;
+  for (std::uint64_t i = 0; i < 4096; ++i) {
+    const cycle::Contact c = scenario_case(study, plan.point(i)).contact;
+    EXPECT_GT(c.law_factor, 0);
+    square += c.law_shift * c.law_shift / n;
+    squares += std::pow(std::log(c.law_factor), 2) / n;
+    product += c.law_shift * std::log(c.law_factor) / n;
+  }
+  EXPECT_NEAR(std::sqrt(square) / 20e-9, 1, 0.02);
+  EXPECT_NEAR(std::sqrt(squares) / 0.1, 1, 0.02);
+  EXPECT_NEAR(product / (20e-9 * 0.1), -0.5, 0.03);
+}
+
 TEST(MeasuredFactors, ErrorsMayStandApart) {
   Study study = three_states();
   add_measured_factors(study, {0, 2}, {Shared::kApart, Shared::kCommon});

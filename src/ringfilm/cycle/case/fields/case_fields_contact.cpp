@@ -24,7 +24,10 @@ constexpr When kSummits{[](const Case& c) { return c.has_contact() && has_summit
 constexpr When kPairs{[](const Case& c) { return c.has_contact() && c.contact.model == ContactLaw::kGreenwoodTripp; },
                       "contact.model = \"greenwood-tripp\""};
 constexpr When kTable{[](const Case& c) { return c.contact.model == ContactLaw::kTable; }, "contact.model = \"table\""};
-constexpr When kShearFlow{[](const Case& c) { return c.film.shear_flow != Roughness::kNone; },
+constexpr When kOwnFriction{[](const Case& c) { return c.has_contact() && !c.contact.friction_pair; },
+                            "the case is not a pad, or contact.composite_modulus is stated; contact.friction_pair is "
+                            "not stated"};
+constexpr When kShearFlow{[](const Case& c) { return c.film.shear_flow == Roughness::kPatirCheng; },
                           "film.shear_flow = \"patir-cheng\""};
 
 }  // namespace
@@ -43,6 +46,12 @@ void append_contact_fields(std::vector<Field>& fields) {
                  "\"greenwood-tripp\""}),
           field("contact.law", FileKind{member<&Case::contact, &Contact::law_file>}, kNoUnit, {}, Need::kRequired,
                 kTable, {"contact law that ringfilm contact --output wrote", "\"law.nc\""}),
+          field("contact.law_shift", NumberKind{member<&Case::contact, &Contact::law_shift>}, {"m", "nm"},
+                between(-1e-5, 1e-5), Need::kDefault, kTable,
+                {"shift of the contact law to larger separations; studies sample the measured one", "\"20 nm\""}),
+          field("contact.law_factor", NumberKind{member<&Case::contact, &Contact::law_factor>}, kPlainNumber,
+                above(0, 1e3), Need::kDefault, kTable,
+                {"factor of pressure and area of the contact law; studies sample the measured one", "1.0"}),
           field("contact.asperity",
                 choice<&Case::contact, &Contact::asperity>(
                     {"elastic", "zhao-maietta-chang", "kogut-etsion", "jackson-green"}),
@@ -79,10 +88,15 @@ void append_contact_fields(std::vector<Field>& fields) {
           field(
               "contact.boundary_shear_strength_coefficient",
               NumberKind{member<&Case::contact, &Contact::boundary_shear_strength_coefficient>}, kPlainNumber,
-              between(0, 5), Need::kRequiredInCycle, kContact,
+              between(0, 5), Need::kRequiredInCycle, kOwnFriction,
               {"boundary shear strength over contact pressure, zeta; measured by lateral force microscopy; 0 if a pad "
                "does not state it",
                "0.3581"}),
+          field("contact.friction_pair", OptionalTextKind{member<&Case::contact, &Contact::friction_pair>}, kNoUnit, {},
+                Need::kOptional, kContact,
+                {"pair of coating and liner of the shipped library (`ringfilm pairs` lists them), which states "
+                 "boundary_shear_strength_coefficient and, unless the case does, the hardness",
+                 "\"crn-on-grey-iron\""}),
           field("contact.eyring_shear_stress", NumberKind{member<&Case::contact, &Contact::eyring_shear_stress>},
                 {"Pa", "MPa"}, between(0, 1e10), Need::kDefault, kContact,
                 {"Eyring shear stress of the boundary film, tau_0", "\"2 MPa\""}),

@@ -25,7 +25,7 @@ constexpr When kFaceFilm{[](const Case& c) { return !c.is_unrolled() && c.proble
 constexpr When kFilmOnLiner{
     [](const Case& c) { return c.film.has_gas_edge() && c.film.supply == OilSupply::kFilmOnLiner; },
     "film.supply = \"film-on-liner\""};
-constexpr When kPattern{[](const Case& c) { return c.film.has_pattern(); },
+constexpr When kPattern{[](const Case& c) { return c.film.has_factors(Roughness::kPatirCheng); },
                         "film.flow_factors, film.shear_flow or film.stress_factors = \"patir-cheng\""};
 
 std::string edge_help(const std::string& edge, const std::string& stroke) {
@@ -73,23 +73,25 @@ void append_run_fields(std::vector<Field>& fields) {
           field("film.supply_right", OptionalNumberKind{member<&Case::film, &Film::supply_right>}, {"m", "um"},
                 above(0, 1), Need::kRequired, kInletRight,
                 {"film on the flat surface that comes in at x = length, out of the gas, f", "\"2 um\""}),
-          field("film.flow_factors", choice<&Case::film, &Film::flow_factors>({"none", "patir-cheng"}), kNoUnit, {},
-                Need::kDefault, {},
-                {"flow by pressure: that of smooth walls, or with the factor phi_x of rough ones, from h(x)/sigma",
+          field("film.flow_factors", choice<&Case::film, &Film::flow_factors>({"none", "patir-cheng", "measured"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"flow by pressure: that of smooth walls, or with the factor phi_x of rough ones, of the literature "
+                 "from h(x)/sigma or of the gap of contact.law",
                  "\"patir-cheng\""}),
-          field("film.shear_flow", choice<&Case::film, &Film::shear_flow>({"none", "patir-cheng"}), kNoUnit, {},
-                Need::kDefault, {},
+          field("film.shear_flow", choice<&Case::film, &Film::shear_flow>({"none", "patir-cheng", "measured"}), kNoUnit,
+                {}, Need::kDefault, {},
                 {"flow by sliding: that of smooth walls, or with what the roughness of one of them carries, phi_s",
                  "\"patir-cheng\""}),
-          field("film.stress_factors", choice<&Case::film, &Film::stress_factors>({"none", "patir-cheng"}), kNoUnit, {},
-                Need::kDefault, {},
+          field("film.stress_factors", choice<&Case::film, &Film::stress_factors>({"none", "patir-cheng", "measured"}),
+                kNoUnit, {}, Need::kDefault, {},
                 {"shear stress: that of smooth walls, or with the factors phi_f, phi_fp and, with film.shear_flow, "
-                 "phi_fs of rough ones",
+                 "phi_fs of rough ones; measured: with the true gaps of contact.law, and no stress beyond that of "
+                 "contact.eyring_shear_stress",
                  "\"patir-cheng\""}),
-          field("film.average_gap", choice<&Case::film, &Film::average_gap>({"nominal", "truncated"}), kNoUnit, {},
-                Need::kDefault, {},
+          field("film.average_gap", choice<&Case::film, &Film::average_gap>({"nominal", "truncated", "measured"}),
+                kNoUnit, {}, Need::kDefault, {},
                 {"film thickness that the gap stores and the liner carries: the nominal one, or the mean of that "
-                 "between Gaussian surfaces that do not overlap",
+                 "between Gaussian surfaces that do not overlap, or of the true gap of contact.law",
                  "\"nominal\""}),
           field("film.orientation", NumberKind{member<&Case::film, &Film::orientation>}, kPlainNumber, above(0, 1e6),
                 Need::kDefault, kPattern,

@@ -12,6 +12,8 @@ const kKinds = {
   pair: 'Two measured surfaces and their contact',
   face: 'A measured ring face and its shape',
   contact: 'Contact law of a measured pair',
+  'contact-of-case': 'Contact law of a case',
+  'friction-band': 'Friction by contact law',
   'lateral-force': 'Friction loops and the coefficient of boundary shear strength',
 };
 
