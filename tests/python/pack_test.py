@@ -133,7 +133,7 @@ def test_friction_by_ring_adds_up_to_that_of_the_pack(pack):
     assert result.oil is None
 
 
-def test_coupled_pack_has_its_gas_and_its_oil():
+def test_coupled_pack_has_its_gas_and_its_oil(tmp_path):
     case = ringfilm.Case.read(SOURCES / "cases" / "ring-pack" / "three_rings.toml")
     case["solver.cells"] = 50
     result = case.run()
@@ -142,3 +142,9 @@ def test_coupled_pack_has_its_gas_and_its_oil():
     assert result["gas_region_pressure"].shape == (720, len(result.gas["regions"]))
     assert len(result.rings) == 4
     assert len(result.by_ring) == 3
+    # Written out, the rails are rings of their own, with the same bits.
+    resolved = tmp_path / "resolved.toml"
+    resolved.write_text(result.resolved_case)
+    again = ringfilm.Case.read(resolved).run()
+    assert [ring["fmep"] for ring in again.rings] == [ring["fmep"] for ring in result.rings]
+    assert again.gas["blow_by_per_cycle"] == result.gas["blow_by_per_cycle"]
