@@ -190,7 +190,7 @@ def bent_ring():
     film.title("film thickness at the lowest place of each strip [µm]")
     film.y_axis("", range(0, 7, 2))
     film.x_axis("", ticks)
-    film.curve(closed["angle"], 1e6 * closed["clearance"], without)
+    film.curve(closed["angle"], 1e6 * closed["clearance"], without, cut=True)
     load = Panel(picture, LEFT, 252, ACROSS, 120, (0, 360), (0, 2))
     load.title("load carried by film and asperities beyond the gas, over its mean")
     load.y_axis("", [0, 0.5, 1, 1.5, 2])

@@ -211,8 +211,7 @@ void StripMultigrid::relax(const Level& of, const double* rhs, double* x) {
 }
 
 void StripMultigrid::solve(const double* rhs, double* x) {
-  const std::size_t of_colour = finest_.system.shape.colour_size();
-  std::fill_n(x + of_colour, of_colour, 0.0);  // the even strips are relaxed first
+  std::fill_n(x, finest_.system.shape.size(), 0.0);
   for (Run& run : runs_) correct(run, 0, rhs + run.offset, x + run.offset);
   relax(finest_, rhs, x);
 }
