@@ -20,8 +20,7 @@ TEST(TimeScheme, Bdf2IsExactOnParabolas) {
   const double remembered = scheme.of_state * y(0) - scheme.of_before * y(-last);
   EXPECT_NEAR((y(step) - remembered) / scheme.time_step, 3 - 10 * step, 1e-12);
   const Prediction prediction = Prediction::parabola(step, last, older);
-  EXPECT_NEAR(prediction.expected(y(0), y(-last), y(-last - older)),
-              y(step), 1e-12);
+  EXPECT_NEAR(prediction.expected(y(0), y(-last), y(-last - older)), y(step), 1e-12);
   EXPECT_NEAR(Prediction::parabola(1, 1, 1).error_share, 2.0 / 9, 1e-15);
 }
 

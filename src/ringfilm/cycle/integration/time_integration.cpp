@@ -153,7 +153,8 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
         step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr) {
       continue;
     }
-    const double predicted = prediction.expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
+    const double predicted =
+        prediction.expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
   }

@@ -22,11 +22,11 @@ constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_compute
 constexpr When kGapped{[](const Case& c) { return (c.is_unrolled() && c.ring.end_gap.has_value()) || c.has_closure(); },
                        "ring.end_gap is stated"};
 constexpr When kBends{[](const Case& c) {
-                         return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed() ||
-                                c.purpose == CasePurpose::kGasPath;
-                       },
-                       "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or ring.conformity = "
-                       "\"beam\", or for ringfilm conform"};
+                        return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed() ||
+                               c.purpose == CasePurpose::kGasPath;
+                      },
+                      "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or ring.conformity = "
+                      "\"beam\", or for ringfilm conform"};
 constexpr When kCloses{
     [](const Case& c) { return c.has_closure(); },
     "a bore or a ring is stated for ringfilm conform, as with liner.distortion, or ring.conformity = \"beam\""};
