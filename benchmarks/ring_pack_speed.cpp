@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/gas_of_pack.hpp"
-#include "ringfilm/cycle/rails_of_pack.hpp"
-#include "ringfilm/cycle/simulate_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/cycle/pack/simulate_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 

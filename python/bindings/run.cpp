@@ -7,7 +7,7 @@
 #include "interpreter.hpp"
 #include "pad/pad_object.hpp"
 #include "result_object.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
 

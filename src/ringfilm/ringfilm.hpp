@@ -30,8 +30,8 @@
 // One cycle, a pad, many cycles, studies.
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"

@@ -7,7 +7,7 @@
 #include "commands/commands.hpp"
 #include "computation.hpp"
 #include "output_names.hpp"
-#include "ringfilm/cycle/rails_of_pack.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"

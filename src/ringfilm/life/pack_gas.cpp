@@ -7,7 +7,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 
 namespace ringfilm::life {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/cycle/closure/static_closure.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/models/gas/gas_flow.hpp"

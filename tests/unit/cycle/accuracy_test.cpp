@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "ringfilm/cycle/integration/time_scheme.hpp"
+#include "ringfilm/film/time_scheme.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle {
@@ -16,22 +16,22 @@ using testing::styles_new_ring;
 TEST(TimeScheme, Bdf2IsExactOnParabolas) {
   const double step = 0.7, last = 0.4, older = 0.5;
   const auto y = [](double t) { return 2 + 3 * t - 5 * t * t; };
-  const Bdf2 scheme(step, last);
+  const film::Bdf2 scheme(step, last);
   const double remembered = scheme.of_state * y(0) - scheme.of_before * y(-last);
   EXPECT_NEAR((y(step) - remembered) / scheme.time_step, 3 - 10 * step, 1e-12);
-  const Prediction prediction = Prediction::parabola(step, last, older);
+  const film::Prediction prediction = film::Prediction::parabola(step, last, older);
   EXPECT_NEAR(prediction.expected(y(0), y(-last), y(-last - older)), y(step), 1e-12);
-  EXPECT_NEAR(Prediction::parabola(1, 1, 1).error_share, 2.0 / 9, 1e-15);
+  EXPECT_NEAR(film::Prediction::parabola(1, 1, 1).error_share, 2.0 / 9, 1e-15);
 }
 
 TEST(TimeScheme, ErrorOfBdf2IsThatOfTheCubicItMeets) {
   const double step = 0.3, last = 0.2, older = 0.4;
   const auto y = [](double t) { return t * t * t; };
   // y' = 3 t^2 is given, so that the new value follows from the remembered ones.
-  const Bdf2 scheme(step, last);
+  const film::Bdf2 scheme(step, last);
   const double remembered = scheme.of_state * y(0) - scheme.of_before * y(-last);
   const double found = remembered + scheme.time_step * 3 * step * step;
-  const Prediction p = Prediction::parabola(step, last, older);
+  const film::Prediction p = film::Prediction::parabola(step, last, older);
   const double expected = p.expected(y(0), y(-last), y(-last - older));
   EXPECT_NEAR(p.error_share * std::abs(y(step) - expected), std::abs(found - y(step)), 1e-12);
 }

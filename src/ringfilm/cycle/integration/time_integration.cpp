@@ -121,7 +121,7 @@ void TimeIntegration::count(const film::FilmReport& report) {
 
 /// By how much the separation of another film differs from what the films before lead to expect, relative; the mean
 /// around a ring that bends.
-double TimeIntegration::change_of_trend(const film::FilmState& to, const Prediction& prediction,
+double TimeIntegration::change_of_trend(const film::FilmState& to, const film::Prediction& prediction,
                                         const film::FilmState& older) const {
   const auto change = [&prediction](double h, double state, double before, double oldest) {
     return std::abs(prediction.expected(std::log(state / h), std::log(before / h), std::log(oldest / h)));
@@ -139,8 +139,9 @@ double TimeIntegration::change_of_trend(const film::FilmState& to, const Predict
 double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
   if (time_step_before_ == 0) return 0;
   const bool by_three = step_.is_second_order && time_step_older_ > 0;
-  const Prediction prediction = by_three ? Prediction::parabola(time_step, time_step_before_, time_step_older_)
-                                         : Prediction::line(time_step, time_step_before_);
+  const film::Prediction prediction = by_three
+                                          ? film::Prediction::parabola(time_step, time_step_before_, time_step_older_)
+                                          : film::Prediction::line(time_step, time_step_before_);
   const film::FilmState& older = by_three ? older_ : before_;
   const double film = change_of_trend(to, prediction, older);
   double content = 0;
@@ -170,7 +171,7 @@ bool TimeIntegration::remember_two_films() {
                    time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
   const bool goes_on = !step_.state_was_turned && instant_.at.inputs.U * step_.at.inputs.U > 0;
   if (!can || !goes_on || step_.at.inputs.has_gas() || liner_oil_) return false;
-  const Bdf2 scheme(step_.time_step, time_step_before_);
+  const film::Bdf2 scheme(step_.time_step, time_step_before_);
   history_.mass_per_area.resize(state_.mass_per_area.size());
   for (std::size_t i = 0; i < state_.mass_per_area.size(); ++i) {
     const double mass = scheme.of_state * state_.mass_per_area[i] - scheme.of_before * before_.mass_per_area[i];

@@ -10,7 +10,7 @@
 #include "ringfilm/cycle/integration/liner_oil.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/integration/time_scheme.hpp"
+#include "ringfilm/film/time_scheme.hpp"
 
 namespace ringfilm::cycle {
 
@@ -151,7 +151,8 @@ class TimeIntegration {
  private:
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
-  double change_of_trend(const film::FilmState& to, const Prediction& prediction, const film::FilmState& older) const;
+  double change_of_trend(const film::FilmState& to, const film::Prediction& prediction,
+                         const film::FilmState& older) const;
   void continue_ring(film::FilmState& to) const;
   HeatBefore heat_of_state(const RingConditions& at) const;
   void start_steady(RingConditions& at);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "../styles_case.hpp"
-#include "ringfilm/cycle/rails_of_pack.hpp"
-#include "ringfilm/cycle/simulate_pack.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/cycle/pack/simulate_pack.hpp"
 
 /// Rings of a pack that share the oil on the liner.
 namespace ringfilm::cycle::testing {

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/rails_of_pack.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
 
 #include <algorithm>
 #include <optional>

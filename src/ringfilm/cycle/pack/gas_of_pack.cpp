@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/gas_through_films.hpp"
+#include "ringfilm/cycle/pack/gas_through_films.hpp"
 
 #include <cmath>
 #include <optional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/simulate_pack.hpp"
+#include "ringfilm/cycle/pack/simulate_pack.hpp"
 
 namespace ringfilm::cycle {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace ringfilm::cycle {
+namespace ringfilm::film {
 
 /// Of BDF2, eq-bdf2: the growth of the film is that from `of_state` times the last film less `of_before` times the one
 /// before it, over `time_step`.
@@ -41,4 +41,4 @@ struct Prediction {
   }
 };
 
-}  // namespace ringfilm::cycle
+}  // namespace ringfilm::film

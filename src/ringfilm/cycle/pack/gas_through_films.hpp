@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/cycle/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::cycle {

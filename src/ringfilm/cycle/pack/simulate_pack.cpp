@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/simulate_pack.hpp"
+#include "ringfilm/cycle/pack/simulate_pack.hpp"
 
 #include <algorithm>
 #include <cstddef>
