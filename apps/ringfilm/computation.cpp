@@ -158,6 +158,11 @@ std::vector<Computation> of_rings(const Rings& rings, const study::BatchOptions&
   return all;
 }
 
+/// A result that was to reach an accuracy reports which it has reached.
+void estimate_where_asked(RunRequest& ring) {
+  if (ring.input.solver.accuracy) ring.errors = ErrorRequest::kEstimated;
+}
+
 /// The rings of a pack as requests of their own; of others the request as it is.
 void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& watch) {
   if (requested.input.gas_path.passes_films()) watch.begins(requested);
@@ -168,6 +173,7 @@ void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& w
   if (n == 0) {
     rings.requests.push_back(requested);
     rings.requests.back().input = std::move(pack.input);
+    estimate_where_asked(rings.requests.back());
     rings.together.push_back(1);
     return;
   }
@@ -182,10 +188,7 @@ void append_rings(const RunRequest& requested, Rings& rings, ComputationWatch& w
     refuse_inquiries(requested);
     rings.together.push_back(n);
   } else {
-    // Who asks for an accuracy is told what was reached.
-    for (RunRequest& ring : std::span(rings.requests).last(std::max<std::size_t>(n, 1))) {
-      if (ring.input.solver.accuracy) ring.errors = ErrorRequest::kEstimated;
-    }
+    for (RunRequest& ring : std::span(rings.requests).last(n)) estimate_where_asked(ring);
     rings.together.insert(rings.together.end(), n, 1);
   }
 }

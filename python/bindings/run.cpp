@@ -7,7 +7,7 @@
 #include "interpreter.hpp"
 #include "pad/pad_object.hpp"
 #include "result_object.hpp"
-#include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
 
@@ -90,7 +90,7 @@ py::object run_case(CaseObject& self, const py::object& progress, const RunExtra
     cycle::CycleResult result;
     {
       const py::gil_scoped_release others_go_on;
-      result = cycle::simulate(cycle::prepare(cycle::with_gas_path(input)), &watch);
+      result = cycle::simulate(cycle::prepare(cycle::solve_gas_through_films(input).input), &watch);
     }
     return py::cast(std::make_unique<ResultObject>(input, std::move(result), io::this_run()));
   } catch (const cycle::StoppedCycle& stop) {

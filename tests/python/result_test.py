@@ -51,7 +51,8 @@ def test_a_view_keeps_its_result_alive(case):
 def test_values_of_the_cycle(result):
     assert result.fmep == result.values["fmep"] > 0
     assert result.cycle_min_film_thickness == result.values["min_film_thickness"]
-    assert result.cycle_min_film_thickness == pytest.approx(result.min_film_thickness.min(), rel=1e-12)
+    # The vertex of the parabola through the thinnest step and its neighbours.
+    assert result.cycle_min_film_thickness == pytest.approx(result.min_film_thickness.min(), rel=1e-3)
     assert result["fmep"] == result["cycle_fmep"] == result.fmep
     assert result.derived["elastic_pressure"] == 0.2e6
     assert result.complete and not result.reason

@@ -64,7 +64,7 @@ constexpr const char* kGasFooter = R"(Examples:
   ringfilm gas cases/ring-pack/two_rings.toml
   ringfilm gas cases/ring-pack/two_rings.toml --set gas_path.ring_motion=axial --json
   ringfilm gas case.toml --set operating.speed='4500 rpm' --csv gas.csv
-  ringfilm gas case.toml --vary operating.speed='1000 rpm, 3000 rpm' --vary ring.1.gap_area='0.05 mm2, 0.1 mm2'
+  ringfilm gas case.toml --vary operating.speed='1000 rpm, 3000 rpm' --vary ring.1.end_gap='0.25 mm, 0.5 mm'
 
 The gas alone is computed: keys of oil, contact and film may be missing.
 )";

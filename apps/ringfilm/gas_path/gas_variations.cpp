@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
@@ -47,24 +50,76 @@ std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io:
   return cases;
 }
 
-std::string head(const std::vector<Variation>& varied, const gas_path::GasPathResult& result) {
-  std::string row;
-  for (const Variation& one : varied) row += one.key + ",";
-  row += "blow_by_per_cycle [kg],blow_by_flow [l/min]";
-  for (const gas_path::RegionValues& region : result.regions) {
-    std::string name = region.name;
-    std::replace(name.begin(), name.end(), ' ', '_');
-    row += ",peak_pressure_" + name + " [Pa]";
-  }
-  return row + ",fluttering_rings,period_in_cycles,reason\n";
+/// What the gas of a combination is.
+struct Solution {
+  double blow_by = 0;                           ///< net mass in the cycle [kg]
+  double blow_by_flow = 0;                      ///< [l/min]
+  std::vector<gas_path::RegionValues> regions;  ///< those of this combination
+  std::ptrdiff_t fluttering_rings = 0;
+  int period = 0;  ///< in cycles
+};
+
+/// A combination and what was found of it.
+struct Row {
+  std::vector<io::Override> settings;
+  std::optional<Solution> solution;  ///< nothing where it was not solved
+  std::string reason;                ///< why
+};
+
+Solution solution_of(const cycle::Case& c) {
+  io::GasPathDocument document = io::gas_path_document(c);
+  gas_path::GasPathResult& result = document.result;
+  Solution solution;
+  solution.blow_by = result.blow_by;
+  solution.blow_by_flow = document.blow_by_flow * kLitresPerMinute;
+  solution.regions = std::move(result.regions);
+  solution.fluttering_rings = std::ranges::count_if(result.motion, [](const auto& ring) { return ring.flutters; });
+  solution.period = result.period;
+  return solution;
 }
 
-std::string values(const io::GasPathDocument& document) {
-  const gas_path::GasPathResult& result = document.result;
-  std::string row = fmt::format("{},{}", result.blow_by, document.blow_by_flow * kLitresPerMinute);
-  for (const gas_path::RegionValues& region : result.regions) row += fmt::format(",{}", region.peak_pressure);
-  const auto n_flutter = std::ranges::count_if(result.motion, [](const auto& ring) { return ring.flutters; });
-  return row + fmt::format(",{},{},", n_flutter, result.period);
+/// Names of the regions of all combinations, from the chamber to the crankcase: volumes that are 0 have none.
+std::vector<std::string> region_names(const std::vector<Row>& rows) {
+  std::vector<std::string> names;
+  for (const Row& row : rows) {
+    if (!row.solution) continue;
+    std::ptrdiff_t next = 0;  // where a name belongs that no combination before had
+    for (const gas_path::RegionValues& region : row.solution->regions) {
+      auto at = std::find(names.begin(), names.end(), region.name);
+      if (at == names.end()) at = names.insert(names.begin() + next, region.name);
+      next = at - names.begin() + 1;
+    }
+  }
+  return names;
+}
+
+std::string head(const std::vector<Variation>& varied, const std::vector<std::string>& regions) {
+  std::string line;
+  for (const Variation& one : varied) line += one.key + ",";
+  line += "blow_by_per_cycle [kg],blow_by_flow [l/min]";
+  for (std::string name : regions) {
+    std::replace(name.begin(), name.end(), ' ', '_');
+    line += ",peak_pressure_" + name + " [Pa]";
+  }
+  return line + ",fluttering_rings,period_in_cycles,reason\n";
+}
+
+/// The values of a combination, in the columns of these regions.
+std::string values(const Solution& solution, const std::vector<std::string>& regions) {
+  std::string line = fmt::format("{},{}", solution.blow_by, solution.blow_by_flow);
+  for (const std::string& name : regions) {
+    const auto region = std::ranges::find(solution.regions, name, &gas_path::RegionValues::name);
+    line += region == solution.regions.end() ? "," : fmt::format(",{}", region->peak_pressure);
+  }
+  return line + fmt::format(",{},{},", solution.fluttering_rings, solution.period);
+}
+
+std::string line_of(const Row& row, const std::vector<std::string>& regions) {
+  constexpr std::size_t kOtherValues = 4;  // beside the peak pressures
+  std::string line;
+  for (const io::Override& setting : row.settings) line += quoted_cell(setting.value) + ",";
+  if (row.solution) return line + values(*row.solution, regions) + "\n";
+  return line + std::string(kOtherValues + regions.size(), ',') + quoted_cell(row.reason) + "\n";
 }
 
 }  // namespace
@@ -101,24 +156,19 @@ std::string gas_variations_csv(const std::string& case_path, const std::vector<i
                      "vary fewer values");
   }
   const std::vector<cycle::Case> cases = cases_of(case_path, overrides, varied, n);
-  std::string csv;
-  std::size_t n_cells = 0;
+  std::vector<Row> rows;
   for (std::size_t i = 0; i < n; ++i) {
-    std::string row;
-    for (const io::Override& setting : combination(varied, i)) row += quoted_cell(setting.value) + ",";
+    Row row{combination(varied, i), std::nullopt, ""};
     try {
-      const io::GasPathDocument document = io::gas_path_document(cases[i]);
-      if (n_cells == 0) {
-        const std::string first = head(varied, document.result);
-        n_cells = static_cast<std::size_t>(std::ranges::count(first, ','));
-        csv = first + csv;
-      }
-      csv += row + values(document) + "\n";
+      row.solution = solution_of(cases[i]);
     } catch (const ConvergenceError& error) {
-      csv += row + std::string(n_cells > varied.size() ? n_cells - varied.size() : 0, ',') + quoted_cell(error.what()) +
-             "\n";
+      row.reason = error.what();
     }
+    rows.push_back(std::move(row));
   }
+  const std::vector<std::string> regions = region_names(rows);
+  std::string csv = head(varied, regions);
+  for (const Row& row : rows) csv += line_of(row, regions);
   return csv;
 }
 

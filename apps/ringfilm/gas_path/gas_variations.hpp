@@ -18,7 +18,8 @@ struct Variation {
 std::vector<Variation> variations(const std::vector<std::string>& texts);
 
 /// Computes the gas of a pack for each combination of the values, the last key fastest.
-/// @returns one row each: the values, blow-by, peak pressures of the regions, flutter, and why one was not solved
+/// @returns a header and one row each: the values, blow-by, peak pressures of the regions of all combinations (empty
+/// where one has no such region), flutter, and why one was not solved
 std::string gas_variations_csv(const std::string& case_path, const std::vector<io::Override>& overrides,
                                const std::vector<Variation>& varied);
 

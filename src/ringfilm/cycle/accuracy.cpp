@@ -15,6 +15,16 @@ struct Measured {
 constexpr std::array kMeasured = {Measured{0.1, {400, 2, 1e-4}}, Measured{0.5, {128, 4, 2e-3}},
                                   Measured{1, {64, 4, 4e-3}}, Measured{5, {32, 5, 2e-2}}};
 
+/// The longest step up to `longest` of which the angles that are asked for are multiples; of a list 1 degree, which
+/// most lists are multiples of.
+double step_for(const Output& output, double longest) {
+  const bool is_one_angle = output.crank_angles_deg.size() == 1;
+  const bool has_list = output.crank_angles_deg.size() > 1 || !output.field_angles_deg.empty();
+  if (has_list) return std::min(longest, 1.0);
+  if (is_one_angle) return longest;
+  return output.crank_angle_step_deg / std::ceil(output.crank_angle_step_deg / longest);
+}
+
 }  // namespace
 
 Resolution resolution_for(double accuracy) {
@@ -36,10 +46,7 @@ Case with_accuracy(Case c) {
   const Resolution resolution = resolution_for(*solver.accuracy);
   solver.cells = resolution.cells;
   solver.cell_lengths = CellLengths::kByGap;
-  solver.crank_step_deg = resolution.crank_step_deg;
-  if (c.output.crank_angles_deg.empty()) {
-    solver.crank_step_deg = std::min(solver.crank_step_deg, c.output.crank_angle_step_deg);
-  }
+  solver.crank_step_deg = step_for(c.output, resolution.crank_step_deg);
   solver.crank_step_control = StepControl::kAdaptive;
   solver.time_scheme = TimeScheme::kBdf2;
   solver.step_error = resolution.step_error;

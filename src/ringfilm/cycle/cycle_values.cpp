@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 
 #include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
@@ -56,48 +55,59 @@ double share_below(const std::vector<Sample>& samples, double limit, Value value
 struct Peak {
   double value;
   double angle_deg;
-  const Sample* sample;
+  std::size_t place;
 };
 
-/// The vertex of the parabola through the highest sample and its neighbours.
+/// Steps of more unequal lengths say little about the bend between them.
+constexpr double kMostUnequal = 2.1;
+
+/// The parabola through a sample and its neighbours, at an angle from it; flat where their steps are too unequal.
+struct Parabola {
+  double value, slope = 0, bend = 0, left = 0, right = 0;
+
+  Parabola(const std::vector<Sample>& samples, std::size_t k, double Sample::*member) : value(samples[k].*member) {
+    const std::size_t n = samples.size();
+    if (n < 3) return;
+    left = interval(samples, (k + n - 1) % n);
+    right = interval(samples, k);
+    if (std::max(left, right) > kMostUnequal * std::min(left, right)) return;
+    const double to_left = (value - samples[(k + n - 1) % n].*member) / left;
+    const double to_right = (samples[(k + 1) % n].*member - value) / right;
+    slope = (to_left * right + to_right * left) / (left + right);
+    bend = (to_right - to_left) / (left + right);
+  }
+  double at(double shift) const { return value + shift * (slope + shift * bend); }
+};
+
+/// The vertex next to an extreme sample.
 Peak vertex(const std::vector<Sample>& samples, std::size_t k, double Sample::*member) {
-  const std::size_t n = samples.size();
-  const Sample &at = samples[k], &before = samples[(k + n - 1) % n], &after = samples[(k + 1) % n];
-  const Peak at_sample{at.*member, at.crank_angle_deg, &at};
-  if (n < 3) return at_sample;
-  const double left = interval(samples, (k + n - 1) % n), right = interval(samples, k);
-  const double fall_left = (at.*member - before.*member) / left, fall_right = (after.*member - at.*member) / right;
-  const double bend = (fall_right - fall_left) / (left + right);
-  if (bend == 0 || !std::isfinite(bend)) return at_sample;
-  const double slope = (fall_left * right + fall_right * left) / (left + right);
-  const double shift = -slope / (2 * bend);
-  if (shift < -left || shift > right) return at_sample;
-  return {at.*member + 0.5 * slope * shift, at.crank_angle_deg + shift, &at};
+  const Parabola parabola(samples, k, member);
+  const double shift = parabola.bend != 0 ? -parabola.slope / (2 * parabola.bend) : 0;
+  const bool is_near = 2 * shift > -parabola.left && 2 * shift < parabola.right;
+  if (!is_near) return {samples[k].*member, samples[k].crank_angle_deg, k};
+  return {parabola.at(shift), std::fmod(samples[k].crank_angle_deg + shift + kCycleDeg, kCycleDeg), k};
 }
 
-/// On the parabola through the sample k and its neighbours.
-double at_angle(const std::vector<Sample>& samples, std::size_t k, double Sample::*member, double angle_deg) {
-  const std::size_t n = samples.size();
-  if (n < 3) return samples[k].*member;
-  const Sample &at = samples[k], &before = samples[(k + n - 1) % n], &after = samples[(k + 1) % n];
-  const double left = interval(samples, (k + n - 1) % n), right = interval(samples, k);
-  const double rise_left = (at.*member - before.*member) / left, rise_right = (after.*member - at.*member) / right;
-  const double bend = (rise_right - rise_left) / (left + right);
-  const double slope = (rise_left * right + rise_right * left) / (left + right);
-  const double shift = angle_deg - at.crank_angle_deg;
-  return at.*member + shift * (slope + shift * bend);
+std::size_t place_of_largest(const std::vector<Sample>& samples, double Sample::*member) {
+  const auto it = std::max_element(samples.begin(), samples.end(),
+                                   [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
+  return static_cast<std::size_t>(it - samples.begin());
+}
+
+/// Of what has kinks at the dead centres, which are steps.
+Peak largest_sample(const std::vector<Sample>& samples, double Sample::*member) {
+  const std::size_t k = place_of_largest(samples, member);
+  return {samples[k].*member, samples[k].crank_angle_deg, k};
 }
 
 Peak largest(const std::vector<Sample>& samples, double Sample::*member) {
-  const auto it = std::max_element(samples.begin(), samples.end(),
-                                   [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-  return vertex(samples, it - samples.begin(), member);
+  return vertex(samples, place_of_largest(samples, member), member);
 }
 
 Peak smallest(const std::vector<Sample>& samples, double Sample::*member) {
   const auto it = std::min_element(samples.begin(), samples.end(),
                                    [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-  return vertex(samples, it - samples.begin(), member);
+  return vertex(samples, static_cast<std::size_t>(it - samples.begin()), member);
 }
 
 /// Trapezoidal rule over the samples of a stroke.
@@ -144,18 +154,14 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.peak_flash_temperature = flash.value;
   v.peak_flash_temperature_angle = flash.angle_deg;
 
-  std::optional<std::size_t> firing;
-  const Peak mu = largest(base, &Sample::friction_coefficient);
+  const Peak mu = largest_sample(base, &Sample::friction_coefficient);
   v.peak_friction_coefficient = mu.value;
   v.peak_friction_coefficient_angle = mu.angle_deg;
-  for (std::size_t k = 0; k < base.size(); ++k) {
-    if (std::abs(std::remainder(base[k].crank_angle_deg, kCycleDeg)) > kFiringWindowDeg) continue;
-    const double here = base[k].friction_coefficient;
-    if (here <= v.peak_friction_coefficient_firing) continue;
-    v.peak_friction_coefficient_firing = here;
-    firing = k;
+  for (const Sample& s : base) {
+    if (std::abs(std::remainder(s.crank_angle_deg, kCycleDeg)) <= kFiringWindowDeg) {
+      v.peak_friction_coefficient_firing = std::max(v.peak_friction_coefficient_firing, s.friction_coefficient);
+    }
   }
-  if (firing) v.peak_friction_coefficient_firing = vertex(base, *firing, &Sample::friction_coefficient).value;
 
   const Peak thinnest = smallest(base, &Sample::min_film_thickness);
   v.min_film_thickness = thinnest.value;
@@ -163,10 +169,12 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.max_film_thickness = largest(base, &Sample::min_film_thickness).value;
   v.min_lambda_ratio = smallest(base, &Sample::lambda_ratio).value;
   v.peak_mean_real_pressure = largest(base, &Sample::mean_real_pressure).value;
-  const Peak gas = largest(base, &Sample::gas_pressure);
+  const Peak gas = largest_sample(base, &Sample::gas_pressure);  // an input
   v.peak_gas_pressure = gas.value;
   v.peak_gas_pressure_angle = gas.angle_deg;
-  v.lambda_ratio_at_peak_pressure = at_angle(base, gas.sample - base.data(), &Sample::lambda_ratio, gas.angle_deg);
+  const double beyond = vertex(base, gas.place, &Sample::gas_pressure).angle_deg - gas.angle_deg;
+  v.lambda_ratio_at_peak_pressure =
+      Parabola(base, gas.place, &Sample::lambda_ratio).at(std::remainder(beyond, kCycleDeg));
   v.mixed_share = share_below(base, kMixedBelow, [](const Sample& s) { return s.lambda_ratio; });
 
   const double mean_load = mean(base, [](const Sample& s) { return s.applied_load; });

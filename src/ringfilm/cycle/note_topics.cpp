@@ -76,6 +76,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"own-oil", kFull, kCase},
       {"cells-graded", kFull, kCase},
       {"accuracy-asked-for", kFull, kCase},
+      {"conform-not-used", kFull, kCase},
       {"properties-exact", kFull, kCase},
       {"beyond-property-fit", kFull, kOccurrences},
       {"bracketed-search", kFull, kOccurrences},

@@ -93,7 +93,8 @@ constexpr int kFewestCells = 50;
 
 void append_grid_note(const Setup& setup, std::vector<Note>& notes) {
   const int cells = setup.input.solver.cells;
-  if (setup.cells == CellsOfFace::kGraded || cells >= kFewestCells) return;
+  const bool is_chosen = setup.input.solver.accuracy.has_value();  // by an accuracy that was measured
+  if (setup.cells == CellsOfFace::kGraded || is_chosen || cells >= kFewestCells) return;
   notes.push_back({"coarse-grid",
                    text("%d cells across the face are few: friction is off by up to 0.2 %% with 32 cells, 1 %% with 16 "
                         "and 30 %% with 8, the peak film pressure by 2, 14 and 30 %%: take %d solver.cells or more",

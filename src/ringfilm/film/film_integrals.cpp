@@ -136,6 +136,9 @@ std::vector<double> shear_deficit(const FilmProblem& problem, const FilmInputs& 
 double peak_pressure(const FilmGrid& grid, const std::vector<double>& p, double highest) {
   const auto i = static_cast<std::size_t>(std::find(p.begin(), p.end(), highest) - p.begin());
   if (i == 0 || i + 1 >= p.size()) return highest;
+  for (const GapJump& jump : grid.jumps) {
+    if (std::abs(jump.node - static_cast<int>(i)) <= 1) return highest;  // pressure has a kink there
+  }
   const double left = grid.spacing[i - 1], right = grid.spacing[i];
   const double rise = (highest - p[i - 1]) / left, fall = (highest - p[i + 1]) / right;
   const double slope = (rise * right - fall * left) / (left + right), bend = (rise + fall) / (left + right);

@@ -189,17 +189,60 @@ void check_engine_of_pack(const Life& life, std::vector<Fault>& faults) {
   compare("engine.connecting_rod_length", of_pack.connecting_rod_length, of_ring.connecting_rod_length);
 }
 
+/// The gas of the pack is computed, beside films that seal.
+void check_gas_of_pack(const RingPack& pack, std::vector<Fault>& faults) {
+  const cycle::GasPath& path = pack.input.gas_path;
+  if (!path.is_computed()) {
+    faults.push_back({pack.mark,
+                      "the gas pressures of the pack are given, and [pack] computes them with the worn end gap",
+                      "state gas_path.model = \"orifice-volume\" in the case of the pack"});
+  }
+  if (path.passes_films()) {
+    faults.push_back({pack.mark,
+                      "the pack states gas_path.film = \"breakthrough\", and a life computes the gas of its pack "
+                      "without the films",
+                      "state gas_path.film = \"sealing\", or leave it out"});
+  }
+}
+
+/// The gas passes the end gap of the worn ring, and wear opens it.
+void check_worn_gap(const RingPack& pack, std::vector<Fault>& faults) {
+  const cycle::Ring& ring = worn_ring(pack);
+  const std::string name = "ring " + std::to_string(pack.ring) + " of the pack";
+  if (!ring.end_gap || ring.gas_path.gap_area) {
+    faults.push_back(
+        {pack.mark,
+         name + " states gap_area" + (ring.end_gap ? "" : " alone") + ", which does not show by how much wear opens it",
+         "state end_gap and land_clearance of that ring in place of gap_area, for example "
+         "end_gap = \"0.3 mm\" and land_clearance = \"0.25 mm\""});
+  }
+  if (pack.ring > 1 && pack.input.rings[pack.ring - 2].ring.gas_path.volume_below == 0) {
+    const std::string above = std::to_string(pack.ring - 1);
+    faults.push_back({pack.mark, name + " has no piston land with a volume above it: the gas does not pass this gap",
+                      "state volume_below of ring " + above + ", for example volume_below = \"500 mm3\""});
+  }
+}
+
+/// The pressures of the pack act on a ring of the same kind.
+void check_kind_of_ring(const Life& life, std::vector<Fault>& faults) {
+  const auto name = [](const cycle::Ring& ring) {
+    return std::string(ring.gas_path.kind == cycle::RingKind::kOil ? "an oil ring" : "a compression ring");
+  };
+  const cycle::Ring &of_pack = worn_ring(*life.pack), &of_base = life.points.front().input.ring;
+  if (of_pack.gas_path.kind == of_base.gas_path.kind) return;
+  faults.push_back({life.pack->mark,
+                    "ring " + std::to_string(life.pack->ring) + " of the pack is " + name(of_pack) +
+                        ", that of the base case " + name(of_base) +
+                        ", and pressures = \"computed\" puts the "
+                        "pressures of the one on the other",
+                    "give both the same ring.kind, or name another ring as pack.ring"});
+}
+
 /// A pack needs the depth that opens its end gap, and the gap itself.
 void check_pack(const Life& life, std::vector<Fault>& faults) {
   const RingPack& pack = *life.pack;
-  const cycle::Ring& ring = worn_ring(pack);
-  if (!ring.end_gap) {
-    faults.push_back({pack.mark,
-                      "ring " + std::to_string(pack.ring) +
-                          " of the pack states gap_area alone, which does not show by how much wear opens it",
-                      "state end_gap and land_clearance of that ring in place of gap_area, for example "
-                      "end_gap = \"0.3 mm\" and land_clearance = \"0.25 mm\""});
-  }
+  check_gas_of_pack(pack, faults);
+  check_worn_gap(pack, faults);
   if (life.mode == Mode::kMeasuredPath && life.datum == Datum::kOwn) {
     faults.push_back({pack.mark,
                       "[pack] needs the worn depth, which opens the end gap, and faces with data of their own do not "
@@ -208,12 +251,39 @@ void check_pack(const Life& life, std::vector<Fault>& faults) {
   }
   check_engine_of_pack(life, faults);
   if (pack.pressures == RingPressures::kGiven) return;
+  check_kind_of_ring(life, faults);
   for (const OperatingPoint& point : life.points) {
     const cycle::Ring& ring_of_point = point.input.ring;
     if (!ring_of_point.pressure_above.is_stated() && !ring_of_point.pressure_below.is_stated()) continue;
     faults.push_back({pack.mark, "the pressures above and below the ring are stated, and computed by [pack]",
                       "leave ring.pressure_above and ring.pressure_below out of the base case, or pack.pressures"});
     break;
+  }
+}
+
+/// The key by which a case chooses other nodes for each face; nothing where it states none.
+std::optional<std::string> key_of_own_nodes(const cycle::Case& c) {
+  if (c.solver.accuracy) return "solver.accuracy";
+  if (c.solver.cell_lengths == cycle::CellLengths::kByGap) return "solver.cell_lengths = \"by-gap\"";
+  return std::nullopt;
+}
+
+/// All states have their faces at the same nodes.
+void check_nodes(const Life& life, std::vector<Fault>& faults) {
+  const auto check = [&](const cycle::Case& c, const SourceMark& mark, const std::string& name) {
+    const std::optional<std::string> key = key_of_own_nodes(c);
+    if (!key) return false;
+    faults.push_back({mark, name + " states " + *key + ", by which each face has nodes of its own",
+                      "leave it out: the states of a life share the nodes of the face"});
+    return true;
+  };
+  for (std::size_t i = 0; i < life.points.size(); ++i) {
+    const OperatingPoint& point = life.points[i];
+    // Those after the first are readings of the same case.
+    if (check(point.input, {}, i == 0 ? "the base case" : "the case of the operating point " + point.name)) break;
+  }
+  for (const MeasuredState& state : life.states) {
+    check(state.input, state.mark, "the state after " + hours_text(state.time));
   }
 }
 
@@ -241,6 +311,7 @@ std::string hours_text(double time) { return number_text(time / kHour) + " h"; }
 std::vector<Fault> faults_of(const Life& life) {
   std::vector<Fault> faults;
   check_times(life, faults);
+  check_nodes(life, faults);
   check_gas_path(life, faults);
   if (life.pack) check_pack(life, faults);
   if (life.mode == Mode::kArchard) check_wear(life, faults);

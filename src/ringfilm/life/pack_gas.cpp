@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
@@ -36,13 +37,15 @@ std::vector<double> shares_along_stroke(const gas_path::Pack& pack, const gas_pa
   const auto is_gap = [ring](const gas_path::Path& path) {
     return path.kind == gas_path::PathKind::kEndGap && path.ring == ring;
   };
-  const auto path = std::find_if(result.paths.begin(), result.paths.end(), is_gap) - result.paths.begin();
+  const auto gap = std::find_if(result.paths.begin(), result.paths.end(), is_gap);
+  if (gap == result.paths.end()) throw std::logic_error("no gas passes the end gap of the worn ring");
+  const auto path = static_cast<std::size_t>(gap - result.paths.begin());
   std::vector<double> shares(n, 0.0);
   for (std::size_t k = 0; k < result.flow.size(); ++k) {
     const double angle = static_cast<double>(k) * std::numbers::pi / 180;
     const double place = pack.crank.position(angle) / pack.crank.stroke();
     const std::size_t part = std::min(n - 1, static_cast<std::size_t>(std::max(0.0, place) * static_cast<double>(n)));
-    shares[part] += std::abs(result.flow[k][static_cast<std::size_t>(path)]);
+    shares[part] += std::abs(result.flow[k][path]);
   }
   const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
   for (double& share : shares) share = sum > 0 ? share / sum : 1 / static_cast<double>(n);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/cycle/closure/static_closure.hpp"
-#include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/models/gas/gas_flow.hpp"
@@ -106,7 +106,7 @@ Measurement of_ring(const cycle::CycleResult& result) {
 }
 
 Measurement of_gas(const cycle::Case& c) {
-  const gas_path::GasPathResult result = gas_path::solve_gas_path(cycle::gas_pack(c));
+  const gas_path::GasPathResult result = gas_path::solve_gas_path(cycle::gas_pack(c), cycle::given_pressures(c));
   Measurement measurement;
   auto& values = measurement.values;
   values["blow_by_per_cycle"] = {result.blow_by};
@@ -184,7 +184,7 @@ Measurement measure(const cycle::Case& c) {
   if (c.problem == cycle::Problem::kPad) return of_pad(pad::solve_pad(c));
   if (c.problem == cycle::Problem::kClosure) return of_closure(cycle::static_closure(c));
   if (c.purpose == cycle::CasePurpose::kGasPath) return of_gas(c);
-  return of_ring(cycle::simulate(cycle::prepare(cycle::with_gas_path(c))));
+  return of_ring(cycle::simulate(cycle::prepare(cycle::solve_gas_through_films(c).input)));
 }
 
 double value(const Measurement& measurement, const Probe& probe) {

@@ -153,6 +153,17 @@ class GasTest(program.ProgramTest):
         ):
             self.assert_refused(self.run_program("gas", "pack.toml", *words), text)
 
+    def test_combinations_with_other_regions_share_the_columns(self):
+        self.run_well("gas", "pack.toml", "--vary", "ring.1.volume_below=0 mm3, 500 mm3", "--csv", "map.csv")
+        with open(self.folder / "map.csv", encoding="utf-8", newline="") as file:
+            without, whole = csv.DictReader(file)
+        peaks = [name for name in whole if name.startswith("peak_pressure_")]
+        regions = self.json_of("--set", "ring.1.volume_below=500 mm3")["regions"]
+        self.assertEqual(peaks, [f"peak_pressure_{region['name'].replace(' ', '_')} [Pa]" for region in regions])
+        self.assertEqual(without["peak_pressure_land_2 [Pa]"], "")
+        self.assertAlmostEqual(float(without["peak_pressure_crankcase [Pa]"]), regions[-1]["peak_pressure"], delta=1)
+        self.assertEqual((without["period_in_cycles"], without["reason"]), ("1", ""))
+
     def test_the_file_has_the_curves(self):
         self.run_well("gas", "pack.toml", "-o", "gas.nc")
         self.assertTrue((self.folder / "gas.nc").read_bytes().startswith(b"\x89HDF"))

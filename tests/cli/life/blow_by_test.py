@@ -140,6 +140,22 @@ class BlowBy(life_test.LifeTest):
         self.refused("pack = 3\n" + ARCHARD, "[pack] is not a table", "1 error;")
         self.refused(ARCHARD + WITH_PACK + "ring = 3\n", "pack.ring = 3 is not from 1 to 2")
         self.refused(ARCHARD + WITH_PACK + "ring = 2\n", "ring 2 of the pack states gap_area alone", "state end_gap")
+        gap = 'end_gap = "0.3 mm"\nland_clearance = "0.25 mm"'
+        second = PACK.replace('gap_area = "0.3 mm2"', gap)
+        volume = 'volume_below = "0.5 cm3"\n'
+        model = 'model = "orifice-volume"\n'
+        for text, more, fragments in (
+            (second.replace(volume, ""), "ring = 2\n", ("does not pass this gap", "state volume_below of ring 1")),
+            (second, 'ring = 2\npressures = "computed"\n', ("is an oil ring", "is a compression ring")),
+            (PACK.replace(model, model + 'film = "breakthrough"\n'), "", ('gas_path.film = "breakthrough"',)),
+            (
+                PACK.replace(model, 'model = "given"\n').replace(volume, volume + 'pressure_below = "2 bar"\n'),
+                "",
+                ('state gas_path.model = "orifice-volume"',),
+            ),
+        ):
+            (self.folder / "pack.toml").write_text(text)
+            self.refused(ARCHARD + WITH_PACK + more, *fragments)
         self.refused(life_test.LIFE + WITH_PACK, "faces with data of their own do not determine it")
         (self.folder / "pack.toml").write_text(PACK.replace('"89.0 mm"', '"90.0 mm"'))
         self.refused(ARCHARD + WITH_PACK, "the pack has engine.bore = 90 mm, the base case 89 mm")

@@ -64,6 +64,15 @@ TEST(Life, RingsOfAnotherWidthAreRefused) {
   EXPECT_THAT(refusal(life), HasSubstr("a face of 1 mm, that of the base case one of 1.2 mm"));
 }
 
+TEST(Life, ACaseWhoseFaceHasNodesOfItsOwnIsRefused) {
+  Life by_gap = two_states();
+  by_gap.states[1].input.solver.cell_lengths = cycle::CellLengths::kByGap;
+  EXPECT_THAT(refusal(by_gap), HasSubstr("life.toml:4:1: the state after 10 h states solver.cell_lengths"));
+  Life accurate = two_states();
+  accurate.points[0].input.solver.accuracy = 1.0;
+  EXPECT_THAT(refusal(accurate), HasSubstr("the base case states solver.accuracy"));
+}
+
 TEST(Life, HoursBeyondACenturyAreRefused) {
   Life life = two_states();
   life.times[1].time = 1e300;

@@ -21,6 +21,19 @@ std::vector<double> angles_of_nodes(const models::RingBeam& beam, const film::Ci
   return phi;
 }
 
+/// Those at which the bore is given, within the stroke, and its ends: lists of the bore may reach to different heights.
+std::vector<double> heights_of_stroke(const Case& c) {
+  std::vector<double> given = bore_heights(c), heights;
+  if (given.empty()) return given;
+  const double stroke = c.engine.stroke;
+  heights.push_back(0);
+  for (const double height : given) {
+    if (height > 0 && height < stroke) heights.push_back(height);
+  }
+  heights.push_back(stroke);
+  return heights;
+}
+
 }  // namespace
 
 BendingRing::BendingRing(const Case& c, const film::CircumferentialGrid& around)
@@ -29,7 +42,7 @@ BendingRing::BendingRing(const Case& c, const film::CircumferentialGrid& around)
       first_node_(around.ends == film::Ends::kJoined ? 1 : 0),
       elements_(beam_, angles_of_nodes(beam_, around)),
       elastic_load_(elastic_pressure(c) * c.ring.face_width),
-      heights_(bore_heights(c)) {
+      heights_(heights_of_stroke(c)) {
   for (int j = 0; j < around.n_strips(); ++j) {
     target_.push_back(beam_.target_force()(elements_.phi()[j + first_node_]) / beam_.size().tangential_force);
   }

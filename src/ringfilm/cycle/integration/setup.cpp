@@ -78,9 +78,17 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 }
 
 models::CyclePressure computed_pressure(const SampledTrace& trace) { return {trace.crank_angle_deg, trace.value}; }
+
 /// Keys of the static closure in a cycle.
 void append_bore_note(const Case& c, std::vector<Note>& notes) {
-  if (c.bends()) return;
+  if (c.bends()) {
+    if (c.conform.gas_pressure > 0) {
+      notes.push_back(
+          {"conform-not-used",
+           "[conform] is used by ringfilm conform alone: in a cycle the gas of the case acts behind the ring", 1});
+    }
+    return;
+  }
   if (c.liner.is_round() && c.ring.pressure_orders.empty() && !(c.conform.gas_pressure > 0)) return;
   notes.push_back({"bore-taken-as-round",
                    "liner.distortion, ring.pressure_orders and [conform] are not used: film and friction are those of "
@@ -91,10 +99,10 @@ void append_bore_note(const Case& c, std::vector<Note>& notes) {
 
 void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
   if (!c.solver.accuracy) return;
-  char text[256];
+  char text[320];
   std::snprintf(text, sizeof text,
                 "solver.accuracy = %.3g %%: computed on %d cells by gap with crank steps of %.3g degree at the most, "
-                "time_scheme = \"bdf2\" and step_error = %.2g",
+                "time_scheme = \"bdf2\" and step_error = %.2g, whatever [solver] states of these",
                 *c.solver.accuracy, c.solver.cells, c.solver.crank_step_deg, c.solver.step_error);
   notes.push_back({"accuracy-asked-for", text, 1});
 }

@@ -169,7 +169,7 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
 bool TimeIntegration::remember_two_films() {
   const bool can = setup_.input.solver.time_scheme == TimeScheme::kBdf2 && !setup_.input.is_unrolled() &&
                    time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
-  const bool goes_on = !step_.state_was_turned && instant_.at.inputs.U * step_.at.inputs.U > 0;
+  const bool goes_on = instant_.at.piston_velocity * step_.at.piston_velocity > 0;
   if (!can || !goes_on || step_.at.inputs.has_gas() || liner_oil_) return false;
   const film::Bdf2 scheme(step_.time_step, time_step_before_);
   history_.mass_per_area.resize(state_.mass_per_area.size());

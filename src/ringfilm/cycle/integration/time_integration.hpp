@@ -177,7 +177,7 @@ class TimeIntegration {
   Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
   Fluids fluids_;                   ///< at the edges of `state_`
   double time_step_before_ = 0;     ///< that led to `state_`; 0: no history
-  double time_step_older_ = 0;      ///< that led to `before_`; 0: `older_` is none
+  double time_step_older_ = 0;      ///< that led to `before_`; 0: there is no `older_`
   HeatBefore heat_;                 ///< of `state_`, if it counts
   int k_ = 0;                       ///< current base angle
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::cycle {
@@ -15,13 +14,13 @@ namespace {
 using Runs = std::vector<std::unique_ptr<CycleRun>>;
 
 /// Height of the piston land below a ring. Where the case leaves it open, with a note: as high as the face is wide.
-double land_below(Setup& ring, std::size_t number) {
+/// The note names no number: results label it with that of the ring as the case counts, which rails do not change.
+double land_below(Setup& ring) {
   if (const auto& stated = ring.input.ring.land_below) return *stated;
   const double width = ring.input.ring.face_width;
   ring.notes.push_back({kRingDistanceAssumed,
                         "the piston land below the ring is taken to be as high as its face is wide, " +
-                            number_text(width * 1e3) + " mm, since " + pack_key(number, "ring.land_below") +
-                            " is not stated",
+                            number_text(width * 1e3) + " mm, since land_below of this [[ring]] is not stated",
                         1});
   return width;
 }
@@ -30,7 +29,7 @@ double land_below(Setup& ring, std::size_t number) {
 std::vector<double> below_first_ring(std::vector<Setup>& rings) {
   std::vector<double> below{0};
   for (std::size_t i = 0; i + 1 < rings.size(); ++i) {
-    below.push_back(below.back() + rings[i].input.ring.face_width + land_below(rings[i], i + 1));
+    below.push_back(below.back() + rings[i].input.ring.face_width + land_below(rings[i]));
   }
   return below;
 }

@@ -143,8 +143,11 @@ class Integration {
     effort_.lacks_last_stage = jump.lacks_last_stage;
     now_ = std::move(jump.end);
     load_now_.reset();
-    if (limits_.after_jump) limits_.after_jump(now_);
+    if (limits_.after_jump) limits_.after_jump(passed());
   }
+
+  /// The present depths; after a jump through the coating those at its end.
+  const WornDepths& passed() const { return worn_through_ ? *worn_through_ : now_; }
 
   /// Whole jumps as far as they go, and a part of one on the side to a time between two.
   WornDepths at_equal_jumps(double time) {
@@ -206,14 +209,14 @@ class Integration {
   void wear_through_before(double time) {
     const Integration before = *this;
     const double depth = *limits_.deepest / kCoarseJumps;
-    std::vector<WornDepths> passed;
+    std::vector<WornDepths> all_passed;
     try {
       while (!worn_through_ && now_.time < time && effort_.jumps < kMostJumps) {
         if (!load_now_) load_now_ = measured(now_);
         WornDepths end = coarse_jump(std::min(time, now_.time + longest_by_depth(depth)));
         if (is_through(end)) worn_through_ = on_the_way(end, share_of_coating(end));
         now_ = std::move(end);
-        passed.push_back(now_);
+        all_passed.push_back(passed());
         load_now_.reset();
         ++effort_.jumps;
       }
@@ -222,7 +225,7 @@ class Integration {
     }
     if (!worn_through_) return restore(before);
     effort_.coarse_depth = depth;
-    for (const WornDepths& there : passed) {
+    for (const WornDepths& there : all_passed) {
       if (limits_.after_jump) limits_.after_jump(there);
     }
   }

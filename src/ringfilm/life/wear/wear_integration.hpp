@@ -45,7 +45,8 @@ struct WearLimits {
   std::function<bool()> is_enough = {};  ///< asked after each jump that was chosen: does it end there? Empty: never
   /// Is a jump from one time to another too long for what else changes? Empty: never.
   std::function<bool(double from, double to)> is_too_long = {};
-  std::function<void(const WornDepths&)> after_jump = {};  ///< receives the depths after each jump
+  /// Receives the depths after each jump; after that through the coating those where it ends.
+  std::function<void(const WornDepths&)> after_jump = {};
 };
 
 /// Depths at each of the times, fewer where it ended early.

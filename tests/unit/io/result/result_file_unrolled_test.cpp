@@ -116,7 +116,8 @@ TEST(UnrolledResultCsv, HasItsColumnsAfterTheCurvesAndBeforeTheErrors) {
   const std::string own = header(result_csv(document.result.samples, {}, document.result.unrolled_samples));
   EXPECT_EQ(own, plain +
                      ",gap_leakage [kg/s],ends_share_load,ends_share_friction,ends_share_flow,"
-                     "gap_leakage_low_end [kg/s],gap_leakage_high_end [kg/s],oil_flow_without_ends [kg/s]");
+                     "gap_leakage_low_end [kg/s],gap_leakage_high_end [kg/s],oil_flow_without_ends [kg/s],"
+                     "open_area [m2],lifted_angle [degree],max_clearance [m],max_clearance_place [degree]");
   const std::string all =
       header(result_csv(document.result.samples, document.errors, document.result.unrolled_samples));
   EXPECT_THAT(all, ::testing::StartsWith(own + ","));

@@ -91,8 +91,8 @@ TEST(KeptCurves, MinimumOfTheCurveIsThatOfTheCycle) {
   const auto value = std::find_if(quantities.begin(), quantities.end(),
                                   [](const auto& one) { return one.name == "min_film_thickness"; });
   const double smallest = *std::min_element(row.curves.begin(), row.curves.end());
-  // Single precision.
-  EXPECT_NEAR(smallest / row.values.at(static_cast<std::size_t>(value - quantities.begin())), 1, 1e-6);
+  // The value is that of the vertex between the steps.
+  EXPECT_NEAR(smallest / row.values.at(static_cast<std::size_t>(value - quantities.begin())), 1, 1e-3);
 }
 
 TEST(KeptCurves, WhatCannotBeKeptIsRefused) {
