@@ -58,7 +58,7 @@ struct Peak {
   std::size_t place;
 };
 
-/// Steps of more unequal lengths say little about the bend between them.
+/// Steps of more unequal lengths do not show the bend between them.
 constexpr double kMostUnequal = 2.1;
 
 /// The parabola through a sample and its neighbours, at an angle from it; flat where their steps are too unequal.
@@ -83,7 +83,7 @@ struct Parabola {
 Peak vertex(const std::vector<Sample>& samples, std::size_t k, double Sample::*member) {
   const Parabola parabola(samples, k, member);
   const double shift = parabola.bend != 0 ? -parabola.slope / (2 * parabola.bend) : 0;
-  const bool is_near = 2 * shift > -parabola.left && 2 * shift < parabola.right;
+  const bool is_near = 2 * shift >= -parabola.left && 2 * shift <= parabola.right;
   if (!is_near) return {samples[k].*member, samples[k].crank_angle_deg, k};
   return {parabola.at(shift), std::fmod(samples[k].crank_angle_deg + shift + kCycleDeg, kCycleDeg), k};
 }

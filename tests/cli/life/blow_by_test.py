@@ -146,7 +146,7 @@ class BlowBy(life_test.LifeTest):
         model = 'model = "orifice-volume"\n'
         for text, more, fragments in (
             (second.replace(volume, ""), "ring = 2\n", ("does not pass this gap", "state volume_below of ring 1")),
-            (second, 'ring = 2\npressures = "computed"\n', ("is an oil ring", "is a compression ring")),
+            (second, 'ring = 2\npressures = "computed"\n', ("is an oil ring", "a compression ring")),
             (PACK.replace(model, model + 'film = "breakthrough"\n'), "", ('gas_path.film = "breakthrough"',)),
             (
                 PACK.replace(model, 'model = "given"\n').replace(volume, volume + 'pressure_below = "2 bar"\n'),

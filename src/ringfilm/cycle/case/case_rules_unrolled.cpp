@@ -31,6 +31,17 @@ void check_method(const Case& c, Breaches& breaches) {
        "take \"coupled-newton\", or film.dimension = \"face\""});
 }
 
+void check_scheme(const Case& c, Breaches& breaches) {
+  if (c.solver.time_scheme == TimeScheme::kBdf2) {
+    breaches.push_back({"solver.time_scheme", "solver.time_scheme = \"bdf2\" is that of the film across the face alone",
+                        "take \"backward-euler\", or film.dimension = \"face\""});
+  }
+  if (c.solver.cell_lengths == CellLengths::kByGap) {
+    breaches.push_back({"solver.cell_lengths", "solver.cell_lengths = \"by-gap\" is for the film across the face alone",
+                        "take \"uniform\", or film.dimension = \"face\""});
+  }
+}
+
 /// @returns whether some of the circumference is left to the ring
 bool check_gap(const Case& c, Breaches& breaches) {
   if (c.ring_length() > 0) return true;
@@ -127,6 +138,7 @@ void check_film2d_fields(const Case& c, Breaches& breaches) {
 void append_unrolled_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   if (!c.is_unrolled()) return;
   check_method(c, breaches);
+  check_scheme(c, breaches);
   const bool is_on_ring = check_gap(c, breaches);
   if (film2d_is_small_enough(c, breaches) && is_on_ring) check_end_cell(c, breaches);
   check_film2d_fields(c, breaches);

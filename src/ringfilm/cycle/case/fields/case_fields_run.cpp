@@ -20,6 +20,7 @@ constexpr When kGasEdge{[](const Case& c) { return c.film.has_gas_edge(); },
                         "film.chamber_edge or film.crankcase_edge is \"gas\""};
 constexpr When kNotFlooded{[](const Case& c) { return c.film.has_gas_edge() && c.film.supply != OilSupply::kFlooded; },
                            "film.supply is not \"flooded\""};
+constexpr When kRingFilm{[](const Case& c) { return c.problem != Problem::kPad; }, "the film is not that of a pad"};
 constexpr When kFaceFilm{[](const Case& c) { return !c.is_unrolled() && c.problem != Problem::kPad; },
                          "film.dimension = \"face\", and not of a pad"};
 constexpr When kFilmOnLiner{
@@ -124,7 +125,7 @@ void append_run_fields(std::vector<Field>& fields) {
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
           field("solver.cell_lengths", choice<&Case::solver, &Solver::cell_lengths>({"uniform", "by-gap"}), kNoUnit, {},
-                Need::kDefault, kFaceFilm, {"cells of one length, or short ones where the face is low", "\"uniform\""}),
+                Need::kDefault, kRingFilm, {"cells of one length, or short ones where the face is low", "\"uniform\""}),
           field("solver.cells_y", CountKind{member<&Case::solver, &Solver::cells_y>}, kPlainNumber, between(4, 100000),
                 Need::kDefault, kTwoDimensions, {"cells around the ring, or across the pad", "180"}),
           field("solver.end_cell", OptionalNumberKind{member<&Case::solver, &Solver::end_cell>}, {"m", "um"},
@@ -139,7 +140,7 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"refine the crank step where the film needs it, or integrate with the stated step alone",
                  "\"adaptive\""}),
           field("solver.time_scheme", choice<&Case::solver, &Solver::time_scheme>({"backward-euler", "bdf2"}), kNoUnit,
-                {}, Need::kDefault, kFaceFilm,
+                {}, Need::kDefault, kRingFilm,
                 {"a step follows from the film before it (first order), or from the two before it (second order)",
                  "\"backward-euler\""}),
           field("solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
