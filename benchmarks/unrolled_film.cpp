@@ -94,6 +94,7 @@ void print_table(const std::vector<Size>& sizes) {
 
 int main(int argc, char** argv) {
   using ringfilm::print_table;
+  using ringfilm::Ring;
   if (argc > 1 && std::strcmp(argv[1], "--quick") == 0) {
     print_table({{50, 60, Ring::kClosed},
                  {50, 60, Ring::kRigid},

@@ -27,7 +27,7 @@ class SampledSteps::Sampler : public cycle::StepObserver {
   void after_step(const cycle::TimeIntegration& integration) override {
     const auto at = integration.instant();
     if (taken_++ % every_ == 0 && taken_ > 1) {
-      Step step{at.inputs, *at.previous, start_, *at.state};
+      Step step{at.at.inputs, *at.previous, start_, *at.state};
       step.guess.h_m = start_.h_m * start_.h_m / before_h_m_;  // extrapolated, as the integration does
       steps_.push_back(step);
     }

@@ -200,7 +200,7 @@ io::MeasuredGroup law_group(const surface::ContactLaw& law, const ContactAnalysi
 }
 
 /// ln p of a sample: ln p(h - dh) + ds.
-io::MeasuredGroup scatter_group(const surface::LawScatter& scatter) {
+io::MeasuredGroup law_scatter_group(const surface::LawScatter& scatter) {
   io::MeasuredGroup group{"Scatter of one relative position and one region", {}};
   const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
                        double value) {
@@ -394,7 +394,7 @@ io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile*
 
   for (std::string& note : law_notes(pair, law)) all.notes.push_back(std::move(note));
   all.groups.push_back(law_group(law, analysis));
-  if (law.scatter.samples > 1) all.groups.push_back(scatter_group(law.scatter));
+  if (law.scatter.samples > 1) all.groups.push_back(law_scatter_group(law.scatter));
   all.tables.push_back(law_table(law, analysis));
   if (analysis.preparation.short_cutoff_m) {
     add_other_cutoffs(first, second, analysis, separations, all.tables.back(), all.notes);
