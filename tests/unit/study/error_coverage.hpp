@@ -3,43 +3,20 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "../../scenarios/repeatable_numbers.hpp"
-#include "../cycle/styles_case.hpp"
+#include "../../scenarios/usual_engine.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 
 /// Do the error bands hold what they promise? Seeded cases, each against an integration on a much finer grid.
 namespace ringfilm::study::testing {
 
-/// Engines and rings as people compute them, on grids that are rather too coarse: 800-6000 rpm, oil at 60-150 degC,
-/// peaks of 20-160 bar, sigma 0.1-1 um, the paper's faces and parabolas that rise by 5-60 um, 40-120 cells, crank steps
-/// of 1-2 degree adaptive and fixed, both cavitation models.
+/// Usual engines at 800-6000 rpm, on grids that are rather too coarse: 40-120 cells, crank steps of 1-2 degree,
+/// adaptive and fixed.
 inline cycle::Case coverage_case(std::uint64_t seed) {
   ringfilm::scenarios::RepeatableNumbers draw(seed);
-  const int face = draw.one_of(4);
-  cycle::Case c = face == 0   ? cycle::testing::styles_new_ring()
-                  : face == 1 ? cycle::testing::styles_run_in_ring()
-                              : cycle::testing::styles_embedded_ring();
-  if (face == 3) {
-    c.ring.face = {};
-    c.ring.face.form = cycle::FaceForm::kParabola;
-    c.ring.face.crown_height = draw.log_between(5e-6, 60e-6);
-    c.ring.face.apex = draw.between(0.3, 0.7);
-    c.ring.face_width = draw.between(1e-3, 3e-3);
-  }
-  c.operating.speed = draw.log_between(800, 6000) * 2 * std::numbers::pi / 60;
-  c.operating.oil_temperature = 273.15 + draw.between(60, 150);
-  const double load = draw.log_between(20, 160) / 62;
-  cycle::SampledTrace trace = *c.gas.cylinder_pressure;
-  for (double& p : trace.value) p = 1e5 + (p - 1e5) * (p > 1e5 ? load : 1);
-  c.gas.cylinder_pressure = trace;
-  c.contact.roughness = draw.log_between(0.1e-6, 1e-6);
-  c.contact.asperity_density = 0.07 / (c.contact.asperity_radius * c.contact.roughness);
-  c.ring.elastic_pressure = draw.log_between(0.05e6, 0.5e6);
-  c.film.cavitation = draw.one_of(2) == 0 ? cycle::Cavitation::kReynoldsExit : cycle::Cavitation::kMassConserving;
+  cycle::Case c = ringfilm::scenarios::usual_engine(draw, 800, 6000);
   c.solver.cells = static_cast<int>(draw.log_between(40, 120));
   c.solver.crank_step_deg = draw.one_of(2) == 0 ? 1 : 2;
   c.solver.crank_step_control = draw.one_of(2) == 0 ? cycle::StepControl::kFixed : cycle::StepControl::kAdaptive;
