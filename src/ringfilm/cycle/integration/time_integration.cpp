@@ -295,10 +295,37 @@ void TimeIntegration::continue_ring(film::FilmState& to) const {
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
 }
 
+/// Pressure and deficit go on as they changed over the last step; a node that would leave its film or its cavity
+/// crosses over.
+void TimeIntegration::continue_film(film::FilmState& to) const {
+  if (time_step_before_ == 0) return;
+  constexpr double kMostOfPressureLost = 0.5;  // in a film that gets thicker
+  constexpr double kNewDeficit = 1e-6;
+  const double ratio = step_.time_step / time_step_before_;
+  const double p_cavitation = step_.at.inputs.p_cavitation;
+  for (std::size_t i = 0; i < to.p.size(); ++i) {
+    const bool was_cavity = before_.deficit[i] > 0, is_cavity = state_.deficit[i] > 0;
+    if (was_cavity != is_cavity) continue;
+    if (is_cavity) {
+      const double next = state_.deficit[i] + ratio * (state_.deficit[i] - before_.deficit[i]);
+      if (next < 1) to.deficit[i] = std::max(next, 0.0);
+    } else {
+      const double next = state_.p[i] + ratio * (state_.p[i] - before_.p[i]);
+      if (next < p_cavitation) {
+        to.p[i] = p_cavitation;
+        to.deficit[i] = kNewDeficit;
+      } else if (next > kMostOfPressureLost * state_.p[i]) {
+        to.p[i] = next;
+      }
+    }
+  }
+}
+
 film::FilmReport TimeIntegration::solve() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
   if (!state_.ring.empty()) continue_ring(candidate_);
+  if (film2d()) continue_film(candidate_);
   return film_.solve(step_.at, remembered(), candidate_);
 }
 

@@ -154,6 +154,7 @@ class TimeIntegration {
   double change_of_trend(const film::FilmState& to, const film::Prediction& prediction,
                          const film::FilmState& older) const;
   void continue_ring(film::FilmState& to) const;
+  void continue_film(film::FilmState& to) const;
   HeatBefore heat_of_state(const RingConditions& at) const;
   void start_steady(RingConditions& at);
   void turn(film::FilmState& state) const;

@@ -12,9 +12,10 @@ namespace ringfilm::film {
 
 struct Film2dWorkspace::Memory {
   Film2dNewton newton;
+  FilmState guess, solved;
 };
 
-Film2dWorkspace::Film2dWorkspace(const Film2dProblem& problem) : memory_(new Memory{Film2dNewton(problem)}) {}
+Film2dWorkspace::Film2dWorkspace(const Film2dProblem& problem) : memory_(new Memory{Film2dNewton(problem), {}, {}}) {}
 Film2dWorkspace::Film2dWorkspace(Film2dWorkspace&&) noexcept = default;
 Film2dWorkspace& Film2dWorkspace::operator=(Film2dWorkspace&&) noexcept = default;
 Film2dWorkspace::~Film2dWorkspace() = default;
@@ -28,8 +29,11 @@ class Film2dSearch : public FilmAtSeparation {
         inputs_(inputs),
         previous_(previous),
         state_(state),
-        guess_(state),
-        newton_(workspace.memory_->newton) {}
+        guess_(workspace.memory_->guess),
+        solved_(workspace.memory_->solved),
+        newton_(workspace.memory_->newton) {
+    guess_ = state;
+  }
 
   /// With the fits, and where they do not reach with the laws.
   bool solve(Unknowns unknowns) {
@@ -91,8 +95,8 @@ class Film2dSearch : public FilmAtSeparation {
   const Film2dInputs& inputs_;
   const FilmState& previous_;
   FilmState& state_;
-  const FilmState guess_;
-  FilmState solved_;  ///< of the search: the last film that was found
+  FilmState& guess_;
+  FilmState& solved_;  ///< of the search: the last film that was found
   Film2dNewton& newton_;
   FilmReport report_;
   double peak_pressure_ = 0;

@@ -17,12 +17,13 @@ struct ZebraShape {
   ZebraShape(int across, int strips)
       : n_across(across),
         n_strips(strips),
-        stride(kPackPadding + (strips / 2 + 1 + kPackPadding - 1) / kPackPadding * kPackPadding + kPackPadding) {}
+        stride(kPackPadding + (strips / 2 + 1 + kPackPadding - 1) / kPackPadding * kPackPadding) {}
 
   /// Strips of colour 0 (even) or 1 (odd).
   int slots(int colour) const { return (n_strips + 1 - colour) / 2; }
   std::size_t colour_size() const { return static_cast<std::size_t>(n_across) * stride; }
-  std::size_t size() const { return 2 * colour_size(); }
+  /// With room behind the last row for its last pack's neighbours, in whole pairs of packs.
+  std::size_t size() const { return 2 * (colour_size() + kPackPadding); }
   /// Index of node i of strip s, -1 <= s <= n_strips.
   std::size_t at(int i, int s) const {
     const int colour = s & 1;
@@ -33,7 +34,7 @@ struct ZebraShape {
     const int colour = s & 1;
     return static_cast<std::size_t>(colour) * stride + kPackPadding + (s - colour) / 2;
   }
-  std::size_t strip_size() const { return 2 * static_cast<std::size_t>(stride); }
+  std::size_t strip_size() const { return 2 * (static_cast<std::size_t>(stride) + kPackPadding); }
 };
 
 /// In a row of the other colour, where the neighbours of slot k are: k + shift.
