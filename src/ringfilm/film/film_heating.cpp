@@ -1,35 +1,34 @@
 #include "ringfilm/film/film_heating.hpp"
 
 #include <cmath>
-#include <span>
-#include <vector>
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/fronts.hpp"
-#include "ringfilm/models/oil/oil_fit.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {
 
-/// Of the oil at the nodes of a strip.
-struct StripOil {
-  std::vector<double> rho, eta;  ///< [kg/m3], [Pa s]
-};
+/// As FilmView has it, of one strip.
+FilmView view_of_strip(const FilmProblem& problem, const FilmState& state, int strip, double rise) {
+  const FilmGrid& grid = problem.grid;
+  const std::size_t first = strip * grid.x.size();
+  FilmView film{};
+  film.n_cells = grid.n_cells();
+  film.face_height = grid.face_height.data();
+  film.spacing = grid.spacing.data();
+  film.p = state.p.data() + first;
+  film.deficit = state.deficit.data() + first;
+  film.h_m = state.h_m + rise;
+  return film;
+}
 
-StripOil oil_at(const models::OilAtTemperature& oil, LaneLaws laws, std::span<const double> p) {
-  StripOil at{std::vector<double>(p.size()), std::vector<double>(p.size())};
-  if (laws == LaneLaws::kFitted) {
-    const models::OilFit& fit = *oil.fit();
-    for (std::size_t i = 0; i < p.size(); ++i) {
-      const double t = (p[i] - fit.centre) * (1 / fit.half_width);
-      at.rho[i] = models::polynomial(fit.rho, t);
-      at.eta[i] = at.rho[i] / models::polynomial(fit.K, t);
-    }
-    return at;
-  }
-  std::vector<double> drho_dp(p.size()), deta_dp(p.size());
-  oil.properties(p, {at.rho, drho_dp, at.eta, deta_dp});
-  return at;
+HeatingSums sums_of_full_cells(const FilmProblem& problem, const FilmInputs& inputs, LaneLaws laws,
+                               const FilmView& film) {
+  if (laws == LaneLaws::kFitted) return problem.kernels->heating(film, fitted_oil_view(*inputs.oil), inputs.U);
+  NodalOil oil;
+  oil.update(*inputs.oil, {film.p, problem.grid.x.size()});
+  return problem.kernels->heating_of_given_oil(film, {oil.rho.data(), oil.K.data()}, inputs.U);
 }
 
 /// Of the cell behind node `i`, in which the film ends or begins [m].
@@ -50,23 +49,24 @@ double FilmHeating::rise(double conductivity, double specific_heat) const {
 FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip,
                          double rise) {
   const FilmGrid& grid = problem.grid;
-  const std::size_t n_nodes = grid.x.size(), first = strip * n_nodes;
-  const std::span<const double> p(state.p.data() + first, n_nodes), deficit(state.deficit.data() + first, n_nodes);
-  const StripOil oil = oil_at(*inputs.oil, state.laws, p);
-  FilmHeating sums;
-  double length = 0, flow = 0;
-  for (std::size_t i = 0; i + 1 < n_nodes; ++i) {
-    const bool ends = is_cavity(deficit[i + 1]), begins = is_cavity(deficit[i]);
-    if (ends && begins) continue;
-    const double cell =
-        ends || begins ? filled_length(grid, inputs, p.data(), static_cast<int>(i), ends) : grid.spacing[i];
-    const double h = state.h_m + rise + grid.face_height[i];
-    const double slope = ends || begins ? 0 : (p[i + 1] - p[i]) / cell;
-    const double eta = 0.5 * (oil.eta[i] + oil.eta[i + 1]), rho = 0.5 * (oil.rho[i] + oil.rho[i + 1]);
-    const double pressure_flow = h * h * h * slope / (12 * eta);
-    sums.dissipation += cell * (eta * inputs.U * inputs.U / h + pressure_flow * slope);
+  const FilmView film = view_of_strip(problem, state, strip, rise);
+  const HeatingSums full = sums_of_full_cells(problem, inputs, state.laws, film);
+  FilmHeating sums{full.dissipation, full.conductance, 0};
+  double length = full.length, flow = full.flow;
+  // The part of a cell in which the film ends or begins is at the pressure of the cavity: oil is dragged through it.
+  const int n = grid.n_cells();
+  for (int i = 0; i < n;) {
+    const bool cavity = is_cavity(film.deficit[i]);
+    i = problem.kernels->next_node(film.deficit, i + 1, n + 1, !cavity);
+    if (i > n) break;
+    const double cell = filled_length(grid, inputs, film.p, i - 1, !cavity);
+    const double h = film.h_m + grid.face_height[i - 1];
+    const auto mean = [&](auto&& of) { return 0.5 * (of(film.p[i - 1]) + of(film.p[i])); };
+    const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, state.laws, p); });
+    const double rho = mean([&](double p) { return inputs.oil->density(p); });
+    sums.dissipation += cell * eta * inputs.U * inputs.U / h;
     sums.conductance += cell / h;
-    flow += cell * rho * (0.5 * inputs.U * h - pressure_flow);
+    flow += cell * rho * 0.5 * inputs.U * h;
     length += cell;
   }
   if (length > 0) sums.mass_flow = std::abs(flow) / length;

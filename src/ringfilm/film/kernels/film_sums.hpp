@@ -64,6 +64,13 @@ struct FilmSums {
   double peak_pressure;                    ///< [Pa]
 };
 
+/// Sums of FilmHeating over the cells that oil fills from end to end, with what its mean flux is made of.
+struct HeatingSums {
+  double dissipation, conductance;  ///< [W/m], [-]
+  double flow;                      ///< int of the mass flux, in the frame of the face [kg/s]
+  double length;                    ///< [m]
+};
+
 /// Fits of the contact laws (models/asperity_contact.hpp), lowest power first: eighth roots of F_5/2 and F_2.
 struct FittedContactView {
   const double *F_52, *F_2;
@@ -169,31 +176,42 @@ class AlongFace {
                                        const FluxRequest& fluxes) {
     Sums<Real> packs(film, step);
     Sums<One> rest(film, step);
-    double rho[kStretch], K[kStretch];  // of the nodes from `begin` on
-    const int n = film.n_cells;
     int flux = 0;
-    for (int begin = 0; begin < n; begin += kStretch - 1) {  // the last node of a stretch is the first of the next
-      const int end = begin + kStretch < n + 1 ? begin + kStretch : n + 1;
-      visit_nodes<kAbreast>(begin, end, [&]<class Some, int kPacks>(int i) RINGFILM_INLINE_BODY {
-        Some t[kPacks], value[kPacks];
-        for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, i + a * Some::kWidth);
-        base::sum_of_powers<kFluidityTerms, kPacks>(oil.K, t, value);
-        for (int a = 0; a < kPacks; ++a) value[a].store(K + (i - begin) + a * Some::kWidth);
-        base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, value);
-        for (int a = 0; a < kPacks; ++a) value[a].store(rho + (i - begin) + a * Some::kWidth);
-      });
-      visit_nodes<1>(begin, end - 1, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+    visit_stretches(film, oil, [&](int begin, int end, const double* rho, const double* K) RINGFILM_INLINE_BODY {
+      visit_nodes<1>(begin, end, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
         Sums<Some>& to = sums_of<Some>(packs, rest);
         to.add_node(film, step, i);
         to.add_face(film, rho + (i - begin), K + (i - begin), i);
       });
-      for (; flux < fluxes.count && fluxes.face[flux] < end - 1; ++flux) {
+      for (; flux < fluxes.count && fluxes.face[flux] < end; ++flux) {
         const int i = fluxes.face[flux];
         fluxes.flux[flux] = flux_through(film, step.U, rho + (i - begin), K + (i - begin), i);
       }
-    }
-    rest.add_node(film, step, n);
+    });
+    rest.add_node(film, step, film.n_cells);
     return total(packs, rest, step);
+  }
+
+  /// With oil that is given.
+  RINGFILM_INLINE static HeatingSums heating(const FilmView& film, const NodalOilView& oil, double U) {
+    Heating<Real> packs;
+    Heating<One> rest;
+    visit_nodes<1>(0, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      sums_of<Some>(packs, rest).add(film, U, oil.rho + i, oil.K + i, i);
+    });
+    return total(packs, rest);
+  }
+
+  /// With oil from the fits.
+  RINGFILM_INLINE static HeatingSums heating(const FilmView& film, const FittedOilView& oil, double U) {
+    Heating<Real> packs;
+    Heating<One> rest;
+    visit_stretches(film, oil, [&](int begin, int end, const double* rho, const double* K) RINGFILM_INLINE_BODY {
+      visit_nodes<1>(begin, end, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+        sums_of<Some>(packs, rest).add(film, U, rho + (i - begin), K + (i - begin), i);
+      });
+    });
+    return total(packs, rest);
   }
 
   template <class View>
@@ -222,6 +240,25 @@ class AlongFace {
     }
     for (; i + Real::kWidth <= end; i += Real::kWidth) visit.template operator()<Real, 1>(i);
     for (; i < end; ++i) visit.template operator()<One, 1>(i);
+  }
+
+  /// Calls visit(first cell, end of cells, rho, K) for stretches of the face, with the oil from their first node on.
+  template <class Visit>
+  RINGFILM_INLINE static void visit_stretches(const FilmView& film, const FittedOilView& oil, const Visit& visit) {
+    double rho[kStretch], K[kStretch];
+    const int n = film.n_cells;
+    for (int begin = 0; begin < n; begin += kStretch - 1) {  // the last node of a stretch is the first of the next
+      const int end = begin + kStretch < n + 1 ? begin + kStretch : n + 1;
+      visit_nodes<kAbreast>(begin, end, [&]<class Some, int kPacks>(int i) RINGFILM_INLINE_BODY {
+        Some t[kPacks], value[kPacks];
+        for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, i + a * Some::kWidth);
+        base::sum_of_powers<kFluidityTerms, kPacks>(oil.K, t, value);
+        for (int a = 0; a < kPacks; ++a) value[a].store(K + (i - begin) + a * Some::kWidth);
+        base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, value);
+        for (int a = 0; a < kPacks; ++a) value[a].store(rho + (i - begin) + a * Some::kWidth);
+      });
+      visit(begin, end - 1, static_cast<const double*>(rho), static_cast<const double*>(K));
+    }
   }
 
   template <class Some>
@@ -270,12 +307,37 @@ class AlongFace {
   };
 
   template <class Some>
-  RINGFILM_INLINE static Sums<Some>& sums_of(Sums<Real>& packs, Sums<One>& rest) {
+  struct Heating {
+    Some dissipation{0}, conductance{0}, flow{0}, length{0};
+
+    /// @param rho,K of node i and the one after it
+    RINGFILM_INLINE void add(const FilmView& film, double U, const double* rho, const double* K, int i) {
+      const auto cavity = max(Some::load(film.deficit + i), Some::load(film.deficit + i + 1)) > Some(kCavityThreshold);
+      const Some cell = select(cavity, Some(0), Some::load(film.spacing + i));
+      const Some h = Some(film.h_m) + Some::load(film.face_height + i);
+      const Some slope = (Some::load(film.p + i + 1) - Some::load(film.p + i)) / Some::load(film.spacing + i);
+      const Some rho_left = Some::load(rho), rho_right = Some::load(rho + 1);
+      const Some eta = Some(0.5) * (rho_left / Some::load(K) + rho_right / Some::load(K + 1));
+      const Some pressure_flow = h * h * h * slope / (Some(12) * eta), per_h = cell / h;
+      dissipation += per_h * eta * Some(U * U) + cell * pressure_flow * slope;
+      conductance += per_h;
+      flow += cell * Some(0.5) * (rho_left + rho_right) * (Some(0.5 * U) * h - pressure_flow);
+      length += cell;
+    }
+  };
+
+  template <class Some, template <class> class Of>
+  RINGFILM_INLINE static Of<Some>& sums_of(Of<Real>& packs, Of<One>& rest) {
     if constexpr (Some::kWidth == Real::kWidth) {
       return packs;
     } else {
       return rest;
     }
+  }
+
+  RINGFILM_INLINE static HeatingSums total(const Heating<Real>& packs, const Heating<One>& rest) {
+    return {packs.dissipation.sum() + rest.dissipation.v, packs.conductance.sum() + rest.conductance.v,
+            packs.flow.sum() + rest.flow.v, packs.length.sum() + rest.length.v};
   }
 
   RINGFILM_INLINE static FilmSums total(const Sums<Real>& packs, const Sums<One>& rest, const StepView& step) {

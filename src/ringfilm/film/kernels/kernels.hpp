@@ -17,6 +17,8 @@ struct FilmKernels {
   void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
   FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxRequest&);
   FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxRequest&);
+  HeatingSums (*heating)(const FilmView&, const FittedOilView&, double U);
+  HeatingSums (*heating_of_given_oil)(const FilmView&, const NodalOilView&, double U);
   int (*next_node)(const double* deficit, int i, int end, bool cavity);
   ContactSums (*contact)(const FilmView&, const FittedContactView&);
   ContactSums (*tabulated_contact)(const FilmView&, const TabulatedContactView&);

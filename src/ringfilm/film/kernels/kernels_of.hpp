@@ -47,6 +47,11 @@ FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const 
   return AlongFace<Real, One>::sums(film, oil, step, fluxes);
 }
 
+template <class Real, class One, class Oil>
+HeatingSums heating_sums(const FilmView& film, const Oil& oil, double U) {
+  return AlongFace<Real, One>::heating(film, oil, U);
+}
+
 template <class Real, class One>
 int next_node(const double* deficit, int i, int end, bool cavity) {
   return AlongFace<Real, One>::next_node(deficit, i, end, cavity);
@@ -69,6 +74,8 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           read_lane<Real, One>,
           sums<Real, One, FittedOilView>,
           sums<Real, One, NodalOilView>,
+          heating_sums<Real, One, FittedOilView>,
+          heating_sums<Real, One, NodalOilView>,
           next_node<Real, One>,
           contact_sums<Real, One, FittedContactView>,
           contact_sums<Real, One, TabulatedContactView>};

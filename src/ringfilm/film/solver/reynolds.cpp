@@ -7,7 +7,7 @@
 
 namespace ringfilm::film {
 
-void NodalOil::update(const models::OilAtTemperature& oil, const std::vector<double>& p) {
+void NodalOil::update(const models::OilAtTemperature& oil, std::span<const double> p) {
   rho.resize(p.size());
   drho_dp.resize(p.size());
   eta.resize(p.size());

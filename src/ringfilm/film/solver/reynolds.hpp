@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
@@ -11,7 +12,7 @@ namespace ringfilm::film {
 struct NodalOil {
   std::vector<double> rho, drho_dp, eta, deta_dp;
   std::vector<double> K, dK_dp;  ///< rho/eta and its slope [s/m2], [s/(m2 Pa)]
-  void update(const models::OilAtTemperature& oil, const std::vector<double>& p);
+  void update(const models::OilAtTemperature& oil, std::span<const double> p);
 };
 
 /// Does an iteration go to pressures at which viscosity grows until neither is a number? Such a film is too thin for
