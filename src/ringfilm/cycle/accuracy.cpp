@@ -12,7 +12,7 @@ struct Measured {
   Resolution resolution;
 };
 /// docs/manual/performance.md, "accuracy and cost".
-constexpr std::array kMeasured = {Measured{0.1, {400, 2, 1e-4}}, Measured{0.5, {128, 4, 2e-3}},
+constexpr std::array kMeasured = {Measured{0.1, {512, 2, 5e-5}}, Measured{0.5, {128, 4, 2e-3}},
                                   Measured{1, {64, 4, 4e-3}}, Measured{5, {32, 5, 2e-2}}};
 
 /// The longest step up to `longest` of which the angles that are asked for are multiples; of a list 1 degree, which

@@ -32,9 +32,11 @@ HeatingSums sums_of_full_cells(const FilmProblem& problem, const FilmInputs& inp
 }
 
 /// Of the cell behind node `i`, in which the film ends or begins [m].
-double filled_length(const FilmGrid& grid, const FilmInputs& inputs, const double* p, int i, bool ends) {
+double filled_length(const FilmProblem& problem, const FilmInputs& inputs, const double* p, int i, bool ends) {
+  const FilmGrid& grid = problem.grid;
   const int inside = ends ? i : i + 1, outside = ends ? i + 1 : i;
-  const double front = front_position(grid, p, inputs.pressure_bound(grid, outside), inside, outside);
+  const double front =
+      front_position(grid, p, inputs.pressure_bound(grid, outside), inside, outside, ends_level(problem, inputs, ends));
   return std::abs(front - grid.x[inside]);
 }
 
@@ -59,7 +61,7 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
     const bool cavity = is_cavity(film.deficit[i]);
     i = problem.kernels->next_node(film.deficit, i + 1, n + 1, !cavity);
     if (i > n) break;
-    const double cell = filled_length(grid, inputs, film.p, i - 1, !cavity);
+    const double cell = filled_length(problem, inputs, film.p, i - 1, !cavity);
     const double h = film.h_m + grid.face_height[i - 1];
     const auto mean = [&](auto&& of) { return 0.5 * (of(film.p[i - 1]) + of(film.p[i])); };
     const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, state.laws, p); });

@@ -98,14 +98,17 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const int n = grid.n_cells();
   const double* deficit = state.deficit.data();
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
+  const auto front = [&](int inside, int outside) {
+    const double bound = inputs.pressure_bound(grid, outside);
+    return front_position(grid, state.p.data(), bound, inside, outside, ends_level(problem, inputs, inside < outside));
+  };
   sums.wetted_end = grid.width;
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
     const int first = i;
-    cavity.begin = front_position(grid, state.p.data(), inputs.pressure_bound(grid, i), i - 1, i);
+    cavity.begin = front(i - 1, i);
     i = next(i, false);
-    cavity.end =
-        std::max(front_position(grid, state.p.data(), inputs.pressure_bound(grid, i - 1), i, i - 1), cavity.begin);
+    cavity.end = std::max(front(i, i - 1), cavity.begin);
     // Gas fills it from its edge up to the lowest place of the gap at most; what is beyond is a cavity of its own.
     if (first == 1 && inputs.gas_at(grid, first) == &inputs.left) {
       sums.is_broken_through = sums.is_broken_through || i >= grid.throat;

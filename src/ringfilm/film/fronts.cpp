@@ -22,7 +22,11 @@ double cells_beyond(double last, double before, double third, double lowest_poin
 
 }  // namespace
 
-double front_position(const FilmGrid& grid, const double* p, double p_c, int i, int outer) {
+bool ends_level(const FilmProblem& problem, const FilmInputs& inputs, bool cavity_on_right) {
+  return problem.cavitation == Cavitation::kReynoldsExit || (inputs.U >= 0) == cavity_on_right;
+}
+
+double front_position(const FilmGrid& grid, const double* p, double p_c, int i, int outer, bool ends_level) {
   const double cell = grid.x[outer] - grid.x[i];  // negative where the film lies on the right
   const auto above = [&](int node) { return p[node] - p_c; };
   const int before = 2 * i - outer;
@@ -41,6 +45,7 @@ double front_position(const FilmGrid& grid, const double* p, double p_c, int i, 
     const double source = 2 * (first - last) / (spacing + 1);
     constexpr double kFarthest = 1.5;
     const double rupture = source > 0 ? std::min(first / source - 0.5 * spacing, kFarthest) : kFarthest;
+    if (ends_level && source > 0) return grid.x[i] + std::max(rupture, 0.0) * cell;
     const double before_1 = last + slope + half_bend, before_2 = last + 2 * slope + 4 * half_bend;
     return grid.x[i] + cells_beyond(last, before_1, before_2, rupture) * cell;
   }
