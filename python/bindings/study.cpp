@@ -61,14 +61,16 @@ std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity,
   return values;
 }
 
-std::size_t quantity_index(const std::string& name) {
+std::size_t quantity_index(const StudyResultObject& self, const std::string& name) {
   // As a result file has it, or as a study has it, where no curve can be meant.
   const std::string plain = name.rfind("cycle_", 0) == 0 ? name.substr(6) : name;
-  if (const auto found = cycle::cycle_quantity_index(plain)) return *found;
-  throw UnknownKeyError("\"" + name + "\" is not a value of a cycle", "ringfilm.quantities()[\"cycle\"] lists them");
+  if (const auto found = self.loaded->plan.values().index(plain)) return *found;
+  throw UnknownKeyError("\"" + name + "\" is not a value of this study", "study.values lists them");
 }
 
-std::size_t quantity_index(const GivenText& value) { return quantity_index(text_of("value", value.value, "fmep")); }
+std::size_t quantity_index(const StudyResultObject& self, const GivenText& value) {
+  return quantity_index(self, text_of("value", value.value, "fmep"));
+}
 
 std::size_t base_index(const Loaded& loaded, const GivenMaybeText& given) {
   const std::optional<std::string> name = maybe_text_of("base", given.value, "new");
@@ -138,7 +140,9 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
       for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = block.rows[i].values[q];
       result.reasons[scenario] = block.rows[i].reason;
       for (const cycle::Note& note : block.rows[i].notes) {
-        const study::ScenarioNote one{scenario, note.message, cycle::note_badness(note.topic, block.rows[i].values)};
+        const auto badness =
+            plan.values().has_cycle ? cycle::note_badness(note.topic, block.rows[i].values) : std::nullopt;
+        const study::ScenarioNote one{scenario, note.message, badness};
         const auto [found, is_first] = result.notes.try_emplace({cycle::note_rank(note.topic), note.topic});
         if (is_first || one.comes_before(found->second.shown)) found->second.shown = one;
         found->second.scenarios.push_back(static_cast<std::uint32_t>(scenario));
@@ -157,11 +161,11 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
 
 StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
   StudyResultObject result{self.loaded, {}, {}, {}};
-  result.values.resize(cycle::cycle_quantities().size());
+  result.values.resize(self.loaded->plan.values().quantities.size());
   compute(result, threads, progress);
   const std::optional<study::StoppingRule> until = self.loaded->study().sampling.until;
   if (!until) return result;
-  const std::size_t value = quantity_index(until->value);
+  const std::size_t value = quantity_index(result, until->value);
   std::optional<std::uint64_t> points = self.loaded->study().sampling.scenarios;
   while (!study::is_sure(*until, study::interval_widths(result.loaded->plan, result.values[value]))) {
     points = study::next_look(*until, *points);
@@ -196,7 +200,7 @@ std::vector<std::string> plan_notes(const StudyResultObject& self) {
 py::dict statistics(const StudyResultObject& self, const GivenText& value, const GivenMaybeText& base) {
   const std::size_t b = base_index(*self.loaded, base);
   const bool is_sample = self.loaded->plan.is_sample(0);
-  const std::vector<double> values = of_base(self, quantity_index(value), b, is_sample);
+  const std::vector<double> values = of_base(self, quantity_index(self, value), b, is_sample);
   const std::vector<double> sorted = study::sorted_values(values);
   py::dict reported;
   reported["count"] = sorted.size();
@@ -226,7 +230,7 @@ py::list sobol(const StudyResultObject& self, const GivenText& value, const Give
     throw InputError("the plan of this study has no points for Sobol indices",
                      "write indices = \"first-and-total\" into [plan]");
   }
-  const auto values = of_base(self, quantity_index(value), base_index(*self.loaded, base), false);
+  const auto values = of_base(self, quantity_index(self, value), base_index(*self.loaded, base), false);
   const auto found = study::sobol_indices(values, plan.groups().size());
   py::list rows;
   if (!found) return rows;
@@ -265,7 +269,7 @@ py::dict study_dataset(const py::object& object) {
   const auto& self = object.cast<const StudyResultObject&>();
   const py::tuple scenario = py::make_tuple("scenario");
   py::dict variables;
-  const auto& quantities = cycle::cycle_quantities();
+  const auto& quantities = self.loaded->plan.values().quantities;
   for (std::size_t q = 0; q < quantities.size(); ++q) {
     py::dict attributes;
     attributes["units"] = quantities[q].unit;
@@ -316,6 +320,9 @@ Source: docs/theory/study.md.)")
       .def_property_readonly(
           "notes", [](const StudyObject& self) { return self.loaded->plan.notes(); },
           "What must be known about the plan, a list of str.")
+      .def_property_readonly(
+          "values", [](const StudyObject& self) { return self.loaded->plan.values().quantities; },
+          "What each scenario has: a list of ringfilm.Quantity, by whose names a StudyResult is asked.")
       .def_property_readonly(
           "points", &points,
           "Numbers of the factors, shape (scenario, factor), in SI; of choices the index; NaN where a factor leaves "
@@ -373,7 +380,8 @@ void bind_results(py::module_& module) {
       .def(
           "__getitem__",
           [](const py::object& self, const GivenText& name) {
-            return view(self.cast<const StudyResultObject&>().values[quantity_index(name)], self);
+            const auto& result = self.cast<const StudyResultObject&>();
+            return view(result.values[quantity_index(result, name)], self);
           },
           py::arg("value"), "A value of the cycle over the scenarios, shape (scenario,), SI. Raises UnknownKeyError.")
       .def("curves", &curves, py::arg("quantity"),

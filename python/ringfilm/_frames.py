@@ -205,7 +205,7 @@ def study_result_to_xarray(result):
         }
         attributes = {name: word for name, word in words.items() if word}
         coordinates[factor["variable"]] = ("scenario", column, attributes)
-    described = {quantity.name: _attributes(quantity) for quantity in tables["cycle"]}
+    described = {quantity.name: _attributes(quantity) for quantity in study.values}
     reasons = _reasons(result)
     data = {
         "solved": (
@@ -241,7 +241,7 @@ def study_result_to_pandas(result):
     import pandas
 
     plan = study_to_pandas(result.study)
-    units = {quantity.name: quantity.unit for quantity in quantities()["cycle"]}
+    units = {quantity.name: quantity.unit for quantity in result.study.values}
     frame = pandas.concat([plan, pandas.DataFrame({name: result[name] for name in units}, index=plan.index)], axis=1)
     frame["reason"] = _reasons(result)
     topics = [[] for _ in range(len(result))]

@@ -9,6 +9,8 @@ import pytest
 
 import ringfilm
 
+from conftest import SOURCES
+
 STUDY = """\
 title = "a small study"
 kind = "uncertainty"
@@ -71,7 +73,7 @@ def test_statistics_are_those_of_numpy(study):
     )
     with pytest.raises(ringfilm.InputError, match="no points for Sobol indices"):
         result.sobol_indices("fmep")
-    with pytest.raises(ringfilm.UnknownKeyError, match="not a value of a cycle"):
+    with pytest.raises(ringfilm.UnknownKeyError, match="not a value of this study"):
         result["nothing"]
 
 
@@ -271,3 +273,16 @@ def test_a_column_that_is_chosen_gives_the_pressures_of_its_own(folder):
     assert {topic: cases for topic, (_, cases) in batch.notes.items()} == {
         topic: scenarios for topic, (_, scenarios) in result.notes.items()
     }
+
+
+def test_a_study_of_a_ring_pack_has_the_values_of_its_gas():
+    study = ringfilm.Study.read(SOURCES / "cases" / "studies" / "blow_by_map.toml")
+    names = [value.name for value in study.values]
+    assert {"blow_by_flow", "land_2_peak_pressure"} <= set(names) and "fmep" not in names
+    result = study.run()
+    assert (result["blow_by_flow"] > 0).all()
+    frame = result.to_pandas()
+    assert frame.attrs["units"]["land_2_peak_pressure"] == "Pa"
+    # More load, more pressure on the second land, at each speed.
+    by_load = frame.groupby("peak cylinder pressure")["land_2_peak_pressure"].mean()
+    assert by_load.is_monotonic_increasing

@@ -84,7 +84,7 @@ struct Loaded {
             parts,
             range.first,
             range.end,
-            cycle::cycle_quantities().size(),
+            plan.values().quantities.size(),
             has_curves ? keep.quantities : std::vector<std::string>{},
             study::kept_angles(keep).size(),
             std::string(film::kernels().name)};
@@ -178,7 +178,7 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
 bool is_sure(const Loaded& study, const io::ShardReader& rows) {
   const study::StoppingRule& until = *study.until();
   std::vector<double> values;
-  rows.append_values(*cycle::cycle_quantity_index(until.value), values);
+  rows.append_values(*study.plan.values().index(until.value), values);
   return study::is_sure(until, study::interval_widths(study.plan, values));
 }
 

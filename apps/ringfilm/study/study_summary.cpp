@@ -9,9 +9,9 @@
 
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/design/morris.hpp"
-#include "ringfilm/study/statistics/main_values.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
+#include "ringfilm/study/statistics/values_of_base.hpp"
 #include "ringfilm/study/statistics/weighted_mean.hpp"
 
 namespace ringfilm::app {
@@ -40,16 +40,15 @@ class Summary {
     text_ += fmt::format("\nbase {}, {} scenarios\n", plan_.study().bases[base].name, plan_.n_points(base));
     text_ += is_sample ? fmt::format("  {:<24}{:>16}{:>16}{:>16}{:>16}\n", "", "mean", "5 %", "50 %", "95 %")
                        : fmt::format("  {:<24}{:>16}{:>16}{:>16}\n", "", "lowest", "median", "highest");
-    const auto& quantities = cycle::cycle_quantities();
+    const auto& quantities = plan_.values().quantities;
+    const std::vector<std::string>& main = plan_.values().main;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-      if (std::find(study::main_values().begin(), study::main_values().end(), quantities[i].name) ==
-          study::main_values().end())
-        continue;
+      if (std::ranges::find(main, quantities[i].name) == main.end()) continue;
       const std::vector<double> all = rows_.values(i);
       append_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
-      if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == study::main_values().front())
+      if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == main.front())
         indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name, base);
-      if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == study::main_values().front())
+      if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == main.front())
         indices_ = screening_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i], base);
     }
     text_ += std::exchange(indices_, "");
@@ -61,7 +60,7 @@ class Summary {
     const std::vector<study::WeightedPoint>& points = plan_.study().sampling.points;
     if (points.empty()) return;
     text_ += fmt::format("  {:<24}{:>8}", "operating point", "weight");
-    for (const std::string& name : study::main_values()) text_ += fmt::format("{:>24}", name.substr(0, 23));
+    for (const std::string& name : plan_.values().main) text_ += fmt::format("{:>24}", name.substr(0, 23));
     text_ += "\n";
     for (std::size_t p = 0; p < points.size(); ++p) {
       text_ += fmt::format("  {:<24}{:>8.4g}", points[p].name, points[p].weight);
@@ -75,9 +74,9 @@ class Summary {
 
   template <class Take>
   void append_main_values(const Take& take) {
-    for (const std::string& name : study::main_values()) {
-      const std::size_t i = *cycle::cycle_quantity_index(name);
-      text_ += fmt::format("{:>24}", shown(cycle::cycle_quantities()[i], take(rows_.values(i))));
+    for (const std::string& name : plan_.values().main) {
+      const std::size_t i = *plan_.values().index(name);
+      text_ += fmt::format("{:>24}", shown(plan_.values().quantities[i], take(rows_.values(i))));
     }
     text_ += "\n";
   }

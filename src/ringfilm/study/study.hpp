@@ -11,6 +11,8 @@
 /// A study as one plain value in SI: what varies, how it is sampled, what is kept. Its defaults are written here.
 namespace ringfilm::study {
 
+/// What is computed of each scenario: the films of its rings, with the gas path that the case has, or its gas alone.
+enum class Compute { kFilms, kGas };
 enum class StudyKind { kMap, kUncertainty, kCompare, kScreening };
 
 /// A case from which scenarios start.
@@ -83,6 +85,7 @@ struct OutputSelection {
 struct Study {
   std::string title;
   StudyKind kind = StudyKind::kUncertainty;
+  Compute compute = Compute::kFilms;
   std::uint64_t seed = 1;
   std::vector<Base> bases;
   std::vector<Factor> factors;

@@ -1,13 +1,17 @@
 #include "ringfilm/study/study_run.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <utility>
 
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/ensemble/threads.hpp"
+#include "ringfilm/study/pack_scenario.hpp"
 #include "ringfilm/study/statistics/kept_curves.hpp"
 
 namespace ringfilm::study {
@@ -30,10 +34,10 @@ ScenarioRow row_of(const cycle::CycleResult& result, const OutputSelection& keep
   return row;
 }
 
-ScenarioRow unsolved_row(std::string reason, const OutputSelection& keep) {
+ScenarioRow unsolved_row(std::string reason, const Plan& plan) {
   while (!reason.empty() && reason.back() == '\n') reason.pop_back();
-  return {std::vector<double>(cycle::cycle_quantities().size(), std::numeric_limits<double>::quiet_NaN()),
-          reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(keep)};
+  return {std::vector<double>(plan.values().quantities.size(), std::numeric_limits<double>::quiet_NaN()),
+          reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(plan.study().keep)};
 }
 
 std::uint64_t rows_in_block(const OutputSelection& keep, std::uint64_t most_rows) {
@@ -89,6 +93,37 @@ class Collector {
   Clock::time_point last_ = Clock::now();
 };
 
+/// Ring packs and their gas: each scenario by itself, several at a time.
+void run_one_by_one(const Plan& plan, const ScenarioRange& range,
+                    const std::function<void(std::uint64_t, ScenarioRow)>& put, const BatchOptions& options) {
+  std::mutex mutex;
+  std::atomic<std::uint64_t> next = range.first;
+  std::atomic<bool> has_ended = false;
+  const auto row = [&](std::uint64_t i) {
+    try {
+      return pack_row(scenario_case(plan.study(), plan.point(i)), plan.study().compute, plan.values());
+    } catch (const InputError& refusal) {
+      return unsolved_row(reason_of(refusal), plan);
+    } catch (const ConvergenceError& stop) {
+      return unsolved_row(stop.what(), plan);
+    }
+  };
+  const auto work = [&](int) {
+    try {
+      for (std::uint64_t i = next++; i < range.end && !has_ended; i = next++) {
+        if (options.pulse) options.pulse();
+        ScenarioRow one = row(i);
+        const std::lock_guard lock(mutex);
+        if (!has_ended) put(i, std::move(one));
+      }
+    } catch (...) {
+      has_ended = true;
+      throw;
+    }
+  };
+  on_threads(n_threads(options.threads), work);
+}
+
 }  // namespace
 
 ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts) {
@@ -124,17 +159,21 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
         scenario_of[n_given++] = i;
         return one;
       } catch (const InputError& refusal) {
-        put(i, unsolved_row(reason_of(refusal), keep));
+        put(i, unsolved_row(reason_of(refusal), plan));
       }
     }
     return std::nullopt;
   };
   const auto ended = [&](Ending ending) {
     const std::uint64_t i = scenario_of.extract(ending.index).mapped();
-    put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), keep));
+    put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), plan));
   };
   try {
-    simulate_cases(source, ended, options.batch);
+    if (is_one_film(plan.study(), plan.study().bases.front().input)) {
+      simulate_cases(source, ended, options.batch);
+    } else {
+      run_one_by_one(plan, range, put, options.batch);
+    }
     collector.hand_over();
   } catch (const Stopped&) {
     // What was handed over is kept.

@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kLargestGrid = 10'000;
 
 /// What is kept of a scenario.
 struct ScenarioRow {
-  std::vector<double> values;           ///< in the order of cycle::cycle_quantities(); all NaN if not solved
+  std::vector<double> values;           ///< in the order of Plan::values(); all NaN if not solved
   std::string reason;                   ///< why it was not solved; empty if it was
   std::vector<float> curves = {};       ///< kept_numbers(): quantity by quantity over the angles; all NaN if not solved
   std::vector<cycle::Note> notes = {};  ///< of its result, each topic once; none if not solved

@@ -11,7 +11,7 @@
 #include "page_data.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
-#include "ringfilm/study/statistics/main_values.hpp"
+#include "ringfilm/study/statistics/values_of_base.hpp"
 #include "study_example.hpp"
 
 namespace {
@@ -263,13 +263,6 @@ TEST(StudyPage, LetsNoTextEndItsElement) {
   EXPECT_THAT(page, HasSubstr("<title>&lt;/script&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("</title><b>")));
   EXPECT_EQ(example::data_of(page).at("title"), "</script></title><b>");
-}
-
-TEST(MainValues, AreValuesOfTheCycle) {
-  const auto& all = cycle::cycle_quantities();
-  for (const std::string& name : study::main_values()) {
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const auto& q) { return q.name == name; })) << name;
-  }
 }
 
 }  // namespace

@@ -295,7 +295,7 @@ void TimeIntegration::continue_ring(film::FilmState& to) const {
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
 }
 
-/// Pressure and deficit go on as they changed over the last step; a node that would leave its film or its cavity
+/// Pressure and deficit change further as they did over the last step; a node that would leave its film or its cavity
 /// crosses over.
 void TimeIntegration::continue_film(film::FilmState& to) const {
   if (time_step_before_ == 0) return;

@@ -65,7 +65,7 @@ class FactorReader {
       refuse(nullptr, "[[factor]] names no key", "write, for example, key = \"operating.speed\"");
     const TomlValue* at = table_.find("key") != nullptr ? table_.find("key") : table_.find("keys");
     for (const std::string& key : keys) {
-      const cycle::Field* field = cycle::find_field(key);
+      const cycle::Field* field = study::field_of_key(key);
       if (field == nullptr) {
         std::vector<std::string> known;
         for (const cycle::Field& one : cycle::case_fields()) known.push_back(one.key);

@@ -17,11 +17,13 @@
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/design/measured_factors.hpp"
+#include "ringfilm/study/design/study_values.hpp"
 #include "ringfilm/study/study_words.hpp"
 
 namespace ringfilm::io {
 namespace {
 
+using study::Compute;
 using study::Method;
 
 class StudyReader : DocumentReader {
@@ -30,17 +32,22 @@ class StudyReader : DocumentReader {
 
   StudyFile read() {
     const TomlValue root = read_document("study");
-    StudyTable table(root, "a study",
-                     {"title", "kind", "seed", "base", "factor", "measured", "correlation", "plan", "point", "keep"},
-                     faults_);
+    StudyTable table(
+        root, "a study",
+        {"title", "kind", "compute", "seed", "base", "factor", "measured", "correlation", "plan", "point", "keep"},
+        faults_);
     study_.title = table.text("title").value_or(stem());
     study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
+    study_.compute =
+        table.chosen<Compute>("compute", {{"films", Compute::kFilms}, {"gas", Compute::kGas}}).value_or(study_.compute);
     study_.seed = table.count("seed").value_or(study_.seed);
     const std::vector<TomlValue> bases = table.items("base");
     for (const TomlValue& base : bases) read_base(base);
     if (bases.empty() && faults_.empty())
       faults_.push_back({{path_, 0, 0, ""}, "the study has no base case", "write [[base]] and case = \"...\" below"});
     // Factors are about bases: where one is missing, no interval can be given for them.
+    if (!faults_.empty()) throw InputError(faults_);
+    check_bases_alike(bases);
     if (!faults_.empty()) throw InputError(faults_);
     read_factors(table);
     if (faults_.empty()) read_measured(table);
@@ -60,8 +67,10 @@ class StudyReader : DocumentReader {
     if (name.empty()) return;
     const std::string path = locate(name, folder_).shown;
     try {
-      cycle::Case input = read_case(path, {}, units_);
-      is_one_ring(input, path, "a study", table.find("case")->mark);
+      const bool is_gas = study_.compute == Compute::kGas;
+      cycle::Case input =
+          read_case(path, {}, units_, is_gas ? cycle::CasePurpose::kGasPath : cycle::CasePurpose::kFilm);
+      check_kind(input, path, table.find("case")->mark);
       record(input);
       study_.bases.push_back(
           {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});
@@ -69,6 +78,40 @@ class StudyReader : DocumentReader {
       for (const Fault& f : error.faults())
         faults_.push_back(f.mark.line > 0 ? f : Fault{table.find("case")->mark, f.message, f.remedy});
     }
+  }
+
+  void check_kind(const cycle::Case& input, const std::string& path, const SourceMark& mark) {
+    if (input.problem == cycle::Problem::kPad) {
+      faults_.push_back({mark, fmt::format("{} is a pad", path), "a study is about rings over engine cycles"});
+    } else if (study_.compute == Compute::kGas && input.gas_path.model == cycle::GasPathModel::kGiven &&
+               !input.stated.contains("gas_path.model")) {
+      faults_.push_back({mark, fmt::format("{} has no gas path, and compute = \"gas\" is about it", path),
+                         "state gas_path.model = \"orifice-volume\" and the volumes and gaps of its rings there, or "
+                         "leave compute out"});
+    }
+  }
+
+  /// All scenarios have the same values.
+  void check_bases_alike(const std::vector<TomlValue>& tables) {
+    const auto names = [&](const study::Base& base) {
+      std::vector<std::string> all;
+      for (const cycle::Quantity& value : study::study_values(study_, base.input).quantities) all.push_back(value.name);
+      return all;
+    };
+    const std::vector<std::string> first = names(study_.bases.front());
+    for (std::size_t b = 1; b < study_.bases.size(); ++b) {
+      if (names(study_.bases[b]) == first) continue;
+      faults_.push_back({tables[b].mark,
+                         fmt::format("base {} has other values than {}: another number of rings, or another gas path",
+                                     study_.bases[b].name, study_.bases.front().name),
+                         "make it two studies"});
+    }
+  }
+
+  /// Is every base one ring at given pressures?
+  bool has_single_films() const {
+    return std::ranges::all_of(study_.bases,
+                               [&](const study::Base& base) { return study::is_one_film(study_, base.input); });
   }
 
   void read_factors(StudyTable& root) {
@@ -89,6 +132,11 @@ class StudyReader : DocumentReader {
 
   void read_measured(StudyTable& root) {
     for (const TomlValue& value : root.items("measured")) {
+      if (!has_single_films()) {
+        root.refuse(value.mark, "[[measured]] is about one ring at given pressures",
+                    "leave it out, or write a base of one ring");
+        return;
+      }
       StudyTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
       const std::vector<std::size_t> bases = read_base_names(table, study_);
       study::MeasuredSharing sharing;
@@ -212,17 +260,17 @@ class StudyReader : DocumentReader {
     if (!most && faults_.size() == n_before)
       table.refuse(value->mark, "plan.until has no most", "state how many points are enough: most = 100000");
     until.most = most.value_or(0);
-    const auto& known = cycle::cycle_quantities();
-    const std::optional<std::size_t> quantity = cycle::cycle_quantity_index(until.value);
     if (faults_.size() > n_before) return;
+    const study::StudyValues known = study::study_values(study_, study_.bases.front().input);
+    const std::optional<std::size_t> quantity = known.index(until.value);
     until.mark = value->key_mark;
     if (!quantity) {
       std::vector<std::string> names;
-      for (const auto& one : known) names.push_back(one.name);
+      for (const auto& one : known.quantities) names.push_back(one.name);
       table.refuse_word(*table.find("value"), "value", until.value, names);
       return;
     }
-    if (const auto width = read_width(table, known[*quantity])) until.width = *width;
+    if (const auto width = read_width(table, known.quantities[*quantity])) until.width = *width;
     if (faults_.size() == n_before) study_.sampling.until = until;
   }
 
@@ -303,6 +351,10 @@ class StudyReader : DocumentReader {
                                                         {"quantiles", study::Curves::kQuantiles}})
                       .value_or(keep.curves);
     keep.quantities_mark = keep.crank_step_mark = value->key_mark;
+    if (keep.curves != study::Curves::kNone && !has_single_films()) {
+      table.refuse(value->key_mark, "curves are kept of one ring at given pressures alone",
+                   "leave curves out; `ringfilm run` has the curves of a pack");
+    }
     if (const TomlValue* quantities = table.find("quantities")) read_kept_quantities(table, *quantities);
     if (const TomlValue* step = table.find("crank_step")) {
       keep.crank_step_mark = step->mark;

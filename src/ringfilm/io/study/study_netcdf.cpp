@@ -40,7 +40,7 @@ std::uint64_t most_bytes(const StudyRows& rows, const std::vector<StudyRows::Sce
   const std::uint64_t n = padded(rows.plan.size(), kRowsAtATime),
                       n_of_curves = padded(rows.plan.size(), kCurvesAtATime);
   const std::uint64_t n_columns =
-      cycle::cycle_quantities().size() + rows.plan.study().factors.size() + 3 + notes.size();
+      rows.plan.values().quantities.size() + rows.plan.study().factors.size() + 3 + notes.size();
   const std::uint64_t columns = n * n_columns * sizeof(double);
   const std::uint64_t curves = is_full ? n_of_curves * n_curves * n_angles * sizeof(float) : 0;
   const std::uint64_t bands =
@@ -101,7 +101,7 @@ class BlockWriter {
     define_factors();
     solved_ = column({"solved", "1", "", "1 where the scenario was solved", "", ""}, Stored::kByte);
     sample_ = column({"sample", "1", "", study::kSampleWords, "", ""}, Stored::kByte);
-    for (const auto& quantity : cycle::cycle_quantities()) {
+    for (const auto& quantity : rows_.plan.values().quantities) {
       values_.push_back(column(quantity, Stored::kDouble));
       file_.describe(quantity.name, "coordinates", coordinates_);
     }
@@ -308,8 +308,9 @@ void write_points(ResultFileWriter& file, const StudyRows& rows) {
   }
   file.texts("operating_point", {"operating_point_name", "", "", "operating points, in their order", "", ""}, names);
   file.numbers({"operating_point"}, {"operating_point_weight", "1", "", "weight of the point", "w", ""}, weights);
-  for (std::size_t i = 0; i < cycle::cycle_quantities().size(); ++i) {
-    cycle::Quantity quantity = cycle::cycle_quantities()[i];
+  const std::vector<cycle::Quantity>& quantities = rows.plan.values().quantities;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    cycle::Quantity quantity = quantities[i];
     const std::vector<double> values = rows.values(i);
     std::vector<double> means;
     for (std::size_t b = 0; b < study.bases.size(); ++b) {

@@ -143,7 +143,7 @@ class NotesByTopic {
 
 StudyRows::Notes StudyRows::read_notes() const {
   const std::optional<study::StoppingRule>& until = plan.study().sampling.until;
-  const std::size_t n_values = cycle::cycle_quantities().size();
+  const std::size_t n_values = plan.values().quantities.size();
   study::IdleFactors idle(plan);
   NotesByTopic by_topic(plan);
   std::vector<double> of_until;
@@ -151,10 +151,11 @@ StudyRows::Notes StudyRows::read_notes() const {
     const study::ScenarioRange block{first, std::min(first + kRowsReadAtATime, plan.size())};
     for (const SharedNote& note : notes_of(block)) {
       const auto value = [&](std::size_t i) { return values(i, {note.first, note.first + 1}).front(); };
-      by_topic.add(note, {note.first, note.message, cycle::note_badness(note.topic, value)});
+      const auto badness = plan.values().has_cycle ? cycle::note_badness(note.topic, value) : std::nullopt;
+      by_topic.add(note, {note.first, note.message, badness});
     }
     if (until) {
-      const std::vector<double> part = values(*cycle::cycle_quantity_index(until->value), block);
+      const std::vector<double> part = values(*plan.values().index(until->value), block);
       of_until.insert(of_until.end(), part.begin(), part.end());
     }
     if (idle.is_decided()) continue;
@@ -242,7 +243,7 @@ std::vector<std::string> choice_texts(const study::Factor& factor) {
 
 void write_study_csv(const std::string& path, const StudyRows& rows) {
   const study::Study& study = rows.plan.study();
-  const auto& quantities = cycle::cycle_quantities();
+  const auto& quantities = rows.plan.values().quantities;
   AsideFile aside(path);
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(aside.path().c_str(), "wb"), &std::fclose);
   if (file == nullptr) fail_to_write(path, errno);

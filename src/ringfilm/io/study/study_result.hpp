@@ -27,7 +27,7 @@ class StudyRows {
   /// Names of the film::FilmKernels with which they were computed: "avx2", "avx2, avx512".
   std::string kernels() const;
 
-  /// A cycle value of all scenarios, or of some; `i` counts cycle::cycle_quantities(). NaN where not solved.
+  /// A value of all scenarios, or of some; `i` counts those of Plan::values(). NaN where not solved.
   std::vector<double> values(std::size_t i) const;
   std::vector<double> values(std::size_t i, const study::ScenarioRange& range) const;  ///< in the order of the plan
   /// A curve of some scenarios at some angles, index [angle][scenario]; `i` counts study::Keep::quantities. NaN where

@@ -12,7 +12,7 @@ std::vector<std::string> until_notes(const study::Plan& plan, const std::vector<
   const study::Study& study = plan.study();
   if (!study.sampling.until) return {};
   const study::StoppingRule& until = *study.sampling.until;
-  const cycle::CycleQuantity& quantity = cycle::cycle_quantities()[*cycle::cycle_quantity_index(until.value)];
+  const cycle::Quantity& quantity = plan.values().quantities[*plan.values().index(until.value)];
   const auto bases = study::interval_widths(plan, values);
   const Units units;
   const auto shown = [&](double width) {

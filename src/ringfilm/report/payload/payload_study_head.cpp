@@ -7,8 +7,8 @@
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/report/payload/unsolved_reasons.hpp"
-#include "ringfilm/study/statistics/main_values.hpp"
 #include "ringfilm/study/statistics/one_at_a_time.hpp"
+#include "ringfilm/study/statistics/values_of_base.hpp"
 #include "ringfilm/study/study_words.hpp"
 
 namespace ringfilm::report {
@@ -172,7 +172,7 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
   for (const study::Correlation& one : study.correlations)
     correlations.push_back({{"factors", {one.first, one.second}}, {"value", exact(one.value)}});
   for (const study::FactorGroup& group : rows.plan.groups()) groups.push_back(group.name);
-  for (const cycle::Quantity& q : cycle::cycle_quantities()) {
+  for (const cycle::Quantity& q : rows.plan.values().quantities) {
     quantities.push_back({{"name", q.name},
                           {"unit", q.unit},
                           {"display_unit", q.display_unit},
@@ -197,7 +197,7 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
           {"correlations", std::move(correlations)},
           {"groups", std::move(groups)},
           {"quantities", std::move(quantities)},
-          {"main_values", study::main_values()},
+          {"main_values", rows.plan.values().main},
           {"files", std::move(files)},
           {"provenance",
            {{"program", provenance.program}, {"commit", provenance.commit}, {"compiler", provenance.compiler}}}};

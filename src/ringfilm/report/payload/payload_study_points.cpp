@@ -72,8 +72,9 @@ ordered_json grid_object(const io::StudyRows& rows) {
     if (!axes) return nullptr;
     all_axes.push_back(std::move(*axes));
   }
+  const std::vector<std::string>& mapped = plan.values().has_cycle ? kMapped : plan.values().main;
   std::vector<std::vector<double>> columns;
-  for (const std::string& name : kMapped) columns.push_back(rows.values(*cycle::cycle_quantity_index(name)));
+  for (const std::string& name : mapped) columns.push_back(rows.values(*plan.values().index(name)));
   ordered_json bases = ordered_json::array();
   for (std::size_t b = 0; b < plan.study().bases.size(); ++b) {
     const std::vector<Axis>& axes = all_axes[b];
@@ -85,14 +86,14 @@ ordered_json grid_object(const io::StudyRows& rows) {
         levels.push_back(rounded(study::level(plan.study().factors[axis.factor].variation, k), 8));
       described.push_back({{"factor", axis.factor}, {"levels", std::move(levels)}, {"of", axis.levels}});
     }
-    for (std::size_t q = 0; q < kMapped.size(); ++q) {
+    for (std::size_t q = 0; q < mapped.size(); ++q) {
       ordered_json list = ordered_json::array();
       for (const std::uint64_t p : points) list.push_back(rounded(columns[q][plan.scenario(b, p)], kPointDigits));
-      values[kMapped[q]] = std::move(list);
+      values[mapped[q]] = std::move(list);
     }
     bases.push_back({{"axes", std::move(described)}, {"values", std::move(values)}});
   }
-  return {{"quantities", kMapped}, {"bases", std::move(bases)}};
+  return {{"quantities", mapped}, {"bases", std::move(bases)}};
 }
 
 /// Of each base its share of `kMostDrawnPoints`, evenly picked among its scenarios that were solved; by their number.
@@ -124,10 +125,12 @@ std::vector<std::uint64_t> drawn_scenarios(const study::Plan& plan, const std::v
   return drawn;
 }
 
+/// Null where the values are not those of one film.
 ordered_json stribeck_object(const io::StudyRows& rows) {
+  if (!rows.plan.values().has_cycle) return nullptr;
   std::vector<bool> is_solved(rows.plan.size(), true);
   for (const std::size_t q : {0, 1}) {
-    const std::vector<double> values = rows.values(*cycle::cycle_quantity_index(kStribeck[q]));
+    const std::vector<double> values = rows.values(*rows.plan.values().index(kStribeck[q]));
     for (std::uint64_t i = 0; i < values.size(); ++i) is_solved[i] = is_solved[i] && std::isfinite(values[i]);
   }
   const std::vector<std::uint64_t> drawn = drawn_scenarios(rows.plan, is_solved);
@@ -136,7 +139,7 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
   ordered_json object = {
       {"of", std::count(is_solved.begin(), is_solved.end(), true)}, {"scenario", drawn}, {"base", std::move(bases)}};
   for (const std::string& name : kStribeck) {
-    const std::vector<double> values = rows.values(*cycle::cycle_quantity_index(name));
+    const std::vector<double> values = rows.values(*rows.plan.values().index(name));
     ordered_json list = ordered_json::array();
     for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kPointDigits));
     object[name] = std::move(list);

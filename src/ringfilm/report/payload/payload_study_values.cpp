@@ -10,10 +10,10 @@
 #include "ringfilm/report/payload/study_groups.hpp"
 #include "ringfilm/study/design/morris.hpp"
 #include "ringfilm/study/statistics/histogram.hpp"
-#include "ringfilm/study/statistics/main_values.hpp"
 #include "ringfilm/study/statistics/one_at_a_time.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
+#include "ringfilm/study/statistics/values_of_base.hpp"
 
 namespace ringfilm::report {
 namespace {
@@ -264,10 +264,10 @@ class MainValues {
 void add_study_values(const io::StudyRows& rows, const io::Units& units, ordered_json& payload) {
   const bool is_sample = study::has_sample(rows.plan);
   const study::Among among = is_sample ? study::Among::kSample : study::Among::kAll;
-  const auto& names = study::main_values();
+  const auto& names = rows.plan.values().main;
   MainValues main(rows, units, payload);
   ordered_json statistics = ordered_json::object();
-  const auto& quantities = cycle::cycle_quantities();
+  const auto& quantities = rows.plan.values().quantities;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const std::vector<double> all = rows.values(i);
     ordered_json of_bases = ordered_json::array();

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "ringfilm/study/statistics/main_values.hpp"
+#include "ringfilm/study/statistics/values_of_base.hpp"
 
 namespace ringfilm::report {
 namespace {

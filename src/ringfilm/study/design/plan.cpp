@@ -68,7 +68,11 @@ std::string text_of(const Variation& variation) {
 
 }  // namespace
 
-Plan::Plan(Study study) : study_(checked(std::move(study))), groups_(factor_groups(study_)), copula_(study_) {
+Plan::Plan(Study study)
+    : study_(checked(std::move(study))),
+      values_(study_values(study_, study_.bases.front().input)),
+      groups_(factor_groups(study_)),
+      copula_(study_) {
   const Sampling& sampling = study_.sampling;
   const std::size_t n_bases = study_.bases.size(), n_factors = study_.factors.size();
   const auto seed = [this](Stream stream) { return hash(study_.seed, stream); };
@@ -300,6 +304,7 @@ std::string Plan::digest_text() const {
   std::string text = "seed " + std::to_string(study_.seed) + "\nmethod " +
                      std::to_string(static_cast<int>(sampling.method)) + " indices " +
                      std::to_string(static_cast<int>(sampling.indices)) + "\n";
+  if (study_.compute == Compute::kGas) text.append("gas alone\n");
   if (sampling.method == Method::kLatinHypercube) text.append("points " + std::to_string(sampling.scenarios) + "\n");
   if (sampling.method == Method::kMorris) text.append("levels " + std::to_string(sampling.levels) + "\n");
   for (const Base& base : study_.bases)

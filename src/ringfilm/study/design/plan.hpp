@@ -9,6 +9,7 @@
 #include "ringfilm/study/design/latin_hypercube.hpp"
 #include "ringfilm/study/design/morris.hpp"
 #include "ringfilm/study/design/sobol_points.hpp"
+#include "ringfilm/study/design/study_values.hpp"
 #include "ringfilm/study/study.hpp"
 
 /// Which scenarios a study runs, with which numbers; docs/theory/study.md.
@@ -36,6 +37,7 @@ class Plan {
   explicit Plan(Study study);
 
   const Study& study() const { return study_; }
+  const StudyValues& values() const { return values_; }  ///< of every scenario
 
   std::uint64_t size() const;  ///< scenarios of all bases
   std::uint64_t most() const;  ///< up to which the study may be extended; size() where it may not
@@ -85,6 +87,7 @@ class Plan {
   std::vector<std::optional<double>> sampled_values(std::uint64_t p) const;
 
   Study study_;
+  StudyValues values_;
   std::vector<FactorGroup> groups_;
   std::vector<std::uint64_t> n_points_;  ///< of each base
   Copula copula_;

@@ -87,10 +87,17 @@ class FactorCheck {
       refuse("moves a base that does not exist", "name one of the bases of the study");
       return;
     }
-    const cycle::Field* field = cycle::find_field(target.key);
+    const cycle::Field* field = field_of_key(target.key);
     if (field == nullptr) {
       refuse("names the key " + target.key + ", which does not exist", "`ringfilm fields` lists all keys");
       return;
+    }
+    for (std::size_t b = 0; b < study_.bases.size(); ++b) {
+      if (target.base && *target.base != b) continue;
+      if (const auto fault = missing_key(study_.bases[b].input, target.key)) {
+        faults_.push_back({factor_.mark, called(factor_) + ": " + fault->message, fault->remedy});
+        return;
+      }
     }
     if (!std::isfinite(target.gain)) refuse("has a gain that is not finite", "state a finite number");
     if (is_number(factor_.variation)) {
@@ -186,12 +193,21 @@ class FactorCheck {
     for (std::size_t b = 0; b < study_.bases.size(); ++b) {
       const Base& base = study_.bases[b];
       if (target.base && *target.base != b) continue;
+      cycle::Case own = base.input;
+      const std::vector<KeyPlace> places = places_of_key(own, target.key);
+      const auto is_idle = [&](const KeyPlace& place) { return !is_active(*place.field, *place.of); };
       if (!belongs(field, base.input)) {
-        refuse("moves " + field.key + ", which base \"" + base.name + "\" does not have",
+        refuse("moves " + target.key + ", which base \"" + base.name + "\" does not have",
                "it belongs to another kind of problem");
-      } else if (!any_choice && !is_active(field, base.input)) {
-        refuse("moves " + field.key + ", which is not in use in base \"" + base.name + "\"",
+      } else if (study_.compute == Compute::kGas && !cycle::is_of_gas_path(field)) {
+        refuse("moves " + target.key + ", which the gas alone does not use",
+               "remove the factor, or compute the films too: leave compute = \"gas\" out");
+      } else if (!any_choice && std::all_of(places.begin(), places.end(), is_idle)) {
+        refuse("moves " + target.key + ", which is not in use in base \"" + base.name + "\"",
                field.active_when.empty() ? "" : "it is with " + field.active_when);
+      } else if (base.input.is_pack() && decides_reading(field)) {
+        refuse("varies " + target.key + ", which decides what is read from a file, in a pack",
+               "write a base for each file");
       }
     }
   }
@@ -222,7 +238,7 @@ void check_one_file_a_table(const Study& study, Faults& faults) {
   for (const Factor& factor : study.factors) {
     if (is_number(factor.variation)) continue;
     for (const Target& target : factor.targets) {
-      const cycle::Field* field = cycle::find_field(target.key);
+      const cycle::Field* field = field_of_key(target.key);
       if (field == nullptr || !is_file(*field)) continue;
       for (std::size_t b = 0; b < study.bases.size(); ++b) {
         if (target.base && *target.base != b) continue;
@@ -336,8 +352,8 @@ void check_until(const Study& study, Faults& faults) {
   if (sampling.method != Method::kSobol) {
     refuse("plan.until: this plan cannot be extended", "only Sobol points can: method = \"sobol\"");
   }
-  if (!cycle::cycle_quantity_index(until.value)) {
-    refuse("plan.until: there is no value " + until.value + " of a cycle", "for example fmep");
+  if (!study_values(study, study.bases.front().input).index(until.value)) {
+    refuse("plan.until: there is no value " + until.value, "for example fmep");
   }
   if (!(until.width > 0)) refuse("plan.until: the width is " + shown(until.width), "it must be above 0");
   if (until.quantile && !(*until.quantile > 0 && *until.quantile < 1)) {

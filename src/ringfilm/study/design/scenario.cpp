@@ -221,7 +221,64 @@ struct ValueText {
   }
 };
 
+std::vector<RuleBreach> rules_broken(const Case& c, Compute compute) {
+  std::vector<RuleBreach> all = broken_pack_rules(c);
+  for (const Case& ring : c.is_pack() ? c.rings : std::vector{c}) {
+    const auto of_ring = compute == Compute::kGas ? broken_gas_rules(ring) : broken_rules(ring);
+    all.insert(all.end(), of_ring.begin(), of_ring.end());
+  }
+  return all;
+}
+
+/// What a pack has beside its rings is that of the first.
+void take_first_ring(Case& pack) {
+  Case all = pack.rings.front();
+  all.stated = std::move(pack.stated);
+  all.files = std::move(pack.files);
+  all.notes = std::move(pack.notes);
+  all.rings = std::move(pack.rings);
+  pack = std::move(all);
+}
+
 }  // namespace
+
+const Field* field_of_key(const std::string& key) {
+  const auto of_ring = ring_key(key);
+  return find_field(of_ring ? of_ring->key : key);
+}
+
+std::vector<KeyPlace> places_of_key(Case& c, const std::string& key) {
+  const Field* field = field_of_key(key);
+  if (field == nullptr) throw std::logic_error("a key that does not exist: " + key);
+  if (!c.is_pack()) return {{&c, field}};
+  std::vector<KeyPlace> places;
+  const auto of_ring = ring_key(key);
+  for (std::size_t i = 0; i < c.rings.size(); ++i) {
+    if (!of_ring || of_ring->ring == i + 1) places.push_back({&c.rings[i], field});
+    const bool is_next = of_ring && of_ring->ring == i && of_ring->key == "ring.pressure_below";
+    if (is_next) places.push_back({&c.rings[i], find_field("ring.pressure_above")});
+  }
+  return places;
+}
+
+std::optional<Fault> missing_key(const Case& base, const std::string& key) {
+  const auto of_ring = ring_key(key);
+  if (!base.is_pack()) {
+    if (!of_ring) return std::nullopt;
+    return Fault{{}, "a case of one ring has no " + key, "write " + of_ring->key};
+  }
+  const std::string rings = "a pack of " + std::to_string(base.rings.size()) + " rings has no " + key;
+  if (!of_ring && is_of_ring(key)) return Fault{{}, rings, "state the ring, from the chamber: " + pack_key(1, key)};
+  if (!of_ring) return std::nullopt;
+  if (of_ring->ring < 1 || of_ring->ring > base.rings.size()) {
+    return Fault{{}, rings, "its rings are 1 to " + std::to_string(base.rings.size()) + ", from the chamber"};
+  }
+  if (is_implied_in_pack(of_ring->ring, of_ring->key)) {
+    return Fault{
+        {}, rings, "it is the pressure below the ring above: " + pack_key(of_ring->ring - 1, "ring.pressure_below")};
+  }
+  return std::nullopt;
+}
 
 Entry entry_of(const Field& field) { return is_file(field) ? Entry::kText : std::visit(EntryOf{}, field.kind); }
 
@@ -262,14 +319,15 @@ Case scenario_case(const Study& study, const Point& point) {
       if (turn(factor) != now || !point.values.at(j)) continue;
       for (const Target& target : factor.targets) {
         if (target.base && *target.base != point.base) continue;
-        const Field* field = find_field(target.key);
-        if (field == nullptr) throw std::logic_error("a key that does not exist: " + target.key);
-        if (decides_reading(*field)) continue;
-        if (const auto* choices = std::get_if<Choices>(&factor.variation)) {
-          choose(c, *field, choices->values.at(static_cast<std::size_t>(*point.values[j])));
-        } else {
-          NumberWriter writer(c, *field, factor, target.gain * *point.values[j], faults);
-          std::visit(writer, field->kind);
+        for (const auto& [of, field] : places_of_key(c, target.key)) {
+          if (decides_reading(*field)) continue;
+          if (const auto* choices = std::get_if<Choices>(&factor.variation)) {
+            choose(*of, *field, choices->values.at(static_cast<std::size_t>(*point.values[j])));
+          } else {
+            NumberWriter writer(*of, *field, factor, target.gain * *point.values[j], faults);
+            std::visit(writer, field->kind);
+          }
+          of->stated.insert(field->key);
         }
         c.stated.insert(target.key);
       }
@@ -277,9 +335,12 @@ Case scenario_case(const Study& study, const Point& point) {
   }
   // Rules presume that every number is within its range.
   if (faults.empty()) {
-    for (const RuleBreach& breach : broken_rules(c)) faults.push_back({{}, breach.message, breach.remedy});
+    for (const RuleBreach& breach : rules_broken(c, study.compute)) {
+      faults.push_back({{}, breach.message, breach.remedy});
+    }
   }
   if (!faults.empty()) throw InputError(faults);
+  if (c.is_pack()) take_first_ring(c);
   return c;
 }
 
@@ -309,6 +370,11 @@ void check_scenarios(const Plan& plan) {
 }
 
 std::string digest_text(const Case& c) {
+  if (c.is_pack()) {
+    std::string text;
+    for (const Case& ring : c.rings) text.append(" ring\n").append(digest_text(ring));
+    return text;
+  }
   Case own = c;  // the table of keys hands out references to members that may change
   std::string text;
   for (const Field& field : case_fields()) {

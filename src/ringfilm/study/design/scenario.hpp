@@ -1,5 +1,7 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
@@ -21,13 +23,29 @@ bool decides_reading(const cycle::Field& field);
 
 /// The base of a point with the numbers of its factors put in, choices first, then numbers set, scaled and added to.
 /// Throws InputError with all that is wrong: a number out of the range of its key, a base without a number to scale or
-/// to add to, and the rules that join keys (cycle::broken_rules).
+/// to add to, and the rules that join keys (cycle::broken_rules, of the gas alone broken_gas_rules, of a pack
+/// broken_pack_rules).
 cycle::Case scenario_case(const Study& study, const Point& point);
 
 /// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
 /// stated twice over, a number to scale that is not there. To be asked before anything is run; a plan of which some
 /// scenarios can be run is run, and the others are rows with their reasons.
 void check_scenarios(const Plan& plan);
+
+/// A key of a base: of a pack one ring's, "ring.1.end_gap", or one that its rings have in common; nullptr: there is
+/// none.
+const cycle::Field* field_of_key(const std::string& key);
+
+/// Where a factor's key is in a case: once, or in all rings of a pack; the pressure below a ring is that above the
+/// next.
+struct KeyPlace {
+  cycle::Case* of;
+  const cycle::Field* field;
+};
+std::vector<KeyPlace> places_of_key(cycle::Case& c, const std::string& key);
+
+/// Why a base does not have the key of a factor, and what to write; nothing: it has it.
+std::optional<Fault> missing_key(const cycle::Case& base, const std::string& key);
 
 bool is_inside(double value, const cycle::Range& range);
 /// "1.5e-06 m"

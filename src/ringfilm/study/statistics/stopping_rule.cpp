@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ringfilm/study/statistics/main_values.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
+#include "ringfilm/study/statistics/values_of_base.hpp"
 #include "ringfilm/study/wording.hpp"
 
 namespace ringfilm::study {

@@ -171,7 +171,7 @@ function buildPage(model) {
     const found = any ? gridPart(model, context) : null;
     return found ? [found.choices, charts(kept(found.views))] : [];
   };
-  const stribeck = () => (any ? drawing(stribeckFigure(model)) : []);
+  const stribeck = () => (any && model.stribeck ? drawing(stribeckFigure(model)) : []);
   const screening = () => {
     const values = with_('effects');
     if (values.length === 0) return [];

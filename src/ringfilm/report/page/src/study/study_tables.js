@@ -12,7 +12,7 @@ import { number, percent, sentence, shortPath, typeset, withUnit } from '../unit
 const right = (text, attributes = {}) => ({ text, attributes: { class: 'number', ...attributes } });
 
 const kKinds = {
-  map: 'A map: the engine cycle at many operating points',
+  map: 'A map: many operating points',
   uncertainty: 'Uncertainty: what the scatter of the inputs leaves in friction and film',
   compare: 'A comparison of engine cycles',
   screening: 'Screening: which inputs matter at all',
@@ -21,6 +21,12 @@ const kKinds = {
 /** The values on the first screen. */
 const kCards = ['fmep', 'mean_power_loss', 'min_film_thickness'];
 const kNotesShown = 4;
+
+/** Of a study without one of them the values that it has instead. */
+function cards(model) {
+  if (kCards.every((name) => model.quantity.has(name))) return kCards;
+  return model.main_values.slice(0, kCards.length);
+}
 
 export function swatch(base) {
   return element('span', { class: 'base-swatch', style: `background: ${caseColour(base)}` });
@@ -137,7 +143,7 @@ ${reasonText(model.unsolved.reasons[0])} `,
       ? element(
           'div',
           { class: 'cards' },
-          kCards.map((name) => card(model, name)),
+          cards(model).map((name) => card(model, name)),
         )
       : null,
     model.solved > 0

@@ -6,11 +6,8 @@
 
 #include "ringfilm/study/design/plan.hpp"
 
-/// Which values of a cycle are reported of every study, and those of one base among all.
+/// The values of one base among those of all.
 namespace ringfilm::study {
-
-/// Names of cycle values, those that matter most first; the others are in the files of a study.
-const std::vector<std::string>& main_values();
 
 enum class Among {
   kAll,    ///< every point of a base

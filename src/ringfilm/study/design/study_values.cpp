@@ -1,0 +1,112 @@
+#include "ringfilm/study/design/study_values.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/gas_path/network.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using cycle::Quantity;
+
+const std::vector<std::string> kMainOfCycle = {
+    "fmep",        "mean_power_loss",       "mean_total_friction", "peak_total_friction", "min_film_thickness",
+    "mixed_share", "mean_absolute_oil_flow"};
+
+/// A value of the cycle under another name.
+Quantity renamed(const std::string& value, const std::string& name, const std::string& words) {
+  Quantity quantity = cycle::cycle_quantities()[*cycle::cycle_quantity_index(value)];
+  quantity.name = name;
+  quantity.long_name = words + quantity.long_name;
+  quantity.symbol.clear();
+  return quantity;
+}
+
+void append_pack(std::size_t n_rings, StudyValues& values) {
+  for (const char* sum : {"fmep", "mean_power_loss", "energy_per_cycle"}) {
+    values.quantities.push_back(renamed(sum, sum, "all rings: "));
+  }
+  values.main = {"fmep", "mean_power_loss"};
+  for (std::size_t ring = 1; ring <= n_rings; ++ring) {
+    for (const RingValue& value : ring_values()) {
+      values.quantities.push_back(
+          renamed(value.name, ring_value_name(ring, value.name), "ring " + std::to_string(ring) + ": "));
+    }
+    values.main.push_back(ring_value_name(ring, "fmep"));
+    values.main.push_back(ring_value_name(ring, "min_film_thickness"));
+  }
+}
+
+void append_gas(const cycle::Case& base, StudyValues& values) {
+  values.quantities.push_back(
+      {"blow_by_per_cycle", "kg", "mg", "net mass of gas into the crankcase in a cycle", "m_b", "eq-blow-by"});
+  values.quantities.push_back(
+      {"blow_by_flow", "m3 s-1", "l/min", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"});
+  values.main.push_back("blow_by_flow");
+  const gas_path::Network network(cycle::gas_pack(base), cycle::given_pressures(base));
+  const std::vector<gas_path::Region>& regions = network.regions();
+  for (const gas_path::Region& region : std::span(regions).subspan(1, regions.size() - 2)) {
+    const std::string peak = region_value_name(region.name, "peak_pressure");
+    values.quantities.push_back(
+        {peak, "Pa", "bar", region.name + ": highest pressure, absolute", "", "eq-gas-balance"});
+    values.quantities.push_back({region_value_name(region.name, "mean_pressure"), "Pa", "bar",
+                                 region.name + ": pressure, absolute, mean over time", "", "eq-gas-balance"});
+    if (region.name.starts_with("land")) values.main.push_back(peak);
+  }
+}
+
+}  // namespace
+
+const std::vector<RingValue>& ring_values() {
+  using enum RingValue::Rails;
+  static const std::vector<RingValue> values = {{"fmep", kSum},
+                                                {"mean_power_loss", kSum},
+                                                {"mean_boundary_power", kSum},
+                                                {"mean_viscous_power", kSum},
+                                                {"archard_wear_load", kSum},
+                                                {"min_film_thickness", kLowest},
+                                                {"min_lambda_ratio", kLowest},
+                                                {"mixed_share", kHighest},
+                                                {"peak_film_pressure", kHighest}};
+  return values;
+}
+
+std::string ring_value_name(std::size_t ring, const std::string& name) {
+  return "ring_" + std::to_string(ring) + "_" + name;
+}
+
+std::string region_value_name(const std::string& region, const std::string& name) {
+  std::string all = region + "_" + name;
+  std::replace(all.begin(), all.end(), ' ', '_');
+  return all;
+}
+
+std::optional<std::size_t> StudyValues::index(const std::string& name) const {
+  const auto found = std::find_if(quantities.begin(), quantities.end(),
+                                  [&name](const Quantity& quantity) { return quantity.name == name; });
+  if (found == quantities.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - quantities.begin());
+}
+
+bool is_one_film(const Study& study, const cycle::Case& base) {
+  return study.compute == Compute::kFilms && !base.is_pack() && !base.gas_path.is_computed();
+}
+
+StudyValues study_values(const Study& study, const cycle::Case& base) {
+  StudyValues values;
+  const bool has_films = study.compute == Compute::kFilms;
+  if (has_films && base.is_pack()) {
+    append_pack(base.rings.size(), values);
+  } else if (has_films) {
+    values.has_cycle = true;
+    values.main = kMainOfCycle;
+    const auto& all = cycle::cycle_quantities();
+    values.quantities.assign(all.begin(), all.end());
+  }
+  if (!has_films || base.gas_path.is_computed()) append_gas(base, values);
+  return values;
+}
+
+}  // namespace ringfilm::study

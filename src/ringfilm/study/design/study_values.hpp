@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/study/study.hpp"
+
+/// Which values a study has of each scenario: those of the cycle of one ring, of the rings of a pack and their sum, of
+/// the gas that passes them.
+namespace ringfilm::study {
+
+struct StudyValues {
+  std::vector<cycle::Quantity> quantities;  ///< in the order of ScenarioRow::values
+  std::vector<std::string> main;            ///< names of those that matter most, they first: reported of every study
+  bool has_cycle = false;                   ///< do cycle::cycle_quantities() come first?
+
+  std::optional<std::size_t> index(const std::string& name) const;  ///< nothing: there is no value of that name
+};
+
+/// Is a scenario of that base one ring at given pressures, which the lanes of a batch take?
+bool is_one_film(const Study& study, const cycle::Case& base);
+
+/// Of the scenarios of a base. Throws InputError where its gas path cannot be set up.
+StudyValues study_values(const Study& study, const cycle::Case& base);
+
+/// A value of one ring of a pack, of all rails of an oil ring together.
+struct RingValue {
+  enum class Rails { kSum, kLowest, kHighest };
+  const char* name;  ///< of cycle::cycle_quantities()
+  Rails rails;
+};
+const std::vector<RingValue>& ring_values();
+
+/// "ring_2_fmep"
+std::string ring_value_name(std::size_t ring, const std::string& name);
+/// "land_2_peak_pressure" of the region "land 2"
+std::string region_value_name(const std::string& region, const std::string& name);
+
+}  // namespace ringfilm::study

@@ -1,0 +1,133 @@
+#include "ringfilm/study/pack_scenario.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/pack/gas_through_films.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/cycle/pack/simulate_pack.hpp"
+#include "ringfilm/gas_path/solve_gas_path.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using cycle::Case;
+using cycle::CycleResult;
+
+class Row {
+ public:
+  explicit Row(const StudyValues& values) : values_(values) {
+    row_.values.assign(values.quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void put(const std::string& name, double value) {
+    if (const auto index = values_.index(name)) row_.values[*index] = value;
+  }
+
+  void put_gas(const gas_path::GasPathResult& gas, double gas_constant) {
+    put("blow_by_per_cycle", gas.blow_by);
+    put("blow_by_flow", gas_path::blow_by_flow(gas, gas_constant));
+    for (const gas_path::RegionValues& region : gas.regions) {
+      put(region_value_name(region.name, "peak_pressure"), region.peak_pressure);
+      put(region_value_name(region.name, "mean_pressure"), region.mean_pressure);
+    }
+  }
+
+  void put_cycle(const CycleResult& result) {
+    for (const auto& quantity : cycle::cycle_quantities()) put(quantity.name, result.values.*quantity.value);
+    note(result.notes, "");
+  }
+
+  /// @param numbers of the rings to which the faces belong, from 1; in rising order
+  void put_rings(const std::vector<CycleResult>& faces, const std::vector<std::size_t>& numbers) {
+    for (const char* name : {"fmep", "mean_power_loss", "energy_per_cycle"}) {
+      double sum = 0;
+      for (const CycleResult& face : faces) sum += value(face, name);
+      put(name, sum);
+    }
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const bool is_next_rail = i > 0 && numbers[i] == numbers[i - 1];
+      for (const RingValue& one : ring_values()) {
+        const std::string name = ring_value_name(numbers[i], one.name);
+        const double here = value(faces[i], one.name);
+        put(name, is_next_rail ? together(one.rails, row_.values[*values_.index(name)], here) : here);
+      }
+      note(faces[i].notes, "ring " + std::to_string(numbers[i]) + ": ");
+    }
+  }
+
+  /// Each topic once.
+  void note(const std::vector<cycle::Note>& notes, const std::string& prefix) {
+    for (const cycle::Note& note : notes) {
+      const auto is_known = [&](const cycle::Note& one) { return one.topic == note.topic; };
+      if (std::any_of(row_.notes.begin(), row_.notes.end(), is_known)) continue;
+      row_.notes.push_back(note);
+      row_.notes.back().message.insert(0, prefix);
+    }
+  }
+
+  ScenarioRow row() && { return std::move(row_); }
+
+ private:
+  static double value(const CycleResult& result, const char* name) {
+    return result.values.*cycle::cycle_quantities()[*cycle::cycle_quantity_index(name)].value;
+  }
+  static double together(RingValue::Rails rails, double a, double b) {
+    if (rails == RingValue::Rails::kSum) return a + b;
+    return rails == RingValue::Rails::kLowest ? std::min(a, b) : std::max(a, b);
+  }
+
+  const StudyValues& values_;
+  ScenarioRow row_;
+};
+
+/// The faces of a pack whose pressures are known, from the chamber to the crankcase.
+std::vector<CycleResult> films_of(const Case& pack) {
+  std::vector<CycleResult> faces;
+  if (!cycle::shares_oil(pack)) {
+    for (const Case& ring : pack.rings) faces.push_back(cycle::simulate(cycle::prepare(ring)));
+    return faces;
+  }
+  std::vector<cycle::Setup> setups;
+  for (const Case& ring : pack.rings) setups.push_back(cycle::prepare(ring));
+  for (cycle::RingOutcome& outcome : cycle::simulate_pack(std::move(setups))) {
+    if (outcome.stop) throw ConvergenceError(outcome.stop->message, outcome.stop->crank_angle_deg);
+    faces.push_back(std::move(outcome.result));
+  }
+  return faces;
+}
+
+/// The ring of the pack to which each face belongs, from 1.
+std::vector<std::size_t> ring_numbers(const Case& pack, const Case& with_rails) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t ring = 0; ring < pack.rings.size(); ++ring) {
+    numbers.insert(numbers.end(), static_cast<std::size_t>(std::max(pack.rings[ring].ring.rails, 1)), ring + 1);
+  }
+  if (numbers.size() != with_rails.rings.size()) throw std::logic_error("a pack with other rails than its rings have");
+  return numbers;
+}
+
+}  // namespace
+
+ScenarioRow pack_row(const Case& scenario, Compute compute, const StudyValues& values) {
+  Row row(values);
+  if (compute == Compute::kGas) {
+    const gas_path::Pack pack = cycle::gas_pack(scenario);
+    const gas_path::GasPathResult gas = gas_path::solve_gas_path(pack, cycle::given_pressures(scenario));
+    row.put_gas(gas, pack.gas.gas_constant);
+    row.note(cycle::gas_path_notes(scenario, pack, gas), "");
+    return std::move(row).row();
+  }
+  const Case faces = cycle::with_rails(scenario);
+  const cycle::CaseWithGas found = cycle::solve_gas_through_films(faces);
+  if (found.gas) row.put_gas(*found.gas, scenario.gas_path.gas_constant);
+  if (scenario.is_pack()) {
+    row.put_rings(films_of(found.input), ring_numbers(scenario, faces));
+  } else {
+    row.put_cycle(cycle::simulate(cycle::prepare(found.input)));
+  }
+  return std::move(row).row();
+}
+
+}  // namespace ringfilm::study
