@@ -284,5 +284,5 @@ def test_a_study_of_a_ring_pack_has_the_values_of_its_gas():
     frame = result.to_pandas()
     assert frame.attrs["units"]["land_2_peak_pressure"] == "Pa"
     # More load, more pressure on the second land, at each speed.
-    by_load = frame.groupby("peak cylinder pressure")["land_2_peak_pressure"].mean()
+    by_load = frame.groupby("factor_peak_cylinder_pressure")["land_2_peak_pressure"].mean()
     assert by_load.is_monotonic_increasing
