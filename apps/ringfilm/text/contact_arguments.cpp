@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 
 #include "commands/command_contact.hpp"
@@ -135,6 +136,9 @@ struct ContactArguments {
     std::vector<double> of;
     for (const std::string& word : parts(*separations)) {
       of.push_back(values.length("--separations", word, "0.32 um, 0.27 um"));
+      if (std::count(of.begin(), of.end(), of.back()) > 1) {
+        values.refuse("--separations has " + word + " twice", "state each separation once");
+      }
     }
     return of;
   }

@@ -247,7 +247,11 @@ constexpr double kMuchExtrapolated = 0.01;
 void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& base, double beyond,
                                 std::vector<Note>& notes) {
   if (setup.input.contact.model != ContactLaw::kTable) return;
-  const double first = setup.input.contact.law->rows.h.front() + setup.input.contact.law_shift;
+  const Contact& contact = setup.input.contact;
+  const double shift = contact.law_shift;
+  const std::vector<double>& rows = contact.law->rows.h;
+  const auto first_row = std::find_if(rows.begin(), rows.end(), [shift](double h) { return h + shift > 0; });
+  const double first = *first_row + shift;  // there is one: the law was set up
   const auto below = [&](const Sample& s) { return s.min_film_thickness < first; };
   const auto thinnest = std::min_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
     return a.min_film_thickness < b.min_film_thickness;
@@ -263,7 +267,7 @@ void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& b
     notes.push_back({"contact-law-extrapolated",
                      text("%.2g %% of the load that asperities carry over the cycle comes from separations beyond %.3g "
                           "um, where few or no spots of the maps of contact.law touch: there it is extrapolated",
-                          100 * beyond, setup.input.contact.law->last_supported_separation * 1e6),
+                          100 * beyond, (contact.law->last_supported_separation + shift) * 1e6),
                      1});
   }
 }
@@ -274,7 +278,11 @@ constexpr double kMuchBeyondLast = 0.02;
 /// Where the film is outside the rows of measured flow factors.
 void append_measured_flow_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
   if (!setup.input.film.is_measured()) return;
-  const models::MeasuredFlow flow(*setup.input.contact.law->flow);
+  const film::MeasuredFactors& measured = setup.ring.factors.measured;
+  const film::MeasuredFactors::Flow all[] = {measured.pressure_flow, measured.shear_flow, measured.stress,
+                                             measured.average_gap};
+  const models::MeasuredFlow& flow =
+      **std::find_if(std::begin(all), std::end(all), [](const auto& of) { return of != nullptr; });
   const auto share = [&](const auto& is_there) {
     return 100 * static_cast<double>(count(base, is_there)) / static_cast<double>(base.size());
   };

@@ -129,7 +129,7 @@ Case with_flow(Case c, double first = 0.5, double last = 8) {
     flow.mean_gap.push_back(h + sigma * models::average_gap_excess(lambda));
     flow.gap_share.push_back({(1e-3 - h) / (1e-3 - 1e-9), (h - 1e-9) / (1e-3 - 1e-9)});
   }
-  law.flow = base::Shared<models::FlowTable>(std::move(flow));
+  law.flow = std::make_shared<const models::MeasuredFlow>(std::move(flow));
   c.contact.law = base::Shared<ContactLawTable>(std::move(law));
   c.film.flow_factors = c.film.shear_flow = Roughness::kMeasured;
   c.film.average_gap = AverageGap::kMeasured;

@@ -64,6 +64,26 @@ TEST(MeasuredFlow, BeyondItsRowsRoughnessIsOfSecondOrder) {
   EXPECT_DOUBLE_EQ(flow.pressure_flow(0.2e-6), flow.pressure_flow(1e-6));  // before the first row
 }
 
+TEST(MeasuredFlow, ShiftedLetsTheSameThroughAtTheOtherSeparation) {
+  const FlowTable table = two_heights(0.5e-6);
+  const MeasuredFlow flow(table);
+  for (const double shift : {0.3e-6, -0.4e-6}) {
+    const MeasuredFlow moved = flow.shifted(shift);
+    for (const double h : table.h) {
+      const double there = h + shift, ratio = h / there;
+      EXPECT_NEAR(moved.pressure_flow(there), flow.pressure_flow(h) * std::pow(ratio, 3), 1e-13);
+      EXPECT_NEAR(moved.pressure_flow_across(there), flow.pressure_flow_across(h) * std::pow(ratio, 3), 1e-13);
+      EXPECT_NEAR(moved.pressure_stress(there), flow.pressure_stress(h) * ratio, 1e-13);
+      EXPECT_NEAR(moved.mean_gap(there), flow.mean_gap(h), 1e-19);
+      EXPECT_NEAR(moved.shear_flow(there), flow.shear_flow(h), 1e-13);
+      // The stress of the sliding walls is the mean of asinh(S/H), whatever the separation is called.
+      EXPECT_NEAR(moved.sliding_stress(there, 1e-6) / there, flow.sliding_stress(h, 1e-6) / h, 1e-4 / h);
+    }
+  }
+  EXPECT_EQ(flow.shifted(-1.2e-6).first(), 1.5e-6 - 1.2e-6);  // the row at 1 um is gone
+  EXPECT_THROW(flow.shifted(-3.5e-6), InputError);
+}
+
 TEST(MeasuredFlow, TheStressIsThatOfTheGapsUpToTheLimitOfTheOil) {
   const double d = 0.5e-6, h = 1e-6;
   const MeasuredFlow flow(two_heights(d));

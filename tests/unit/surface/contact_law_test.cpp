@@ -102,6 +102,18 @@ TEST(ContactLaw, RegionsScatterAboutTheWholeByItsLongWaves) {
   EXPECT_GT(wavy.scatter.shift_deviation(), 0);
 }
 
+TEST(ContactLaw, ARegionAboveTheSeparationIsNoSampleOfNoContact) {
+  HeightMap map = rough_map(128, 0.4e-6, 2);
+  for (std::size_t j = 0; j < 128; ++j) {
+    for (std::size_t i = 0; i < 128; ++i) map.height_m[map.index(i, j)] += i < 32 ? 3e-6 : -1e-6;
+  }
+  const SurfacePair pair{map, {}, MapEdges::mirrored, {67.4e9, 2.5e9}, 1, 4, 1};
+  const std::vector<double> at{3.4e-6, 2.6e-6};
+  const ContactLaw law = contact_law(pair, at);
+  EXPECT_GT(law.points[0].pressure_deviation_of_regions, 0);  // one quarter in contact, three free of it
+  EXPECT_EQ(law.points[1].pressure_deviation_of_regions, 0);  // the free ones alone have a pressure, which is 0
+}
+
 TEST(ContactLaw, TheDistributionOfTheGapIsItsAreaAndItsMean) {
   SurfacePair pair{rough_map(96, 0.4e-6, 3), {}, MapEdges::mirrored, {67.4e9, 2.5e9}};
   pair.has_flow = true;

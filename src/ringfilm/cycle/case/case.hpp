@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -306,7 +307,8 @@ struct ContactLawTable {
   double composite_modulus = 0;          ///< E' [Pa]
   std::optional<double> hardness;        ///< nothing: elastic [Pa]
   double last_supported_separation = 0;  ///< up to here several spots carry; beyond it is an extrapolation [m]
-  base::Shared<models::FlowTable> flow;  ///< through the same gaps; empty where the file has none
+  /// Through the same gaps; nullptr where the file has none.
+  std::shared_ptr<const models::MeasuredFlow> flow;
   /// Standard deviations of the shift of the separation [m] and of ln p [-], and their correlation.
   std::optional<double> shift_deviation, factor_deviation, shift_factor_correlation;
 };

@@ -267,7 +267,7 @@ void check_measured_factors(const Case& c, const std::string& key, Breaches& bre
   if (c.contact.model != ContactLaw::kTable) {
     breaches.push_back({key, "a flow of \"measured\" requires contact.model = \"table\"",
                         "contact and flow are those of one gap; state contact.law, or \"patir-cheng\""});
-  } else if (!c.contact.law_file.empty() && !c.contact.law->rows.h.empty() && c.contact.law->flow->empty()) {
+  } else if (!c.contact.law_file.empty() && !c.contact.law->rows.h.empty() && c.contact.law->flow == nullptr) {
     breaches.push_back({key, "contact.law has no flow factors, and a flow is \"measured\"",
                         "write it with ringfilm contact --flow-factors, or state \"patir-cheng\""});
   }

@@ -1,8 +1,10 @@
 #include "ringfilm/cycle/integration/contact_setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/models/contact/summit_contact.hpp"
 
 namespace ringfilm::cycle {
@@ -40,6 +42,11 @@ std::shared_ptr<const models::AsperityContact> measured_contact(const Contact& c
     rows.h.push_back(h);
     rows.pressure.push_back(contact.law_factor * contact.law->rows.pressure[k]);
     rows.area_share.push_back(contact.law_factor * contact.law->rows.area_share[k]);
+  }
+  if (rows.h.size() < std::min(contact.law->rows.h.size(), models::TabulatedContact::kFewestRows)) {
+    throw InputError("contact.law_shift moves all of contact.law but " + std::to_string(rows.h.size()) +
+                         " of its rows to separations below 0",
+                     "state a shift of less than its separations");
   }
   return std::make_shared<models::TabulatedContact>(rows, contact.law->last_supported_separation + contact.law_shift);
 }

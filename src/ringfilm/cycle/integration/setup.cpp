@@ -194,7 +194,10 @@ namespace {
 film::MeasuredFactors measured_factors(const Case& c) {
   film::MeasuredFactors factors;
   if (!c.film.is_measured()) return factors;
-  const auto flow = std::make_shared<const models::MeasuredFlow>(*c.contact.law->flow);
+  film::MeasuredFactors::Flow flow = c.contact.law->flow;
+  if (c.contact.law_shift != 0) {
+    flow = std::make_shared<const models::MeasuredFlow>(flow->shifted(c.contact.law_shift));
+  }
   if (c.film.flow_factors == Roughness::kMeasured) factors.pressure_flow = flow;
   if (c.film.shear_flow == Roughness::kMeasured) factors.shear_flow = flow;
   if (c.film.stress_factors == Roughness::kMeasured) factors.stress = flow;

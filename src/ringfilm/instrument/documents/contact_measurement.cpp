@@ -344,10 +344,11 @@ PreparedPair prepared_pair(const SurfaceFile& first, const SurfaceFile* second, 
   return of;
 }
 
-/// By how much the short cut-off decides: the ratios of pressures as columns, NaN without contact.
+/// By how much the short cut-off decides: the ratios of pressures as columns, NaN without contact. @param with those of
+/// the cut-off that is stated
 void add_other_cutoffs(const SurfaceFile& first, const SurfaceFile* second, const ContactAnalysis& analysis,
-                       const std::vector<double>& separations, io::MeasuredTable& table,
-                       std::vector<std::string>& notes) {
+                       const std::vector<double>& separations, const std::vector<double>& with,
+                       io::MeasuredTable& table, std::vector<std::string>& notes) {
   const auto pressures = [&](double factor) {
     ContactAnalysis changed = analysis;
     changed.preparation.short_cutoff_m = factor * *analysis.preparation.short_cutoff_m;
@@ -359,7 +360,6 @@ void add_other_cutoffs(const SurfaceFile& first, const SurfaceFile* second, cons
     }
     return of;
   };
-  const std::vector<double> with = pressures(1);
   for (const CutoffLaw& other : kOtherCutoffs) {
     std::vector<double> ratio(separations.size(), std::numeric_limits<double>::quiet_NaN());
     try {
@@ -397,7 +397,7 @@ io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile*
   if (law.scatter.samples > 1) all.groups.push_back(law_scatter_group(law.scatter));
   all.tables.push_back(law_table(law, analysis));
   if (analysis.preparation.short_cutoff_m) {
-    add_other_cutoffs(first, second, analysis, separations, all.tables.back(), all.notes);
+    add_other_cutoffs(first, second, analysis, separations, law.first_pressure, all.tables.back(), all.notes);
   }
   const bool has_band = law.scatter.samples > 1;
   all.curves.push_back(law_curve(law, kColumns[1], "pressure_curve", has_band ? pressure_band : nullptr));

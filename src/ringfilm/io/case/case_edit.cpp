@@ -63,6 +63,10 @@ void take_out(Case& c, const Field& field) {
   std::visit(Blank(c, cycle::blank_case(c.problem)), field.kind);
   c.stated.erase(field.key);
   std::erase_if(c.files, [&field](const cycle::InputFile& file) { return file.role == field.key; });
+  // With a pair goes the hardness that it brought.
+  if (field.key == "contact.friction_pair" && !c.stated.contains("contact.hardness")) {
+    take_out(c, known_field("contact.hardness"));
+  }
 }
 
 /// Does the key decide how files are read?

@@ -91,6 +91,7 @@ ContactLawFile read_contact_law(const NamedFile& named) {
   const std::string bytes = read_source_bytes(named.path, named.shown, kLargestFile);
   const char* remedy = "write one with ringfilm contact --surface ... --output law.nc";
   ContactLawFile of;
+  std::optional<models::FlowTable> flow;
   of.sha256 = sha256(bytes);
   {
     ResultFileReader file(named.shown, content_before_trailer(named.shown, bytes));
@@ -109,10 +110,10 @@ ContactLawFile read_contact_law(const NamedFile& named) {
     of.law.shift_deviation = maybe(kShiftDeviation);
     of.law.factor_deviation = maybe(kLogPressureDeviation);
     of.law.shift_factor_correlation = maybe(kShiftPressureCorrelation);
-    if (auto flow = flow_of(file)) of.law.flow = base::Shared<models::FlowTable>(std::move(*flow));
+    flow = flow_of(file);
   }
   try {
-    if (!of.law.flow->empty()) models::MeasuredFlow(*of.law.flow);
+    if (flow) of.law.flow = std::make_shared<const models::MeasuredFlow>(std::move(*flow));
     const models::TabulatedContact contact(of.law.rows, of.law.last_supported_separation);
     if (contact.row_error() > models::TabulatedContact::kMostError) {
       of.notes.push_back("contact.law: between its rows the law errs by up to " + number_text(contact.row_error()) +

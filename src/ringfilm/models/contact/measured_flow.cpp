@@ -90,6 +90,26 @@ MeasuredFlow::MeasuredFlow(FlowTable table) : table_(std::move(table)) {
   }
 }
 
+MeasuredFlow MeasuredFlow::shifted(double shift) const {
+  if (shift == 0) return *this;
+  FlowTable moved;
+  moved.gap = table_.gap;
+  moved.sigma = table_.sigma;
+  for (std::size_t k = 0; k < table_.h.size(); ++k) {
+    const double h = table_.h[k] + shift;
+    if (!(h > 0)) continue;
+    const double ratio = table_.h[k] / h;
+    moved.h.push_back(h);
+    moved.pressure_flow_x.push_back(table_.pressure_flow_x[k] * ratio * ratio * ratio);
+    moved.pressure_flow_y.push_back(table_.pressure_flow_y[k] * ratio * ratio * ratio);
+    moved.shear_flow.push_back(table_.shear_flow[k]);
+    moved.pressure_stress.push_back(table_.pressure_stress[k] * ratio);
+    moved.mean_gap.push_back(table_.mean_gap[k]);
+    moved.gap_share.push_back(table_.gap_share[k]);
+  }
+  return MeasuredFlow(std::move(moved));
+}
+
 MeasuredFlow::Column MeasuredFlow::column(std::vector<double> values) const {
   std::vector<double> slope = limited_slopes(table_.h, values);
   return {std::move(values), std::move(slope)};

@@ -29,6 +29,10 @@ class MeasuredFlow {
   /// not of an area.
   explicit MeasuredFlow(FlowTable table);
 
+  /// The same gaps at separations that are larger by `shift`: what a row lets through it lets through there. Rows that
+  /// move to 0 or below are omitted. Throws InputError where fewer than 2 remain. @param shift [m]
+  MeasuredFlow shifted(double shift) const;
+
   double pressure_flow(double h) const;         ///< phi_x [-]
   double pressure_flow_across(double h) const;  ///< phi_y, for films in two dimensions [-]
   double shear_flow(double h) const;            ///< phi_s, first surface at rest [-]

@@ -10,7 +10,7 @@ namespace ringfilm::models {
 namespace {
 
 constexpr double kLeftAtReach = 1e-11;  // of the value at 0
-constexpr std::size_t kFewestRows = 4;
+constexpr std::size_t kFewestRows = TabulatedContact::kFewestRows;
 constexpr int kBefore = 8, kBeyond = 24;  // places before the first row and beyond the last one
 constexpr int kPieces = 256;
 constexpr double kTailWindow = 4.605170185988091;  // ln 100: rows whose slope and curvature the tail has

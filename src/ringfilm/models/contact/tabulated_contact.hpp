@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "ringfilm/models/contact/contact_law.hpp"
@@ -17,6 +18,7 @@ struct ContactTable {
 /// that is trusted ln p continues, straight before and with the curvature of the last rows beyond.
 class TabulatedContact final : public AsperityContact {
  public:
+  static constexpr std::size_t kFewestRows = 4;
   static constexpr double kMostError = 1e-3;  ///< of the pressure at a row
 
   /// @param trusted_up_to_m last separation whose rows are used [m]

@@ -53,7 +53,7 @@ void append_gas(const cycle::Case& base, StudyValues& values) {
         {peak, "Pa", "bar", region.name + ": highest pressure, absolute", "", "eq-gas-balance"});
     values.quantities.push_back({region_value_name(region.name, "mean_pressure"), "Pa", "bar",
                                  region.name + ": pressure, absolute, mean over time", "", "eq-gas-balance"});
-    if (region.name.starts_with("land")) values.main.push_back(peak);
+    if (!region.name.starts_with("groove")) values.main.push_back(peak);
   }
 }
 

@@ -171,9 +171,9 @@ double last_supported(const ContactLaw& law, std::size_t positions) {
 struct Samples {
   std::vector<std::vector<double>> pressure, area;
 
-  void add(std::size_t separations) {
-    pressure.emplace_back(separations, 0.0);
-    area.emplace_back(separations, 0.0);
+  void add(std::size_t separations, double before = 0) {
+    pressure.emplace_back(separations, before);
+    area.emplace_back(separations, before);
   }
   void set(std::size_t k, const ContactAtSeparation& of) {
     pressure.back()[k] = of.pressure;
@@ -181,15 +181,22 @@ struct Samples {
   }
 };
 
+/// Of the samples that have a value there.
 double deviation_of(const std::vector<std::vector<double>>& samples, std::size_t k) {
-  const double n = static_cast<double>(samples.size());
-  double sum = 0, squares = 0;
-  for (const auto& sample : samples) sum += sample[k];
-  for (const auto& sample : samples) squares += (sample[k] - sum / n) * (sample[k] - sum / n);
+  double n = 0, sum = 0, squares = 0;
+  for (const auto& sample : samples) {
+    if (!std::isfinite(sample[k])) continue;
+    sum += sample[k];
+    n += 1;
+  }
+  for (const auto& sample : samples) {
+    if (std::isfinite(sample[k])) squares += (sample[k] - sum / n) * (sample[k] - sum / n);
+  }
   return n < 2 ? 0 : std::sqrt(squares / (n - 1));
 }
 
 /// The law of each region of the first position, from the mean plane of the whole: long waves are what they scatter by.
+/// A region whose own mean plane lies above the separation would be pressed flat: it has no value there, NaN.
 Samples laws_of_regions(const SurfacePair& pair, std::span<const double> separations_m,
                         const std::vector<std::size_t>& order) {
   Samples samples;
@@ -200,7 +207,7 @@ Samples laws_of_regions(const SurfacePair& pair, std::span<const double> separat
     const HeightMap part = part_of_map(whole, region);
     const double rise = mean_height(part) - plane;
     RoughContact contact(part, MapEdges::mirrored, pair.material);
-    samples.add(separations_m.size());
+    samples.add(separations_m.size(), std::numeric_limits<double>::quiet_NaN());
     for (const std::size_t k : order) {
       if (separations_m[k] > rise) samples.set(k, contact.solve(separations_m[k] - rise));
     }
@@ -208,13 +215,15 @@ Samples laws_of_regions(const SurfacePair& pair, std::span<const double> separat
   return samples;
 }
 
-/// Of the pressures at separations that several spots support.
+/// Of the pressures at separations that several spots support and where each sample has one.
 LawScatter scatter_of(const Samples& samples, const ContactLaw& law) {
   std::vector<double> at, spots;
   std::vector<std::vector<double>> pressure(samples.pressure.size());
   for (std::size_t k = 0; k < law.points.size(); ++k) {
     const ContactAtSeparation& mean = law.points[k].mean;
-    if (mean.separation_m > law.last_supported_m) continue;
+    const bool is_everywhere = std::all_of(samples.pressure.begin(), samples.pressure.end(),
+                                           [k](const auto& sample) { return std::isfinite(sample[k]); });
+    if (mean.separation_m > law.last_supported_m || !is_everywhere) continue;
     at.push_back(mean.separation_m);
     spots.push_back(mean.spots_per_m2);
     for (std::size_t j = 0; j < pressure.size(); ++j) pressure[j].push_back(samples.pressure[j][k]);
@@ -247,6 +256,7 @@ Shift shift_of(std::size_t k, const HeightMap& second, MapEdges edges) {
 ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separations_m) {
   ContactLaw law;
   law.points.resize(separations_m.size());
+  law.first_pressure.resize(separations_m.size());
   law.highest_m = highest_point(pair);
   if (!pair.has_flow) check_reach(law.highest_m, separations_m);
   const double difference = roughness_difference(pair);
@@ -266,6 +276,7 @@ ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separati
       const ContactAtSeparation found = contact.solve(separations_m[k]);
       check_area(found);
       samples.set(k, found);
+      if (position == 0) law.first_pressure[k] = found.pressure;
       const double weight = 1 / static_cast<double>(positions);
       add(found, weight, law.points[k]);
       if (pair.has_flow) add_flow(contact, found, difference, weight, law.gap_places_m, law.points[k].flow);

@@ -48,6 +48,7 @@ struct ContactLaw {
   double missing_share = 0.0;           ///< of the points of the first position
   double last_supported_m = 0.0;        ///< largest separation with five spots on all maps, or the smallest of all [m]
   LawScatter scatter;                   ///< of one relative position and one region, up to last_supported_m
+  std::vector<double> first_pressure;   ///< mean pressure of the first position, in the order of `points` [Pa]
   std::vector<double> pressure;         ///< of the first position at the smallest separation, point by point [Pa]
   std::vector<double> gap_m;            ///< likewise the true gap, 0 in contact [m]
   std::vector<double> gap_places_m;     ///< of the distribution of the gap, rising; empty without the flow [m]
