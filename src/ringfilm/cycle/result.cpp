@@ -384,6 +384,10 @@ const std::vector<UnrolledField>& strip_fields() {
       {{"strip_oil_flow_middle", "kg/(m s)", "mg/(m s)",
         "oil flow at the middle section, positive to the crankcase, per length of ring", "m'_mid", "eq-mass-flow"},
        &F::strip_oil_flow_middle},
+      {{"strip_lifted_off", "1", "1", "1 where the ring is lifted off, else 0", "", "eq-film-2d-open-area"},
+       &F::strip_lifted_off},
+      {{"strip_bore_deviation", "m", "um", "radius of the bore over that of the round one", "Delta", "eq-closure-bore"},
+       &F::strip_bore_deviation},
   };
   return table;
 }

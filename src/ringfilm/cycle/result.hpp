@@ -205,8 +205,8 @@ struct UnrolledCycleQuantity : Quantity {
 const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();  ///< in the order of files and tables
 
 /// Fields of the unrolled film at some crank angles: x from the chamber edge, y from one end of the gap around to the
-/// other, or from the joint of a closed ring. In full over [angle][y][x], or reduced along the face to [angle][y];
-/// what was not asked for is empty.
+/// other, or from the joint of a closed ring. Reduced along the face to [angle][y], and in full over [angle][y][x]
+/// where that was asked for; what was not is empty.
 struct UnrolledFields {
   double circumference = 0;                     ///< pi x bore [m]
   double end_gap = 0;                           ///< between y = length and y = 0 [m]; 0: a closed ring
@@ -225,6 +225,8 @@ struct UnrolledFields {
   std::vector<float> strip_min_film_thickness;  ///< smallest across the face [m]
   std::vector<float> strip_total_friction;      ///< of oil and asperities, per length in y [N/m]
   std::vector<float> strip_oil_flow_middle;     ///< positive to the crankcase, per length in y [kg/(m s)]
+  std::vector<float> strip_lifted_off;          ///< 1 where the ring is lifted off, else 0 [-]
+  std::vector<float> strip_bore_deviation;  ///< radius of the bore over that of the round one; of a ring that bends [m]
 
   bool empty() const { return crank_angle_deg.empty(); }  ///< no angle was asked for
   /// Does it belong to a film across the face, which has nothing of it?

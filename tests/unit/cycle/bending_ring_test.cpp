@@ -48,12 +48,31 @@ TEST(BendingRing, ForcesAroundItAndMassBalanceThroughTheCycle) {
   Case c = bending_ring();
   c.film.cavitation = Cavitation::kMassConserving;
   c.liner.distortion = {{2, 15e-6, 0, {}}, {4, 6e-6, 30, {}}};
+  c.output.fields = FieldOutput::kAll;
+  c.output.reduction = FieldReduction::kAlongFace;
   const CycleResult result = simulated(c);
   EXPECT_TRUE(result.complete);
   EXPECT_LT(result.effort.max_load_residual, 1e-6);
   EXPECT_LT(result.effort.max_mass_residual, 1e-4);
   EXPECT_GT(result.unrolled_values.peak_clearance, 2 * result.values.max_film_thickness);
   EXPECT_GT(result.unrolled_values.peak_open_area, 0);
+  const UnrolledFields& fields = result.unrolled;
+  const film::CircumferentialGrid around = strips_of(c);
+  const std::size_t n = fields.y.size();
+  ASSERT_EQ(fields.crank_angle_deg.size(), result.unrolled_samples.size());
+  for (std::size_t k = 0; k < fields.crank_angle_deg.size(); ++k) {
+    double lifted = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double theta =
+          c.ring.gap_position_deg * std::numbers::pi / 180 + (0.5 * fields.end_gap + fields.y[j]) / (c.engine.bore / 2);
+      const double bore = 15e-6 * std::cos(2 * theta) + 6e-6 * std::cos(4 * (theta - std::numbers::pi / 6));
+      // The beam counts the gap's angle at its neutral radius: 1e-4 of a radian.
+      ASSERT_NEAR(fields.strip_bore_deviation[k * n + j], bore, 5e-9) << j;
+      lifted += fields.strip_lifted_off[k * n + j] * around.share[j];
+    }
+    const double degrees = lifted / (c.engine.bore / 2) * 180 / std::numbers::pi;
+    EXPECT_NEAR(result.unrolled_samples[k].lifted_angle, degrees, 1e-9);
+  }
 }
 
 /// Hardly any film and stiff contact: a clearance that is that of the ring without film, over its thinnest film.

@@ -54,6 +54,13 @@ models::FourierSeries BendingRing::bore_at(double below_tdc) const {
   return bore_deviation(case_, below_tdc).turned(case_.ring.gap_position_deg * pi / 180);
 }
 
+std::vector<double> BendingRing::bore_at_strips(double below_tdc) const {
+  const models::FourierSeries bore = bore_at(below_tdc);
+  std::vector<double> at;
+  for (std::size_t j = 0; j < target_.size(); ++j) at.push_back(bore(elements_.phi()[j + first_node_]));
+  return at;
+}
+
 film::ElasticRing BendingRing::elastic_ring() const {
   static_assert(film::ElasticRing::kWidth == models::BeamElements::kWidth);
   return {first_node_, elements_.stiffness()};

@@ -18,6 +18,8 @@ class BendingRing {
   /// pressure.
   /// @param below_tdc of the ring [m]
   void press(double below_tdc, film::Film2dInputs& inputs) const;
+  /// Radius of the bore at each strip over that of the round one, at a place on the stroke [m].
+  std::vector<double> bore_at_strips(double below_tdc) const;
 
  private:
   models::FourierSeries bore_at(double below_tdc) const;

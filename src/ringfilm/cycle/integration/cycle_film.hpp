@@ -44,6 +44,12 @@ class CycleFilm {
   /// Length of the ring that node `i` of a state represents, to a factor common to all.
   double weight(std::size_t i) const { return film2d_ ? film2d_->around.share[i / film2d_->n_across()] : 1; }
 
+  /// Radius of the bore at each strip over that of the round one; empty for a ring that does not bend, whose bore is
+  /// taken as round [m].
+  std::vector<double> bore_at_strips(const RingConditions& at) const {
+    return ring_ ? ring_->bore_at_strips(at.below_tdc) : std::vector<double>();
+  }
+
   /// By how much the separation of a strip exceeds h_m: that of a ring that bends [m].
   double rise(const film::FilmState& state, int strip) const {
     return state.ring.empty() ? 0 : state.ring[film2d_->ring.of_strip(strip)];

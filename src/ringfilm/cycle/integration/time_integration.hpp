@@ -114,6 +114,7 @@ class TimeIntegration {
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
   /// What acts on an unrolled film.
   film::Film2dInputs film2d_inputs(const RingConditions& at) const { return film_.film2d_inputs(at); }
+  std::vector<double> bore_at_strips(const RingConditions& at) const { return film_.bore_at_strips(at); }
   /// By how much the separation of a strip of a ring that bends exceeds h_m, else 0 [m].
   double rise(const film::FilmState& state, int strip) const { return film_.rise(state, strip); }
 

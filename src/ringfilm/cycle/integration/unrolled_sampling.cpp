@@ -32,21 +32,22 @@ double total_friction(const Contact& contact, const film::StripIntegrals& strip,
 constexpr double kLiftedOff = 0.1;
 
 /// eq-film-2d-open-area.
+bool is_lifted_off(const Setup& setup, const film::FilmInputs& inputs, const film::StripIntegrals& strip) {
+  const double at_edges = 0.5 * (inputs.left.pressure + inputs.right.pressure) * setup.input.ring.face_width;
+  return strip.hydrodynamic_load + strip.asperity_load - at_edges < kLiftedOff * (inputs.load - at_edges);
+}
+
 void add_clearance(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
                    const std::vector<film::StripIntegrals>& strips, UnrolledSample& s) {
   const film::CircumferentialGrid& around = integration.film2d()->around;
-  const film::FilmInputs& inputs = instant.at.inputs;
-  const double at_edges = 0.5 * (inputs.left.pressure + inputs.right.pressure) * setup.input.ring.face_width;
   const double gap = setup.input.ring.end_gap.value_or(0), radius = setup.input.engine.bore / 2;
   for (int j = 0; j < around.n_strips(); ++j) {
-    const film::StripIntegrals& strip = strips[j];
-    const double carried = strip.hydrodynamic_load + strip.asperity_load - at_edges;
     const double separation = instant.state->h_m + integration.rise(*instant.state, j);
     if (separation > s.max_clearance) {
       s.max_clearance = separation;
       s.max_clearance_place = degrees((0.5 * gap + around.y[j]) / radius);
     }
-    if (carried >= kLiftedOff * (inputs.load - at_edges)) continue;
+    if (!is_lifted_off(setup, instant.at.inputs, strips[j])) continue;
     s.open_area += around.share[j] * separation;
     s.lifted_angle += degrees(around.share[j] / radius);
   }
@@ -138,16 +139,18 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
                                    const film::Film2dIntegrals& integrals) {
   UnrolledFields kept;
   const auto keep = [](std::vector<float>& field, double value) { field.push_back(static_cast<float>(value)); };
+  for (const film::StripIntegrals& strip : integrals.strips) {
+    keep(kept.strip_hydrodynamic_load, strip.hydrodynamic_load);
+    keep(kept.strip_asperity_load, strip.asperity_load);
+    keep(kept.strip_peak_film_pressure, strip.peak_pressure);
+    keep(kept.strip_cavitated_fraction, strip.cavitated_fraction);
+    keep(kept.strip_min_film_thickness, strip.min_film_thickness);
+    keep(kept.strip_total_friction, total_friction(setup_.input.contact, strip, strip.asperity_area));
+    keep(kept.strip_oil_flow_middle, flow_from_chamber(strip.flow_middle, instant.at.axis));
+    keep(kept.strip_lifted_off, is_lifted_off(setup_, instant.at.inputs, strip) ? 1 : 0);
+  }
+  for (const double deviation : integration.bore_at_strips(instant.at)) keep(kept.strip_bore_deviation, deviation);
   if (setup_.input.output.reduction == FieldReduction::kAlongFace) {
-    for (const film::StripIntegrals& strip : integrals.strips) {
-      keep(kept.strip_hydrodynamic_load, strip.hydrodynamic_load);
-      keep(kept.strip_asperity_load, strip.asperity_load);
-      keep(kept.strip_peak_film_pressure, strip.peak_pressure);
-      keep(kept.strip_cavitated_fraction, strip.cavitated_fraction);
-      keep(kept.strip_min_film_thickness, strip.min_film_thickness);
-      keep(kept.strip_total_friction, total_friction(setup_.input.contact, strip, strip.asperity_area));
-      keep(kept.strip_oil_flow_middle, flow_from_chamber(strip.flow_middle, instant.at.axis));
-    }
     fields_[instant.crank_angle_deg] = std::move(kept);
     return;
   }

@@ -107,6 +107,11 @@ MeasuredFlow MeasuredFlow::shifted(double shift) const {
     moved.mean_gap.push_back(table_.mean_gap[k]);
     moved.gap_share.push_back(table_.gap_share[k]);
   }
+  if (moved.h.size() < 2) {
+    throw InputError("contact.law_shift moves all flow factors of contact.law but " + std::to_string(moved.h.size()) +
+                         " to separations below 0",
+                     "state a shift of less than its separations");
+  }
   return MeasuredFlow(std::move(moved));
 }
 

@@ -1,6 +1,8 @@
 // Puts the page together from the data that it carries.
 import { clearanceFigure, gapFigure } from './cycle/around_figures.js';
 import { AroundView } from './cycle/around_view.js';
+import { hasBore } from './cycle/bore_drawing.js';
+import { BoreView } from './cycle/bore_view.js';
 import { CycleGroup } from './plot/chart.js';
 import {
   cycleFigures,
@@ -198,7 +200,9 @@ function buildPage(model) {
   const faces = [view(faceFigure(model))].filter(Boolean);
   const along = fieldAngles(model).length ? new FaceView(model, context) : null;
   const unrolled = unrolledCases(model);
+  const inBore = unrolled.find(({ data }) => hasBore(data));
   const around = [
+    inBore ? new BoreView(model, inBore, context) : null,
     unrolled.length ? new AroundView(model, unrolled, context) : null,
     hasCurves ? view(clearanceFigure(model)) : null,
     hasCurves ? view(gapFigure(model)) : null,
