@@ -64,7 +64,7 @@ function polar(data, k, width) {
   const lifted = strips.map((j) => (data.stripValue('strip_lifted_off', k, j) ?? 0) > kIsLifted);
   const path = (points) => points.map(([x, y], n) => `${n ? 'L' : 'M'}${px(x)} ${px(y)}`).join('');
   const between = `${path(boreLine)}${path([...ringLine].reverse()).replace('M', 'L')}Z`;
-  // The bore goes on across the gap of the ring.
+  // The bore continues across the gap of the ring.
   const closedBore = [...boreLine, boreLine[0]];
   const shapes = [
     `<circle cx="${px(centre.x)}" cy="${px(centre.y)}" r="${px(radius)}" fill="none" stroke="#d5d9df" ` +
