@@ -479,9 +479,9 @@ class Pack(program.ProgramTest):
             self.assertEqual(refused.count(words), 1, refused)
             self.assertNotIn("ring 1:", refused)
 
-    def test_a_study_takes_one_ring(self):
+    def test_a_study_has_the_values_of_each_ring(self):
         self.write("study.toml", STUDY)
-        self.assertIn("one ring", self.refused("study", "study.toml"))
+        self.assertIn("ring_2_fmep", self.run_well("study", "study.toml"))
 
 
 if __name__ == "__main__":

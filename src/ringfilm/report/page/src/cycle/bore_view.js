@@ -50,11 +50,11 @@ export class BoreView {
       element(
         'figcaption',
         {},
-        `Bore and face of the ring with their deviations from a circle enlarged ${number(enlargement(data), 3)} times ` +
-          'over the bore (scale in the middle), the same at all crank angles; dashed the round bore. Between them the ' +
-          'smallest film thickness of each strip, orange where the ring is lifted off: where it carries less than a ' +
-          'tenth of what presses it on. Loads and friction per length around the ring; next to its ends they may exceed ' +
-          'the scale.',
+        'Bore and face of the ring, their deviations from a circle enlarged ' +
+          `${number(enlargement(data), 3)} times over the bore (scale in the middle), the same at all ` +
+          'crank angles; dashed the round bore. Between them the smallest film thickness of each strip, ' +
+          'orange where the ring is lifted off: where it carries less than a tenth of what presses it on. ' +
+          'Loads and friction per length around the ring; next to its ends they may exceed the scale.',
       ),
     );
   }
