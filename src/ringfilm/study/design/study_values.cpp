@@ -49,8 +49,7 @@ void append_gas(const cycle::Case& base, StudyValues& values) {
   const std::vector<gas_path::Region>& regions = network.regions();
   for (const gas_path::Region& region : std::span(regions).subspan(1, regions.size() - 2)) {
     const std::string peak = region_value_name(region.name, "peak_pressure");
-    values.quantities.push_back(
-        {peak, "Pa", "bar", region.name + ": highest pressure, absolute", "", "eq-gas-region"});
+    values.quantities.push_back({peak, "Pa", "bar", region.name + ": highest pressure, absolute", "", "eq-gas-region"});
     values.quantities.push_back({region_value_name(region.name, "mean_pressure"), "Pa", "bar",
                                  region.name + ": pressure, absolute, mean over time", "", "eq-gas-region"});
     if (!region.name.starts_with("groove")) values.main.push_back(peak);
