@@ -47,6 +47,8 @@ expected = {
     "wave, peak": 2 * sqrt(P),
     "soft wave, pressure": 0.1 * plastic_wave(0.5, 0.1),
     "soft wave, area": plastic_wave(0.5, 0.1),
+    "egg box, first contact": 2 * pi * (3 * sqrt(2) / (32 * pi)) ** (2 / 3),
+    "egg box, next to full contact": 3 / (2 * pi),
     "punches, pressure in the centre": 1 / sin(pi * A),
     "punches, sinking": -2 / pi * log(sin(pi * A)),
     "sphere, peak": 1.0,
@@ -60,5 +62,6 @@ expected = {
     "gap, sliding": (1 - E * E) / (1 + E * E / 2),
     "gap, stress by pressure": (1 - E * E) / (1 + E * E / 2),
     "rough gap, far from contact": 1.5,
+    "rough surface, area at which the flow stops": 0.415,
 }
 print(json.dumps(expected, indent=1))

@@ -55,6 +55,20 @@ double of_wave(const ContactForm& form, const std::string& quantity) {
   return sum;
 }
 
+/// Waves along both axes, z = D cos(2 pi x) cos(2 pi y): full contact needs sqrt(2) p*.
+double of_egg_box(const ContactForm& form, const std::string& quantity) {
+  const double step = 1.0 / form.points;
+  const HeightMap map = map_of(form.points, form.points, step, [](double x, double y) {
+    return kAmplitude * std::cos(2 * pi * x) * std::cos(2 * pi * y);
+  });
+  RoughContact contact(map, MapEdges::periodic, {1, {}});
+  const ContactAtSeparation found = contact.solve(form.separation * kAmplitude);
+  const double P = found.pressure / (std::numbers::sqrt2 * kFull);
+  if (quantity == "hertz_area") return found.area_share / std::pow(P, 2.0 / 3);
+  if (quantity == "open_area") return (1 - found.area_share) / (1 - P);
+  return kNotOfThis;
+}
+
 double of_punches(const ContactForm& form, const std::string& quantity) {
   constexpr double kSinking = 1e-4;
   const HeightMap map = map_of(form.points, 1, 1.0 / form.points,
@@ -106,6 +120,23 @@ double rms_slope(const HeightMap& map) {
   return std::sqrt(squares / static_cast<double>(map.points()));
 }
 
+/// Real area at which the flow stops, the mean of both directions, while the surfaces come closer.
+double percolation_area(RoughContact& contact) {
+  constexpr double kFirst = 0.5, kStep = 0.03;  // of the rms height
+  constexpr double kShut = 1e-6;                // of h^3: what flows through a shut gap
+  double area = 0, shut_x = 0, shut_y = 0;
+  for (double h = kFirst; h > 0 && (shut_x == 0 || shut_y == 0); h -= kStep) {
+    const double separation = h * contact.Sq_m(), smallest = kShut * std::pow(separation, 3), former = area;
+    area = contact.solve(separation).area_share;
+    std::vector<double> gap(contact.gap().begin(), contact.gap().end());
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = contact.pressure()[i] > 0 ? 0 : std::max(gap[i], 0.0);
+    const auto of = surface::flow_factors(gap, contact.grid());
+    if (shut_x == 0 && of.conductance_x < smallest) shut_x = (former + area) / 2;
+    if (shut_y == 0 && of.conductance_y < smallest) shut_y = (former + area) / 2;
+  }
+  return (shut_x + shut_y) / 2;
+}
+
 double of_rough(const ContactForm& form, const std::string& quantity) {
   const HeightMap map = rough_map(form.points);
   const double slope = rms_slope(map);
@@ -120,6 +151,7 @@ double of_rough(const ContactForm& form, const std::string& quantity) {
     const double phi = 0.5 * (of.conductance_x + of.conductance_y) / (h * h * h);
     return (1 - phi) * form.separation * form.separation;
   }
+  if (quantity == "percolation_area") return percolation_area(contact);
   const ContactAtSeparation found = contact.solve(h);
   if (quantity == "area_slope") return found.area_share * slope / found.pressure;  // kappa, of E* = 1
   if (quantity == "real_pressure" && form.hardness > 0) {                          // over the hardness
@@ -155,7 +187,7 @@ double of_persson(const ContactForm& form, const std::string& quantity) {
 }  // namespace
 
 const std::vector<std::string>& contact_surfaces() {
-  static const std::vector<std::string> names = {"wave", "punches", "sphere", "rough", "gap", "persson"};
+  static const std::vector<std::string> names = {"wave", "egg-box", "punches", "sphere", "rough", "gap", "persson"};
   return names;
 }
 
@@ -163,6 +195,9 @@ const std::vector<cycle::Quantity>& contact_form_quantities() {
   static const std::vector<cycle::Quantity> all = {
       {"contact_pressure", "1", "1", "mean pressure over that of full contact", "p/p*", ""},
       {"real_area", "1", "1", "real contact area", "A", ""},
+      {"hertz_area", "1", "1", "real area over the pressure to the power 2/3", "A/P^(2/3)", ""},
+      {"open_area", "1", "1", "area without contact over the pressure missing to full contact", "(1-A)/(1-P)", ""},
+      {"percolation_area", "1", "1", "real area at which the flow stops", "A_c", ""},
       {"peak_pressure", "1", "1", "peak pressure", "p_0", ""},
       {"centre_pressure", "1", "1", "pressure in the centre of a punch over the mean", "p(0)/p", ""},
       {"sinking", "1", "1", "depth of the punches per mean pressure", "d E*/p", ""},
@@ -180,6 +215,7 @@ const std::vector<cycle::Quantity>& contact_form_quantities() {
 
 double contact_form_value(const ContactForm& form, const std::string& quantity) {
   if (form.surface == "wave") return of_wave(form, quantity);
+  if (form.surface == "egg-box") return of_egg_box(form, quantity);
   if (form.surface == "punches") return of_punches(form, quantity);
   if (form.surface == "sphere") return of_sphere(form, quantity);
   if (form.surface == "rough") return of_rough(form, quantity);

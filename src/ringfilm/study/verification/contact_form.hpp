@@ -11,12 +11,12 @@ namespace ringfilm::study {
 struct ContactForm {
   std::string surface;    ///< one of contact_surfaces()
   int points = 0;         ///< along an axis
-  double separation = 0;  ///< wave: h/D; gap: the mean gap over the amplitude; rough: over the rms height [-]
+  double separation = 0;  ///< wave, egg box: h/D; gap: the mean gap over the amplitude; rough: over the rms height [-]
   double hardness = 0;    ///< wave: H/p*; rough and persson: over E* h'; 0: elastic [-]
   double size = 0;        ///< punches: half width over the period; persson: p/(E* h') [-]
 };
 
-/// "wave", "punches", "sphere", "rough", "gap", "persson".
+/// "wave", "egg-box", "punches", "sphere", "rough", "gap", "persson".
 const std::vector<std::string>& contact_surfaces();
 
 /// What a surface has: see the README of the verification.
