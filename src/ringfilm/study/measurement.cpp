@@ -97,8 +97,18 @@ Measurement of_ring(const cycle::CycleResult& result) {
     difference += sample.oil_flow_chamber_edge - sample.oil_flow_crankcase_edge;
     size += std::abs(sample.oil_flow_middle);
   }
+  for (const cycle::UnrolledSample& sample : result.unrolled_samples) {
+    for (const auto& quantity : cycle::unrolled_quantities()) {
+      measurement.curves[quantity.name].push_back(sample.*quantity.value);
+    }
+  }
   for (const auto& quantity : cycle::cycle_quantities()) {
     measurement.values[quantity.name] = {result.values.*quantity.value};
+  }
+  if (!result.unrolled_samples.empty()) {
+    for (const auto& quantity : cycle::unrolled_cycle_quantities()) {
+      measurement.values[quantity.name] = {result.unrolled_values.*quantity.value};
+    }
   }
   measurement.values["cycle_mass_residual"] = {std::abs(difference) / size};
   measurement.values["largest_mass_residual"] = {result.effort.max_mass_residual};
@@ -155,6 +165,8 @@ const std::vector<cycle::Quantity>& measured_quantities() {
                    "eq-closure-complementarity"});
     add_all(cycle::cycle_quantities(), all);
     add_all(cycle::curve_quantities(), all);
+    add_all(cycle::unrolled_cycle_quantities(), all);
+    add_all(cycle::unrolled_quantities(), all);
     return all;
   }();
   return table;
@@ -174,10 +186,11 @@ bool is_of_gas(const std::string& name) {
 }
 
 std::optional<cycle::Quantity> find_curve(const std::string& name) {
-  for (const cycle::Quantity& quantity : cycle::curve_quantities()) {
-    if (quantity.name == name) return quantity;
-  }
-  return std::nullopt;
+  std::vector<cycle::Quantity> all;
+  add_all(cycle::curve_quantities(), all);
+  add_all(cycle::unrolled_quantities(), all);
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
+  return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
 Measurement measure(const cycle::Case& c) {

@@ -94,7 +94,7 @@ struct ContactCheck : Check {
 /// A curve of a ring over crank angle.
 struct CurveCheck : Check {
   std::string run;
-  std::string quantity;                 ///< name from cycle::curve_quantities()
+  std::string quantity;                 ///< of find_curve()
   std::vector<double> crank_angle_deg;  ///< [degree]
   std::vector<double> expected;         ///< [SI]
   Tolerance tolerance;                  ///< relative to the value at each angle, or absolute
