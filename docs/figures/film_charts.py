@@ -327,6 +327,39 @@ def flow_factors():
     return picture
 
 
+def local_deformation():
+    """Film, pressure and local deformation under the face of the new ring where the gas pressure is highest."""
+    rigid, elastic = (
+        case("styles2014/new.toml", ring__local_deformation=choice, output__fields=[20]).run()
+        for choice in ("none", "half-space")
+    )
+    picture = Picture("Film thickness, pressure and local deformation over the face of the new ring at 20 degree", 600)
+    mark_synthetic(picture)
+    x = 1e3 * elastic["x"]
+    entries = [(EXIT, "rigid face"), (KEEPING, "half-spaces")]
+    legend(picture, LEFT, 20, entries, 130)
+    rows = (
+        ("film thickness [um]", 1e6, "film_thickness", (0, 2), (0, 0.5, 1, 1.5, 2)),
+        ("pressure of film and asperities [bar]", 1e-5, "pressure", (0, 500), range(0, 501, 100)),
+        ("local deformation δ [um]", 1e6, "local_deformation", (-0.05, 0.15), (-0.05, 0, 0.05, 0.1, 0.15)),
+    )
+    for k, (words, unit, name, ends, ticks) in enumerate(rows):
+        panel = Panel(picture, LEFT, 62 + 180 * k, ACROSS, 122, (0, 1.2), ends)
+        panel.title(words)
+        panel.y_axis("", ticks)
+        panel.x_axis("x from the chamber edge [mm]" if k == 2 else "", [0, 0.2, 0.4, 0.6, 0.8, 1, 1.2])
+        for result, style in ((rigid, EXIT), (elastic, KEEPING)):
+            if name == "pressure":
+                values = result["film_pressure"][0] + result["asperity_pressure"][0]
+            elif name == "local_deformation" and result is rigid:
+                continue
+            else:
+                values = result[name][0]
+            panel.curve(x, unit * values, style, cut=True)
+        panel.frame()
+    return picture
+
+
 PICTURES = {
     "film-states": film_states,
     "ring-film": ring_film,
@@ -336,4 +369,5 @@ PICTURES = {
     "pocket-pad": pocket_pad,
     "convergence": convergence,
     "flow-factors": flow_factors,
+    "local-deformation": local_deformation,
 }

@@ -4,7 +4,14 @@ import numpy
 
 from ._drawing import BY_ANGLE, crank_axis, dotted_line, from_intake, from_zero, label_of
 
-FIELDS = ("film_thickness", "film_pressure", "film_content", "local_lambda_ratio", "asperity_pressure")
+FIELDS = (
+    "film_thickness",
+    "film_pressure",
+    "film_content",
+    "local_lambda_ratio",
+    "asperity_pressure",
+    "local_deformation",
+)
 
 _FEW_ANGLES = 8
 _HIGH = 60  # letters along the axis of a figure of one large panel

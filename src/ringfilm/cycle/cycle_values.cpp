@@ -150,6 +150,9 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   const Peak heating = largest(base, &Sample::viscous_heating_rise);
   v.peak_viscous_heating_rise = heating.value;
   v.peak_viscous_heating_rise_angle = heating.angle_deg;
+  const Peak deformation = largest(base, &Sample::max_local_deformation);
+  v.peak_local_deformation = deformation.value;
+  v.peak_local_deformation_angle = deformation.angle_deg;
   const Peak flash = largest(base, &Sample::flash_temperature);
   v.peak_flash_temperature = flash.value;
   v.peak_flash_temperature_angle = flash.angle_deg;

@@ -58,11 +58,12 @@ struct Sample {
   /// Largest difference of pressure that the film holds against gas where it leaves over the one that acts [-]; NaN
   /// where the film leaves into oil or towards the lower pressure.
   double gas_holding_margin = 0;
-  double peak_shear_rate = 0;    ///< largest along the face [1/s]
-  double newton_iterations = 0;  ///< spent on the way here from the crank step before
-  double crank_sub_steps = 0;    ///< steps taken on that way
-  double fallbacks = 0;          ///< bracketed searches and shorter steps that were needed on it
-  double load_residual = 0;      ///< |W_h + W_a - W|/W [-]
+  double peak_shear_rate = 0;        ///< largest along the face [1/s]
+  double max_local_deformation = 0;  ///< by which face and liner are pressed apart at most, over their edges [m]
+  double newton_iterations = 0;      ///< spent on the way here from the crank step before
+  double crank_sub_steps = 0;        ///< steps taken on that way
+  double fallbacks = 0;              ///< bracketed searches and shorter steps that were needed on it
+  double load_residual = 0;          ///< |W_h + W_a - W|/W [-]
 };
 
 /// Name, unit and meaning of one quantity; `name` is the word used everywhere, from the CSV header to the caption.
@@ -128,6 +129,8 @@ struct CycleValues {
   double peak_viscous_heating_rise_angle = 0;  ///< crank angle of it [degree]
   double peak_flash_temperature = 0;           ///< largest rise of the liner's surface under the face [K]
   double peak_flash_temperature_angle = 0;     ///< crank angle of it [degree]
+  double peak_local_deformation = 0;           ///< largest by which face and liner are pressed apart [m]
+  double peak_local_deformation_angle = 0;     ///< crank angle of it [degree]
   double archard_wear_load = 0;                ///< integral of asperity load x speed over the cycle [J]
   double power_stroke_energy = 0;              ///< part of E from 0 to 180 degree [J]
   double exhaust_stroke_energy = 0;            ///< part of E from 180 to 360 degree [J]
@@ -154,6 +157,7 @@ struct FaceFields {
   std::vector<double> film_pressure;      ///< [Pa] absolute
   std::vector<double> film_content;       ///< theta, liquid share of the gap [-]
   std::vector<double> lambda_ratio;       ///< h(x)/sigma [-]
+  std::vector<double> local_deformation;  ///< delta, over the mean of both edges; empty: face and liner are rigid [m]
   std::vector<double> asperity_pressure;  ///< [Pa]
 };
 

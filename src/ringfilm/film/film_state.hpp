@@ -151,6 +151,7 @@ struct FilmState {
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
   std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
   std::vector<double> ring;           ///< unknowns of a ring that bends (ElasticRing), over h_m; empty: none [m]
+  std::vector<double> deformation;    ///< of face and liner at the nodes (ElasticFace); empty: none [m]
   LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
   std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };
@@ -180,6 +181,9 @@ struct FilmReport {
   long sweeps = 0;           ///< of point relaxation
   double last_step = 0;      ///< last relative change of film or pressure [-]
   double thinnest_film = 0;  ///< of kRunsAway: the smallest h_m at which the film has a pressure [m]
+
+  /// A film that was solved after this one, in its place: with the iterations of both.
+  void add(const FilmReport& next);
 };
 
 }  // namespace ringfilm::film

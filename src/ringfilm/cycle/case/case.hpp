@@ -237,7 +237,8 @@ struct Ring {
   std::optional<double> end_gap;               ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;                 ///< of the gap's middle around the bore [degree]
   Conformity conformity = Conformity::kRigid;  ///< does the ring of an unrolled film bend?
-  RingGasPath gas_path;                        ///< what the gas meets at the ring
+  LocalDeformation local_deformation = LocalDeformation::kNone;
+  RingGasPath gas_path;  ///< what the gas meets at the ring
   /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
   std::vector<FourierTerm> pressure_orders;
   RingFace face;    ///< shape of the face across its width

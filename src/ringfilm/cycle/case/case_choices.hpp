@@ -169,6 +169,12 @@ enum class Conformity {
   kBeam    ///< a beam with free ends that bends in a bore out of round
 };
 
+/// `ring.local_deformation`: do face and liner give way to the pressure between them?
+enum class LocalDeformation {
+  kNone,      ///< both are rigid
+  kHalfSpace  ///< as elastic half-spaces in plane strain across the face
+};
+
 /// `film.cavitation`: how the film ruptures.
 enum class Cavitation {
   kReynoldsExit,   ///< pressure is never below p_c (Reynolds)

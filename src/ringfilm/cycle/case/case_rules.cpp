@@ -271,6 +271,14 @@ void check_contact_law(const Case& c, Breaches& breaches) {
   }
 }
 
+void check_local_deformation(const Ring& ring, Breaches& breaches) {
+  if (ring.local_deformation == LocalDeformation::kNone || ring.face.orientation != Orientation::kLeadingEdge) return;
+  breaches.push_back({"ring.local_deformation",
+                      "ring.local_deformation = \"half-space\" needs a face that stays as it is installed, and with "
+                      "ring.face.orientation = \"leading-edge\" it turns over at each reversal",
+                      "state the edge that looks at the chamber, or take \"none\""});
+}
+
 /// Rules of engine and gas: what the gas path alone uses, too.
 void check_engine_and_gas(const Case& c, Breaches& breaches) {
   check_engine(c, breaches);
@@ -320,6 +328,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   check_tension(c, breaches);
   if (c.ring.face.form == FaceForm::kPoints) check_face_points(c.ring, breaches);
   check_measured_width(c.ring, breaches);
+  check_local_deformation(c.ring, breaches);
   append_measured_breaches(c.contact.measured, breaches);
   check_contact_law(c, breaches);
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);

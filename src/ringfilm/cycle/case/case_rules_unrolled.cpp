@@ -40,6 +40,11 @@ void check_scheme(const Case& c, Breaches& breaches) {
     breaches.push_back({"solver.cell_lengths", "solver.cell_lengths = \"by-gap\" is for the film across the face alone",
                         "take \"uniform\", or film.dimension = \"face\""});
   }
+  if (c.ring.local_deformation != LocalDeformation::kNone) {
+    breaches.push_back({"ring.local_deformation",
+                        "ring.local_deformation = \"half-space\" is for the film across the face alone",
+                        "take \"none\", or film.dimension = \"face\""});
+  }
 }
 
 /// @returns whether some of the circumference is left to the ring

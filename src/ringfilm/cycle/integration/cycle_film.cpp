@@ -34,6 +34,11 @@ film::FilmProblem film_across(const Setup& setup) {
   return problem;
 }
 
+std::optional<film::ElasticFace> elastic_face(const Setup& setup, const film::FilmProblem& across) {
+  if (setup.input.ring.local_deformation == LocalDeformation::kNone || setup.input.is_unrolled()) return std::nullopt;
+  return film::ElasticFace(across.grid, setup.ring.E_prime);
+}
+
 std::optional<BendingRing> bending_ring(const Case& c) {
   if (!c.bends()) return std::nullopt;
   return BendingRing(c, strips_of(c));
@@ -110,17 +115,25 @@ CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm
 
 CycleFilm::CycleFilm(const Setup& setup)
     : across_(film_across(setup)),
+      elastic_(elastic_face(setup, across_)),
       factors_(across_, setup.ring.factors),
       ring_(bending_ring(setup.input)),
       film2d_(film_on_ring(setup, across_, ring_)),
       workspace_(workspace_of(setup, *this)) {}
 
+film::FilmReport CycleFilm::solve_across(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                         film::FilmState& state) {
+  return factors_.solve(inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+    return film::solve_film(across_, held, previous, found, std::get<film::MethodWorkspace>(workspace_));
+  });
+}
+
 film::FilmReport CycleFilm::solve(const RingConditions& at, const film::FilmState& previous, film::FilmState& state) {
-  if (!film2d_) {
-    return factors_.solve(at.inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
-      return film::solve_film(across_, held, previous, found, std::get<film::MethodWorkspace>(workspace_));
-    });
+  if (elastic_) {
+    return elastic_->solve(across_, at.inputs, state,
+                           [&](film::FilmState& found) { return solve_across(at.inputs, previous, found); });
   }
+  if (!film2d_) return solve_across(at.inputs, previous, state);
   return film::solve_film2d(*film2d_, film2d_inputs(at), previous, state, std::get<film::Film2dWorkspace>(workspace_));
 }
 

@@ -5,6 +5,7 @@
 #include "ringfilm/cycle/closure/bending_ring.hpp"
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/film/elastic_face.hpp"
 #include "ringfilm/film/factors/factor_iteration.hpp"
 #include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/solver/method.hpp"
@@ -21,8 +22,11 @@ class CycleFilm {
   explicit CycleFilm(const Setup& setup);
   CycleFilm(const CycleFilm&) = delete;  // its workspace may refer to its problem
 
-  /// Across the face: that of each strip of an unrolled film.
+  /// Across the face: that of each strip of an unrolled film. Its gap is that of the film that was solved last, where
+  /// the face gives way to it.
   const film::FilmProblem& across() const { return across_; }
+  /// The same with the gap of a face without load.
+  const film::FilmGrid& unloaded_grid() const { return elastic_ ? elastic_->unloaded() : across_.grid; }
   /// nullptr: the film is that across the face.
   const film::Film2dProblem* film2d() const { return film2d_ ? &*film2d_ : nullptr; }
 
@@ -57,9 +61,12 @@ class CycleFilm {
 
  private:
   using Workspace = std::variant<film::MethodWorkspace, film::Film2dWorkspace>;
+  film::FilmReport solve_across(const film::FilmInputs& inputs, const film::FilmState& previous,
+                                film::FilmState& state);
   static Workspace workspace_of(const Setup& setup, const CycleFilm& film);
 
   film::FilmProblem across_;
+  std::optional<film::ElasticFace> elastic_;   ///< nothing: face and liner are rigid
   film::FactorIteration factors_;              ///< of the film across the face
   std::optional<BendingRing> ring_;            ///< nothing: it is rigid
   std::optional<film::Film2dProblem> film2d_;  ///< of an unrolled film

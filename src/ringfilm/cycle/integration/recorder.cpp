@@ -141,6 +141,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
     append(result.fields.film_content, f.film_content);
     append(result.fields.lambda_ratio, f.lambda_ratio);
     append(result.fields.asperity_pressure, f.asperity_pressure);
+    append(result.fields.local_deformation, f.local_deformation);
   }
   std::vector<Sample> passed;  // only of an integration that stopped: else all of them
   if (!result.complete) {
@@ -164,7 +165,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
     add_liner_oil(setup_, *integration.liner_oil(), result.values, result.stroke);
   }
   if (unrolled_) unrolled_->add_to(result, integration, base);
-  result.derived = derived_values(setup_, integration.problem().grid);
+  result.derived = derived_values(setup_, integration.unloaded_grid());
 
   const TimeIntegration::Totals& totals = integration.totals();
   result.effort = {static_cast<double>(steps_integrated) / static_cast<double>(base_.size()),
@@ -185,7 +186,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
   }
   const double untrusted = untrusted_load > 0 ? untrusted_load / load : 0;
   result.notes = setup_.notes;
-  append_validity_notes(setup_, integration.problem().grid, base, result.complete ? result.values.fmep : 0.0,
+  append_validity_notes(setup_, integration.unloaded_grid(), base, result.complete ? result.values.fmep : 0.0,
                         {polynomial_steps_, polynomial_share_, untrusted}, result.notes);
   append_effort_notes(result.effort, totals, result.notes);
   sort_notes(result.notes);

@@ -116,6 +116,9 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.gas_holding_margin = gas_holding_margin(integration.problem().grid, in, instant.state->h_m,
                                             leaves_at_x_b ? film::FilmEdge::kRight : film::FilmEdge::kLeft);
   s.peak_shear_rate = integrals.peak_shear_rate;
+  for (const double delta : instant.state->deformation) {
+    s.max_local_deformation = std::max(s.max_local_deformation, delta);
+  }
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.wetted_begin = f.wetted_begin;
@@ -138,7 +141,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
 }
 
 FaceFields empty_fields(const Setup& setup, const TimeIntegration& integration) {
-  const film::FilmGrid& grid = integration.problem().grid;
+  const film::FilmGrid& grid = integration.unloaded_grid();
   FaceFields fields;
   fields.x = grid.x;
   fields.face_height = grid.node_height;
@@ -160,6 +163,7 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
     const double h = separation + problem.grid.node_height[i];
     const bool local = problem.contact_spread == film::ContactSpread::kLocal;
     fields.film_thickness.push_back(h);
+    if (!state.deformation.empty()) fields.local_deformation.push_back(state.deformation[i]);
     const std::size_t at = static_cast<std::size_t>(strip) * (n + 1) + i;
     fields.film_pressure.push_back(state.p[at]);
     fields.film_content.push_back(film::film_content(problem.cavitation, state.deficit[at]));

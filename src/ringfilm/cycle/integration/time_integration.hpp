@@ -85,10 +85,10 @@ class TimeIntegration {
   bool at_base_angle() const { return tick_ == kTicksPerBaseStep; }
 
   /// Can its films be sought in the lane of a block: films across the face, by the coupled Newton method, without
-  /// factors that follow from the film?
+  /// factors or a gap that follow from the film?
   bool fits_a_lane() const {
     return !setup_.input.is_unrolled() && setup_.input.solver.method == Method::kCoupledNewton &&
-           setup_.ring.factors.are_of_plain_film();
+           setup_.ring.factors.are_of_plain_film() && setup_.input.ring.local_deformation == LocalDeformation::kNone;
   }
 
   /// A base step may be cut into as many.
@@ -110,6 +110,7 @@ class TimeIntegration {
   const film::FilmState& state() const { return state_; }
   /// Of the film across the face, which is that of each strip of an unrolled film.
   const film::FilmProblem& problem() const { return film_.across(); }
+  const film::FilmGrid& unloaded_grid() const { return film_.unloaded_grid(); }
   /// Of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
   /// What acts on an unrolled film.

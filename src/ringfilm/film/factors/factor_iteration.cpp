@@ -36,15 +36,6 @@ class SeparationOfFactors {
   double residual_before_ = 0;
 };
 
-void add_effort(const FilmReport& of, FilmReport& total) {
-  const int iterations = total.iterations + of.iterations, outer = total.outer_iterations + of.outer_iterations;
-  const bool was_searched = total.route == Route::kSecant;
-  total = of;
-  total.iterations = iterations;
-  total.outer_iterations = outer;
-  if (was_searched) total.route = Route::kSecant;
-}
-
 }  // namespace
 
 FilmReport FactorIteration::solve(const FilmInputs& inputs, FilmState& state, const Solve& solve) const {
@@ -55,7 +46,7 @@ FilmReport FactorIteration::solve(const FilmInputs& inputs, FilmState& state, co
   SeparationOfFactors at(state.h_m);
   for (int pass = 0; pass < kMostPasses; ++pass) {
     held.factors = flow_factors(laws_, problem_, inputs, state, at.value());
-    add_effort(solve(held, state), total);
+    total.add(solve(held, state));
     if (!total.converged) return total;
     const auto found = flow_factors(laws_, problem_, inputs, state, state.h_m);
     if (difference(*held.factors, *found, problem_.grid, state.h_m) <= enough) return total;

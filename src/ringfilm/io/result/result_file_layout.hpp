@@ -117,6 +117,14 @@ void exchange_fields(File& file, Result& result) {
   file.numbers(
       grid, described("asperity_pressure", "Pa", "asperity contact pressure along the face", "p_a", "eq-asperity-load"),
       fields.asperity_pressure);
+  const cycle::Quantity deformation =
+      described("local_deformation", "m", "local deformation of face and liner, over that at the edges", "delta",
+                "eq-local-deformation");
+  if constexpr (File::kReads) {
+    if (file.has_variable(deformation.name)) file.numbers(grid, deformation, fields.local_deformation);
+  } else {
+    if (!fields.local_deformation.empty()) file.numbers(grid, deformation, fields.local_deformation);
+  }
   auto& stroke = result.stroke;
   file.numbers({"liner_position"},
                described("liner_position", "m", "distance below the position of the ring at TDC", "s"),

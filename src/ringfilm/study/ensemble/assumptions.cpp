@@ -429,6 +429,21 @@ Assumption conformity(const Case& c) {
   return round;
 }
 
+Assumption local_deformation(const Case& c) {
+  const char* key = "ring.local_deformation";
+  const char* topic = "rigid-surfaces";
+  if (c.ring.local_deformation != cycle::LocalDeformation::kNone) {
+    return assumption(topic, "face and liner give way to the pressure between them as half-spaces in plane strain",
+                      "coating, edges and what lies behind the ring are omitted; what bends ring and liner over more "
+                      "than the width of the face is not local",
+                      other_choices(key, c));
+  }
+  return assumption(topic, "ring and liner do not deform under the film pressure",
+                    "under piston rings they give way by a tenth of a micrometre, which changes the film by some "
+                    "percent; ring.local_deformation = \"half-space\" computes it",
+                    other_choices(key, c));
+}
+
 /// The band of a pair of the library gives the alternatives.
 Assumption boundary_friction(const Case& c) {
   const char* key = "contact.boundary_shear_strength_coefficient";
@@ -450,14 +465,8 @@ Assumption boundary_friction(const Case& c) {
 std::vector<Assumption> always_open(const cycle::Setup& setup) {
   const Case& c = setup.input;
   return {
-      conformity(c),
-      assumption("rigid-surfaces", "ring and liner do not deform under the film pressure",
-                 "holds where film pressures stay far below the moduli, as under piston rings"),
-      ring_gap(c),
-      boundary_friction(c),
-      gaussian_summits(setup),
-      newtonian_oil(c),
-      smooth_gap_flow(c),
+      conformity(c),           local_deformation(c), ring_gap(c),        boundary_friction(c),
+      gaussian_summits(setup), newtonian_oil(c),     smooth_gap_flow(c),
   };
 }
 

@@ -101,6 +101,11 @@ void append_ring_fields(std::vector<Field>& fields) {
                 {"how the ring of an unrolled film meets the bore: one separation all around in a round bore, or as a "
                  "beam that bends in the bore of liner.distortion",
                  "\"beam\""}),
+          field("ring.local_deformation", choice<&Case::ring, &Ring::local_deformation>({"none", "half-space"}),
+                kNoUnit, {}, Need::kDefault, {},
+                {"whether face and liner give way locally to the pressure between them, as elastic half-spaces with "
+                 "E' of the contact",
+                 "\"half-space\""}),
           field("ring.pressure_orders",
                 FourierTermsKind{member<&Case::ring, &Ring::pressure_orders>, 2, TermPlace::kOneSection}, kPlainNumber,
                 between(-10, 10), Need::kOptional, {},
