@@ -49,8 +49,10 @@ void add_clearance(const Setup& setup, const TimeIntegration& integration, const
     }
     if (!is_lifted_off(setup, instant.at.inputs, strips[j])) continue;
     s.open_area += around.share[j] * separation;
+    s.gas_opening += around.share[j] / (2 * std::numbers::pi * radius) * separation * separation * separation;
     s.lifted_angle += degrees(around.share[j] / radius);
   }
+  s.gas_opening = std::cbrt(s.gas_opening);
 }
 
 }  // namespace

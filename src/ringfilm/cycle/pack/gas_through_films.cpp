@@ -47,15 +47,20 @@ std::optional<std::vector<CycleResult>> films(const Case& c, Observer* observer)
   return results;
 }
 
+/// Gap over the face that gas passes all around [m]. Where a ring that bends is lifted off, the gap is taken as free of
+/// oil.
+double gas_opening(const CycleResult& film, std::size_t k) {
+  if (!film.unrolled_samples.empty()) return film.unrolled_samples[k].gas_opening;
+  return film.samples[k].gas_breakthrough > 0 ? film.samples[k].min_film_thickness : 0;
+}
+
 /// Takes what gas passes over a face halfway to what a film lets through: full steps would swing.
 void open_face(Case& ring, const CycleResult& film, bool is_first) {
   std::vector<double>& opening = ring.ring.gas_path.face_opening;
   const double share = is_first ? 1 : 0.5;
   opening.resize(film.samples.size(), 0.0);
   for (std::size_t k = 0; k < opening.size(); ++k) {
-    const Sample& sample = film.samples[k];
-    const double gap = sample.gas_breakthrough > 0 ? sample.min_film_thickness : 0;
-    opening[k] += share * (gap - opening[k]);
+    opening[k] += share * (gas_opening(film, k) - opening[k]);
   }
 }
 
