@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
+#include "ringfilm/cycle/between_samples.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
@@ -27,117 +30,81 @@ double interval(const std::vector<Sample>& samples, std::size_t k) {
   return to - samples[k].crank_angle_deg;
 }
 
-/// Mean over the crank angle by the trapezoidal rule.
-template <typename Value>
-double mean(const std::vector<Sample>& samples, Value value) {
-  double sum = 0, before = interval(samples, samples.size() - 1);
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const double after = interval(samples, k);
-    sum += 0.5 * (before + after) * value(samples[k]);
-    before = after;
-  }
-  return sum / kCycleDeg;
+BetweenSamples between(const std::vector<Sample>& samples) {
+  std::vector<double> angles;
+  for (const Sample& s : samples) angles.push_back(s.crank_angle_deg);
+  return BetweenSamples(std::move(angles));
 }
 
-/// Share of the cycle in which `value`, straight between the samples, is below the limit [-].
-template <typename Value>
-double share_below(const std::vector<Sample>& samples, double limit, Value value) {
-  double sum = 0;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const double a = value(samples[k]), b = value(samples[(k + 1) % samples.size()]);
-    const double low = std::min(a, b), high = std::max(a, b);
-    const double share = high < limit ? 1 : low >= limit ? 0 : (limit - low) / (high - low);
-    sum += share * interval(samples, k);
+/// Values of the curves through the samples of a cycle.
+class Curves {
+  using Member = double Sample::*;
+  auto of(Member member) const {
+    return [this, member](std::size_t k) { return samples_[k].*member; };
   }
-  return sum / kCycleDeg;
-}
 
-struct Peak {
-  double value;
-  double angle_deg;
-  std::size_t place;
+ public:
+  using Place = BetweenSamples::Place;
+
+  explicit Curves(const std::vector<Sample>& samples) : samples_(samples), between_(between(samples)) {}
+
+  template <class Value>
+  double mean(const Value& value) const {
+    return between_.mean([&](std::size_t k) { return value(samples_[k]); });
+  }
+  double mean(Member member) const { return between_.mean(of(member)); }
+  double share_below(double limit, Member member) const { return between_.share_below(limit, of(member)); }
+  double at(double crank_angle_deg, Member member) const { return between_.at(crank_angle_deg, of(member)); }
+
+  Place largest(Member member) const { return largest_within(kCycleDeg / 2, member); }
+  /// Up to an angle before and after firing TDC [degree].
+  Place largest_within(double window_deg, Member member) const {
+    const auto is_within = [&](double angle) { return std::abs(std::remainder(angle, kCycleDeg)) <= window_deg; };
+    std::optional<std::size_t> top;
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      if (!is_within(samples_[k].crank_angle_deg)) continue;
+      if (!top || samples_[k].*member > samples_[*top].*member) top = k;
+    }
+    if (!top) return {0, 0};
+    const Place place = between_.largest_near(*top, of(member));
+    return is_within(place.angle_deg) ? place : Place{samples_[*top].*member, samples_[*top].crank_angle_deg};
+  }
+  Place smallest(Member member) const {
+    const auto least = std::min_element(samples_.begin(), samples_.end(),
+                                        [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
+    const Place place = between_.largest_near(static_cast<std::size_t>(least - samples_.begin()),
+                                              [&](std::size_t k) { return -(samples_[k].*member); });
+    return {-place.value, place.angle_deg};
+  }
+  /// Of a stroke over the crank angle [degree].
+  double integral(int stroke, Member member) const {
+    const std::vector<double>& weights = between_.weights(stroke);
+    double sum = 0;
+    for (std::size_t k = 0; k < samples_.size(); ++k) sum += weights[k] * (samples_[k].*member);
+    return sum;
+  }
+
+ private:
+  const std::vector<Sample>& samples_;
+  BetweenSamples between_;
 };
-
-/// Steps of more unequal lengths do not show the bend between them.
-constexpr double kMostUnequal = 2.1;
-
-/// The parabola through a sample and its neighbours, at an angle from it; flat where their steps are too unequal.
-struct Parabola {
-  double value, slope = 0, bend = 0, left = 0, right = 0;
-
-  Parabola(const std::vector<Sample>& samples, std::size_t k, double Sample::*member) : value(samples[k].*member) {
-    const std::size_t n = samples.size();
-    if (n < 3) return;
-    left = interval(samples, (k + n - 1) % n);
-    right = interval(samples, k);
-    if (std::max(left, right) > kMostUnequal * std::min(left, right)) return;
-    const double to_left = (value - samples[(k + n - 1) % n].*member) / left;
-    const double to_right = (samples[(k + 1) % n].*member - value) / right;
-    slope = (to_left * right + to_right * left) / (left + right);
-    bend = (to_right - to_left) / (left + right);
-  }
-  double at(double shift) const { return value + shift * (slope + shift * bend); }
-};
-
-/// The vertex next to an extreme sample.
-Peak vertex(const std::vector<Sample>& samples, std::size_t k, double Sample::*member) {
-  const Parabola parabola(samples, k, member);
-  const double shift = parabola.bend != 0 ? -parabola.slope / (2 * parabola.bend) : 0;
-  const bool is_near = 2 * shift >= -parabola.left && 2 * shift <= parabola.right;
-  if (!is_near) return {samples[k].*member, samples[k].crank_angle_deg, k};
-  return {parabola.at(shift), std::fmod(samples[k].crank_angle_deg + shift + kCycleDeg, kCycleDeg), k};
-}
-
-std::size_t place_of_largest(const std::vector<Sample>& samples, double Sample::*member) {
-  const auto it = std::max_element(samples.begin(), samples.end(),
-                                   [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-  return static_cast<std::size_t>(it - samples.begin());
-}
-
-/// Of what has kinks at the dead centres, which are steps.
-Peak largest_sample(const std::vector<Sample>& samples, double Sample::*member) {
-  const std::size_t k = place_of_largest(samples, member);
-  return {samples[k].*member, samples[k].crank_angle_deg, k};
-}
-
-Peak largest(const std::vector<Sample>& samples, double Sample::*member) {
-  return vertex(samples, place_of_largest(samples, member), member);
-}
-
-Peak smallest(const std::vector<Sample>& samples, double Sample::*member) {
-  const auto it = std::min_element(samples.begin(), samples.end(),
-                                   [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-  return vertex(samples, static_cast<std::size_t>(it - samples.begin()), member);
-}
-
-/// Trapezoidal rule over the samples of a stroke.
-double stroke_energy(const Setup& setup, const std::vector<Sample>& samples, int stroke) {
-  double energy = 0;
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    // A crank step that a dead centre divides goes to the stroke that holds its middle.
-    const double step = interval(samples, k);
-    const double middle = samples[k].crank_angle_deg + 0.5 * step;
-    if (static_cast<int>(middle / 180) != stroke) continue;
-    energy += 0.5 * (samples[k].power_loss + samples[(k + 1) % samples.size()].power_loss) * step;
-  }
-  return energy * cycle_time(setup) / kCycleDeg;
-}
 
 }  // namespace
 
 CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   const double duration = cycle_time(setup);
+  const Curves curves(base);
   CycleValues v;
-  v.mean_power_loss = mean(base, [](const Sample& s) { return s.power_loss; });
+  v.mean_power_loss = curves.mean([](const Sample& s) { return s.power_loss; });
   v.energy_per_cycle = v.mean_power_loss * duration;
   v.fmep = v.energy_per_cycle / swept_volume(setup.input.engine);
-  v.mean_boundary_power = mean(base, [](const Sample& s) { return s.boundary_friction * std::abs(s.piston_velocity); });
-  v.mean_viscous_power = mean(base, [](const Sample& s) { return s.viscous_friction * std::abs(s.piston_velocity); });
-  v.archard_wear_load = mean(base, [](const Sample& s) { return s.archard_wear_load_rate; }) * duration;
+  v.mean_boundary_power = curves.mean([](const Sample& s) { return s.boundary_friction * std::abs(s.piston_velocity); });
+  v.mean_viscous_power = curves.mean([](const Sample& s) { return s.viscous_friction * std::abs(s.piston_velocity); });
+  v.archard_wear_load = curves.mean([](const Sample& s) { return s.archard_wear_load_rate; }) * duration;
 
   const auto mean_and_peak = [&](double Sample::*part, double& average, double& peak, double& angle) {
-    average = mean(base, [&](const Sample& s) { return s.*part; });
-    const Peak p = largest(base, part);
+    average = curves.mean(part);
+    const BetweenSamples::Place p = curves.largest(part);
     peak = p.value;
     angle = p.angle_deg;
   };
@@ -147,56 +114,53 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
                 v.peak_viscous_friction_angle);
   mean_and_peak(&Sample::total_friction, v.mean_total_friction, v.peak_total_friction, v.peak_total_friction_angle);
 
-  const Peak heating = largest(base, &Sample::viscous_heating_rise);
+  const BetweenSamples::Place heating = curves.largest(&Sample::viscous_heating_rise);
   v.peak_viscous_heating_rise = heating.value;
   v.peak_viscous_heating_rise_angle = heating.angle_deg;
-  const Peak deformation = largest(base, &Sample::max_local_deformation);
+  const BetweenSamples::Place deformation = curves.largest(&Sample::max_local_deformation);
   v.peak_local_deformation = deformation.value;
   v.peak_local_deformation_angle = deformation.angle_deg;
-  const Peak flash = largest(base, &Sample::flash_temperature);
+  const BetweenSamples::Place flash = curves.largest(&Sample::flash_temperature);
   v.peak_flash_temperature = flash.value;
   v.peak_flash_temperature_angle = flash.angle_deg;
 
-  const Peak mu = largest_sample(base, &Sample::friction_coefficient);
+  const BetweenSamples::Place mu = curves.largest(&Sample::friction_coefficient);
   v.peak_friction_coefficient = mu.value;
   v.peak_friction_coefficient_angle = mu.angle_deg;
-  for (const Sample& s : base) {
-    if (std::abs(std::remainder(s.crank_angle_deg, kCycleDeg)) <= kFiringWindowDeg) {
-      v.peak_friction_coefficient_firing = std::max(v.peak_friction_coefficient_firing, s.friction_coefficient);
-    }
-  }
+  v.peak_friction_coefficient_firing = curves.largest_within(kFiringWindowDeg, &Sample::friction_coefficient).value;
 
-  const Peak thinnest = smallest(base, &Sample::min_film_thickness);
+  const BetweenSamples::Place thinnest = curves.smallest(&Sample::min_film_thickness);
   v.min_film_thickness = thinnest.value;
   v.min_film_thickness_angle = thinnest.angle_deg;
-  v.max_film_thickness = largest(base, &Sample::min_film_thickness).value;
-  v.min_lambda_ratio = smallest(base, &Sample::lambda_ratio).value;
-  v.peak_mean_real_pressure = largest(base, &Sample::mean_real_pressure).value;
-  const Peak gas = largest_sample(base, &Sample::gas_pressure);  // an input
-  v.peak_gas_pressure = gas.value;
-  v.peak_gas_pressure_angle = gas.angle_deg;
-  const double beyond = vertex(base, gas.place, &Sample::gas_pressure).angle_deg - gas.angle_deg;
-  v.lambda_ratio_at_peak_pressure =
-      Parabola(base, gas.place, &Sample::lambda_ratio).at(std::remainder(beyond, kCycleDeg));
-  v.mixed_share = share_below(base, kMixedBelow, [](const Sample& s) { return s.lambda_ratio; });
+  v.max_film_thickness = curves.largest(&Sample::min_film_thickness).value;
+  v.min_lambda_ratio = curves.smallest(&Sample::lambda_ratio).value;
+  v.peak_mean_real_pressure = curves.largest(&Sample::mean_real_pressure).value;
+  const models::CyclePressure& gas = setup.ring.lands.above;
+  v.peak_gas_pressure = gas.peak();
+  v.peak_gas_pressure_angle = gas.peak_angle_deg();
+  v.lambda_ratio_at_peak_pressure = curves.at(gas.peak_angle_deg(), &Sample::lambda_ratio);
+  v.mixed_share = curves.share_below(kMixedBelow, &Sample::lambda_ratio);
 
-  const double mean_load = mean(base, [](const Sample& s) { return s.applied_load; });
+  const double mean_load = curves.mean([](const Sample& s) { return s.applied_load; });
   const auto load_mean = [&](double Sample::*member) {
-    return mean(base, [&](const Sample& s) { return s.*member * s.applied_load; }) / mean_load;
+    return curves.mean([&](const Sample& s) { return s.*member * s.applied_load; }) / mean_load;
   };
   v.mean_friction_coefficient = load_mean(&Sample::friction_coefficient);
   v.mean_stribeck_number = load_mean(&Sample::stribeck_number);
   v.mean_lambda_ratio = load_mean(&Sample::lambda_ratio);
 
-  v.net_oil_flow = mean(base, [](const Sample& s) { return s.oil_flow_middle; });
-  v.mean_absolute_oil_flow = mean(base, [](const Sample& s) { return std::abs(s.oil_flow_middle); });
-  v.peak_film_pressure = largest(base, &Sample::peak_film_pressure).value;
-  v.mean_cavitated_fraction = mean(base, [](const Sample& s) { return s.cavitated_fraction; });
+  v.net_oil_flow = curves.mean([](const Sample& s) { return s.oil_flow_middle; });
+  v.mean_absolute_oil_flow = curves.mean([](const Sample& s) { return std::abs(s.oil_flow_middle); });
+  v.peak_film_pressure = curves.largest(&Sample::peak_film_pressure).value;
+  v.mean_cavitated_fraction = curves.mean([](const Sample& s) { return s.cavitated_fraction; });
 
-  v.power_stroke_energy = stroke_energy(setup, base, 0);
-  v.exhaust_stroke_energy = stroke_energy(setup, base, 1);
-  v.intake_stroke_energy = stroke_energy(setup, base, 2);
-  v.compression_stroke_energy = stroke_energy(setup, base, 3);
+  const auto stroke_energy = [&](int stroke) {
+    return curves.integral(stroke, &Sample::power_loss) * duration / kCycleDeg;
+  };
+  v.power_stroke_energy = stroke_energy(0);
+  v.exhaust_stroke_energy = stroke_energy(1);
+  v.intake_stroke_energy = stroke_energy(2);
+  v.compression_stroke_energy = stroke_energy(3);
   return v;
 }
 

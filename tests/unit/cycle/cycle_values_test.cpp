@@ -26,21 +26,21 @@ TEST(CycleValues, MeansWeightedWithTheLoadAreThoseOfTheSums) {
   EXPECT_DOUBLE_EQ(values.mean_lambda_ratio, (800.0 + 900 + 1200 + 1200) / 2000);
 }
 
-TEST(CycleValues, PeaksAreVerticesAndStepsMayBeUnequal) {
+// Parabolas within a stroke, with a kink at the dead centres, on steps of unequal lengths.
+TEST(CycleValues, ParabolasWithinStrokesAreExact) {
   const ringfilm::cycle::Setup setup = prepare(testing::styles_new_ring());
   std::vector<Sample> samples;
-  for (const double angle : {0.0, 100.0, 130.0, 150.0, 200.0, 500.0}) {
-    Sample& s = samples.emplace_back();
-    s.crank_angle_deg = angle;
-    s.total_friction = 50 - (angle - 140) * (angle - 140) / 100;
-    s.applied_load = 1;
-    s.lambda_ratio = angle == 0 ? 2 : 6;  // below 3 for a quarter of the way to either side
+  for (int stroke = 0; stroke < 4; ++stroke) {
+    for (const double within : {0.0, 20.0, 50.0, 60.0, 100.0, 150.0}) {
+      Sample& s = samples.emplace_back();
+      s.crank_angle_deg = 180 * stroke + within;
+      s.power_loss = s.total_friction = 50 + (stroke == 2 ? 10 : 0) - (within - 70) * (within - 70) / 100;
+      s.applied_load = 1;
+    }
   }
   const CycleValues values = cycle_values(setup, samples);
-  EXPECT_NEAR(values.peak_total_friction, 50, 1e-12);
-  EXPECT_NEAR(values.peak_total_friction_angle, 140, 1e-9);
-  EXPECT_NEAR(values.mixed_share, 0.25 * (100 + 220) / 720, 1e-12);
-  EXPECT_NEAR(values.mean_lambda_ratio, 6 - 4 * 0.5 * (100 + 220) / 720, 1e-12);
+  EXPECT_NEAR(values.peak_total_friction, 60, 1e-12);
+  EXPECT_NEAR(values.peak_total_friction_angle, 430, 1e-9);
 }
 
 }  // namespace

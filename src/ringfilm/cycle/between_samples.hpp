@@ -1,0 +1,109 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ringfilm::cycle {
+
+/// What lies between the samples of a cycle: of any quantity a cubic from sample to sample with the slopes of the
+/// parabolas through a sample and its neighbours, eq-between-samples. At a dead centre, where curves have kinks, the
+/// slope of each side is that of its own stroke. Where a step holds a dead centre, or a stroke has fewer than three
+/// samples, it is a straight line.
+class BetweenSamples {
+ public:
+  /// @param crank_angle_deg of the samples, increasing, within one cycle [degree]
+  explicit BetweenSamples(std::vector<double> crank_angle_deg);
+
+  std::size_t size() const { return angle_.size(); }
+
+  /// Weights of the samples in the integral over a stroke, 0 ... 3 from firing TDC, over the crank angle [degree]. A
+  /// step that a dead centre divides belongs to the stroke that has its middle.
+  const std::vector<double>& weights(int stroke) const { return weight_[static_cast<std::size_t>(stroke)]; }
+
+  /// Mean over the cycle. @param value of sample k
+  template <class Value>
+  double mean(const Value& value) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < size(); ++k) sum += mean_weight_[k] * value(k);
+    return sum;
+  }
+
+  /// A value at a crank angle in [0, 720) [degree].
+  struct Place {
+    double value, angle_deg;
+  };
+  /// The highest place of the cubics on both sides of sample k, which is at least that of the sample.
+  template <class Value>
+  Place largest_near(std::size_t k, const Value& value) const {
+    const std::size_t before = this->before(k);
+    const Place left = highest(before, cubic(before, value)), right = highest(k, cubic(k, value));
+    const Place here{value(k), angle_[k]};
+    const Place& higher = left.value > right.value ? left : right;
+    return higher.value > here.value ? higher : here;
+  }
+
+  /// At a crank angle [degree].
+  template <class Value>
+  double at(double crank_angle_deg, const Value& value) const {
+    const std::size_t k = interval_of(crank_angle_deg);
+    return cubic(k, value).at(share_of(k, crank_angle_deg));
+  }
+
+  /// Share of the cycle in which the value is below the limit [-].
+  template <class Value>
+  double share_below(double limit, const Value& value) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      const double a = value(k) - limit, b = value(after(k)) - limit;
+      if (a < 0 && b < 0) {
+        sum += length_[k];
+      } else if ((a < 0) != (b < 0)) {
+        sum += length_[k] * share_below_zero(cubic(k, [&](std::size_t i) { return value(i) - limit; }));
+      }
+    }
+    return sum / cycle_;
+  }
+
+ private:
+  /// The weights of up to three samples in a slope [1/degree].
+  struct Slope {
+    std::array<std::size_t, 3> sample;
+    std::array<double, 3> weight;
+    template <class Value>
+    double of(const Value& value) const {
+      return weight[0] * value(sample[0]) + weight[1] * value(sample[1]) + weight[2] * value(sample[2]);
+    }
+  };
+  /// Over one step, by the share of the step that has passed.
+  struct Cubic {
+    double c_0, c_1, c_2, c_3;
+    double at(double share) const { return c_0 + share * (c_1 + share * (c_2 + share * c_3)); }
+  };
+
+  std::size_t before(std::size_t k) const { return k == 0 ? size() - 1 : k - 1; }
+  std::size_t after(std::size_t k) const { return k + 1 == size() ? 0 : k + 1; }
+  template <class Value>
+  Cubic cubic(std::size_t k, const Value& value) const {
+    const double a = value(k), b = value(after(k));
+    const double from = length_[k] * slope_from_[k].of(value), to = length_[k] * slope_to_[k].of(value);
+    return {a, from, 3 * (b - a) - 2 * from - to, 2 * (a - b) + from + to};
+  }
+  Place highest(std::size_t k, const Cubic& cubic) const;
+  static double share_below_zero(const Cubic& cubic);
+  std::size_t interval_of(double crank_angle_deg) const;
+  double share_of(std::size_t k, double crank_angle_deg) const;
+  bool is_smooth(std::size_t k) const;
+  Slope parabola(std::size_t first, double at) const;
+  Slope secant(std::size_t k) const;
+  void lay_slopes();
+  void lay_weights();
+
+  double cycle_;               ///< length of the cycle [degree]
+  std::vector<double> angle_;  ///< [degree]
+  std::vector<double> length_;                 ///< of the step from sample k to the next one [degree]
+  std::vector<Slope> slope_from_, slope_to_;   ///< at the begin and at the end of that step
+  std::array<std::vector<double>, 4> weight_;  ///< [degree]
+  std::vector<double> mean_weight_;            ///< [-]
+};
+
+}  // namespace ringfilm::cycle
