@@ -15,6 +15,33 @@ inline constexpr double kCavityThreshold = 10 * kBeyondKink;
 
 inline constexpr double kLargestPressureRise = 20;  // scales in one step: the viscosity is exponential in it
 
+/// The gap through which the wall carries the oil of a node upstream of a face, theta of the node times that gap being
+/// what passes, and the slope of this product in theta [m].
+template <class Real>
+struct CarriedGap {
+  Real gap, slope;
+};
+
+/// Of the gap of a face, by which that of the node differs at the most: with a third more a node that fills would pass
+/// on less.
+inline constexpr double kMostExcess = 0.25;
+
+/// A cavity moves on with what its node holds, theta h there (eq-carried-gap): by the gap of the face it would hold more
+/// or less than passes, by half a cell of the slope of the face. A full node fills the face.
+template <class Real>
+RINGFILM_INLINE CarriedGap<Real> carried_gap(Real theta, Real at_node, Real at_face) {
+  const Real most = Real(kMostExcess) * at_face, excess = max(min(at_node - at_face, most), -most);
+  const Real filled = max(Real(0), theta);  // less than nothing, in the iteration, moves on as it is
+  const Real cube = filled * filled * filled;
+  return {at_face + excess * (Real(1) - cube), at_face + excess * (Real(1) - Real(4) * cube)};
+}
+RINGFILM_INLINE CarriedGap<double> carried_gap(double theta, double at_node, double at_face) {
+  const double excess = at_node - at_face, most = kMostExcess * at_face;
+  const double filled = theta < 0 ? 0 : theta, cube = filled * filled * filled;
+  const double limited = excess > most ? most : excess < -most ? -most : excess;
+  return {at_face + limited * (1 - cube), at_face + limited * (1 - 4 * cube)};
+}
+
 /// Mass flow of the moving wall through a face, per sum of the densities of its two nodes [m2/s].
 template <class Real>
 RINGFILM_INLINE Real entrainment(Real quarter_U, Real content_upstream, Real h) {
@@ -85,25 +112,33 @@ struct Motion {
     content_from_left = to_right * quarter_U * inverse_content_scale;
     content_from_right = (Real(1) - to_right) * quarter_U * inverse_content_scale;
   }
+  /// Of both ends of a face, those upstream.
+  RINGFILM_INLINE Real upstream(Real left, Real right) const { return select(quarter_U >= Real(0), left, right); }
+  RINGFILM_INLINE Real content(const Node<Real>& left, const Node<Real>& right) const {
+    return upstream(left.theta, right.theta);
+  }
   RINGFILM_INLINE Real upwind(const Node<Real>& left, const Node<Real>& right) const {
     if constexpr (kFilmContent) {
-      return quarter_U * select(quarter_U >= Real(0), left.theta, right.theta);
+      return quarter_U * content(left, right);
     } else {
       return quarter_U;
     }
   }
 };
 
-/// @param h mean height of the oil that the wall carries through the face  @param conductance of the mean of h^3
+/// @param h mean height of the oil that the wall carries through the face  @param upstream gap at the node upstream, with
+/// what `h` has beyond the gap of the face  @param conductance of the mean of h^3
 /// @param third a third of the slope of `conductance` in h
 template <class Real, bool kFilmContent, Terms kTerms>
-RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion, Real h, Real conductance, Real third,
-                                const Node<Real>& left, const Node<Real>& right) {
+RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion, Real h, [[maybe_unused]] Real upstream,
+                                Real conductance, Real third, const Node<Real>& left, const Node<Real>& right) {
   const Real K = left.K + right.K;
   const Real rho = left.rho + right.rho;
   const Real dp = right.p - left.p;
   const Real upwind = motion.upwind(left, right);
-  const Real couette = upwind * h;
+  CarriedGap<Real> carried{h, h};
+  if constexpr (kFilmContent) carried = carried_gap(motion.content(left, right), upstream, h);
+  const Real couette = upwind * carried.gap;
   [[maybe_unused]] Real drained_left(0), drained_right(0);
   if constexpr (kFilmContent && kTerms == Terms::kAll) {
     const auto to_left = dp > Real(0);
@@ -119,7 +154,7 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion
   const Real film_left = couette * left.drho + conductance * (K - left.dK * dp);
   const Real film_right = couette * right.drho - conductance * (K + right.dK * dp);
   if constexpr (kFilmContent) {
-    const Real stream = h * rho;
+    const Real stream = carried.slope * rho;
     if constexpr (kTerms == Terms::kAll) {
       flux.by_left = select(left.is_film, film_left, motion.content_from_left * left.gain * stream + drained_left);
       flux.by_right =

@@ -65,7 +65,7 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
     const double h = film.h_m + grid.face_height[i - 1];
     const auto mean = [&](auto&& of) { return 0.5 * (of(film.p[i - 1]) + of(film.p[i])); };
     const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, state.laws, p); });
-    const double rho = mean([&](double p) { return inputs.oil->density(p); });
+    const double rho = mean([&](double p) { return density_at(*inputs.oil, state.laws, p); });
     sums.dissipation += cell * eta * inputs.U * inputs.U / h;
     sums.conductance += cell / h;
     flow += cell * rho * 0.5 * inputs.U * h;

@@ -17,7 +17,7 @@ constexpr int kMostHalvings = 20;
 /// Places at which the gap is looked at: measured points may lie closer than the first cells are long.
 constexpr int kSamplesPerCell = 8;
 /// The same of a face whose cells follow the gap.
-constexpr int kSamplesOfFace = 2000;
+constexpr int kSamplesOfFace = 500;
 
 }  // namespace
 

@@ -77,7 +77,7 @@ TEST(TimeIntegration, AnglesOffTheStepGridAreSolvedWithoutChangingTheOthers) {
 TEST(TimeIntegration, MassIsKeptFromStepToStepAndOverTheCycle) {
   Case c = styles_new_ring();
   c.film.cavitation = Cavitation::kMassConserving;
-  c.solver.tolerance = 1e-12;
+  c.solver.tolerance = 1e-14;  // what the iteration leaves is then less than round-off
   const CycleResult result = simulated(c);
   // Round-off: the storage of a step is the difference of contents 1e3 times as large. Seen 1.9e-12 a step.
   EXPECT_LT(result.effort.max_mass_residual, 2e-11);

@@ -81,7 +81,8 @@ std::map<int, Passage> taken_through(const BlockKind& kind, const std::vector<La
       passages[worker.film] = std::move(passage);
       return take(lane);
     }
-    newton.continue_from_last_step(lane, film.steps[worker.step], worker.before, worker.before, worker.before.h_m);
+    newton.start(lane, film.steps[worker.step], worker.before, worker.before, worker.before.h_m,
+                 Unknowns::kFilmAndSeparation, kind.laws);
   };
   for (const int lane : lanes) take(lane);
   while (std::any_of(workers.begin(), workers.end(), [](const Worker& worker) { return worker.film >= 0; })) {
@@ -231,35 +232,6 @@ TEST_P(LaneNewtonOf, TheOilMayChangeFromStepToStep) {
       }
       before = state;
     }
-  }
-}
-
-TEST_P(LaneNewtonOf, GoingOnIsStartingFromWhatTheLaneHolds) {
-  for (const LaneFilm& film : lane_films(kind())) {
-    const int lane = kind().kernels->width - 1;
-    LaneNewton newton(*kind().kernels, kind().kernels->width, film.problem.grid.n_cells());
-    newton.bind(lane, film.problem);
-    const auto solved = [&](int step) {
-      while (newton.phase(lane) == Phase::kRunning) newton.iterate();
-      EXPECT_EQ(newton.phase(lane), Phase::kSolved);
-      FilmState state;
-      newton.read(lane, state);
-      complete_state(film.problem, film.steps[step], kind().laws, state);
-      return state;
-    };
-    const auto start = [&](int step, const FilmState& from) {
-      newton.start(lane, film.steps[step], from, from, from.h_m, Unknowns::kFilmAndSeparation, kind().laws);
-      return solved(step);
-    };
-    const FilmState first = start(0, film.first);
-    newton.continue_from_last_step(lane, film.steps[1], first, first, first.h_m);
-    const FilmState gone_on = solved(1);
-    EXPECT_LT(difference(film, gone_on, start(1, first)), kBothConverged);
-    const FilmState second = start(1, first);
-    newton.continue_from_last_step(lane, film.steps[2], second, second,
-                                   second.h_m);  // another cavitation pressure: z has another zero
-    const FilmState other_zero = solved(2);
-    EXPECT_LT(difference(film, other_zero, start(2, second)), kBothConverged);
   }
 }
 

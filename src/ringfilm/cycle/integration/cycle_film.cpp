@@ -16,7 +16,7 @@ constexpr int kFewestGraded = 200;
 /// closest to those of 1600 cells with this one [-].
 constexpr double kReferenceFilm = 0.03;
 /// Places at which the rise of the face is looked for.
-constexpr int kSamplesOfFace = 1000;
+constexpr int kSamplesOfFace = 250;
 
 film::FilmProblem film_across(const Setup& setup) {
   const auto& input = setup.input;

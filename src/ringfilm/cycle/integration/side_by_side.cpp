@@ -54,7 +54,7 @@ class Block {
     integrations_[lane] = std::move(integration);
     ++n_busy_;
     newton_.bind(lane, integrations_[lane]->integration().problem());
-    propose(lane, Film::kElsewhere);
+    propose(lane);
   }
 
   /// One iteration of all lanes; integrations that are done leave.
@@ -65,12 +65,9 @@ class Block {
     effort.node_sweeps += newton_.nodes_swept();
     for (int lane = 0; lane < newton_.width(); ++lane) {
       if (integrations_[lane] == nullptr || newton_.phase(lane) == film::LaneNewton::Phase::kRunning) continue;
-      const Found found = find(lane, effort);
-      const long steps = integrations_[lane]->integration().totals().crank_steps;
-      integrations_[lane]->conclude(found.report);
+      integrations_[lane]->conclude(find(lane, effort));
       if (!integrations_[lane]->done()) {
-        const bool taken = integrations_[lane]->integration().totals().crank_steps > steps;
-        propose(lane, taken ? found.where : Film::kElsewhere);
+        propose(lane);
         continue;
       }
       newton_.clear(lane);
@@ -80,26 +77,16 @@ class Block {
   }
 
  private:
-  /// Where the film is from which the next step starts.
-  enum class Film { kInLane, kElsewhere };
-
-  void propose(int lane, Film where) {
+  void propose(int lane) {
     TimeIntegration& integration = integrations_[lane]->integration();
     integration.propose();
-    const bool is_in_lane = where == Film::kInLane && !integration.state_was_turned();
-    if (is_in_lane)
-      return newton_.continue_from_last_step(lane, integration.proposed(), integration.state(),
-                                             integration.remembered(), integration.guessed_h_m());
-    newton_.start(lane, integration.proposed(), integration.remembered(), integration.state(),
-                  integration.guessed_h_m(), film::Unknowns::kFilmAndSeparation, laws_);
+    const film::FilmState& guess = integration.guess();
+    newton_.start(lane, integration.proposed(), integration.remembered(), guess, guess.h_m,
+                  film::Unknowns::kFilmAndSeparation, laws_);
   }
 
   /// The candidate as the lane leaves it, or found one by one where a lane is not enough.
-  struct Found {
-    film::FilmReport report;
-    Film where;
-  };
-  Found find(int lane, LaneEffort& effort) {
+  film::FilmReport find(int lane, LaneEffort& effort) {
     TimeIntegration& integration = integrations_[lane]->integration();
     const film::FilmProblem& problem = integration.problem();
     const film::FilmInputs& inputs = integration.proposed();
@@ -115,13 +102,13 @@ class Block {
         film::complete_state(problem, inputs, laws_, integration.candidate());
         report.converged = true;
         report.failure = film::Failure::kNone;
-        return {report, Film::kInLane};
+        return report;
       }
     }
     ++effort.single_solves;
     film::FilmReport alone = integration.solve();
     alone.iterations += report.iterations;
-    return {alone, Film::kElsewhere};
+    return alone;
   }
 
   film::LaneNewton newton_;

@@ -147,30 +147,32 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   double content = 0;
   double total = 0;
   const bool with_gas = step_.at.inputs.has_gas();
+  // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time. So
+  // are those of a meniscus that crosses nodes.
+  const auto is_next_to_gas = [&](std::size_t i) {
+    return (film::is_cavity(to.deficit[i]) || film::is_cavity(state_.deficit[i])) &&
+           step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr;
+  };
   for (std::size_t i = 0; i < to.mass_per_area.size(); ++i) {
-    // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time. So
-    // are those of a meniscus that crosses nodes.
-    if (with_gas && (film::is_cavity(to.deficit[i]) || film::is_cavity(state_.deficit[i])) &&
-        step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr) {
-      continue;
-    }
+    if (with_gas && is_next_to_gas(i)) continue;
     const double predicted =
         prediction.expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
   }
-  const double of_content = total > 0 ? content / total / kContentShare : 0;  // 0: all of the oil lies next to gas
-  const double error = prediction.error_share * std::max(film, of_content) / setup_.input.solver.step_error;
+  const double share = is_second_order() ? kContentShareOfBdf2 : kContentShare;
+  const double of_content = total > 0 ? content / total / share : 0;  // 0: all of the oil lies next to gas
+  const double error =
+      prediction.error_share * std::max(weight_of_film(to) * film, of_content) / setup_.input.solver.step_error;
   return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
 }
 
-/// Lays out the proposed step as one of second order. False where it is not one: there is no history, it reverses, gas
-/// is at an edge, oil on the liner is accounted for step by step, or a cavity would have less than no oil.
+/// Lays out the proposed step as one of second order. False where it is not one: there is no history, the face turns
+/// over, gas is at an edge, oil on the liner is accounted for step by step, or a cavity would have less than no oil.
 bool TimeIntegration::remember_two_films() {
-  const bool can = setup_.input.solver.time_scheme == TimeScheme::kBdf2 && !setup_.input.is_unrolled() &&
-                   time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
-  const bool goes_on = instant_.at.piston_velocity * step_.at.piston_velocity > 0;
-  if (!can || !goes_on || step_.at.inputs.has_gas() || liner_oil_) return false;
+  const bool can = is_second_order() && !setup_.input.is_unrolled() && time_step_before_ > 0 &&
+                   step_.time_step <= kLongestToLast * time_step_before_;
+  if (!can || step_.state_was_turned || step_.at.inputs.has_gas() || liner_oil_) return false;
   const film::Bdf2 scheme(step_.time_step, time_step_before_);
   history_.mass_per_area.resize(state_.mass_per_area.size());
   for (std::size_t i = 0; i < state_.mass_per_area.size(); ++i) {
@@ -180,6 +182,17 @@ bool TimeIntegration::remember_two_films() {
   }
   step_.at.inputs.time_step = scheme.time_step;
   return true;
+}
+
+/// By how much a change of the film counts more than by itself, eq-error-weight: friction of asperities follows it with
+/// a high power. Of second order alone, whose steps are long enough.
+double TimeIntegration::weight_of_film(const film::FilmState& to) const {
+  const models::AsperityContact* contact = problem().contact;
+  if (!is_second_order() || contact == nullptr || to.h_m <= 0) return 1;
+  double pressure, slope, highest, unused;
+  contact->pressure(to.h_m, pressure, slope);
+  contact->pressure(std::min(to.h_m, thinnest_), highest, unused);
+  return highest > 0 ? 1 + kWeightOfContact * std::abs(slope) * to.h_m / highest : 1;
 }
 
 HeatBefore TimeIntegration::heat_of_state(const RingConditions& at) const {
@@ -229,6 +242,7 @@ void TimeIntegration::start(int k) {
   k_ = k;
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
   time_step_before_ = time_step_older_ = 0;
+  thinnest_ = std::numeric_limits<double>::infinity();
   level_ = 0;
   tick_ = kTicks;
   heat_ = {};
@@ -321,11 +335,16 @@ void TimeIntegration::continue_film(film::FilmState& to) const {
   }
 }
 
-film::FilmReport TimeIntegration::solve() {
+const film::FilmState& TimeIntegration::guess() {
   candidate_ = state_;
   candidate_.h_m = step_.h_m;
   if (!state_.ring.empty()) continue_ring(candidate_);
-  if (film2d()) continue_film(candidate_);
+  if (!step_.at.inputs.has_gas()) continue_film(candidate_);
+  return candidate_;
+}
+
+film::FilmReport TimeIntegration::solve() {
+  guess();
   return film_.solve(step_.at, remembered(), candidate_);
 }
 
@@ -351,6 +370,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   std::swap(state_, candidate_);
   time_step_older_ = time_step_before_;
   time_step_before_ = step_.time_step;
+  thinnest_ = std::min(thinnest_, state_.h_m);
   heat_ = heat_of_state(step_.at);
   angle_deg_ = step_.to_deg;
   tick_ += ticks;

@@ -33,8 +33,10 @@ AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs,
   double left = viscosity(0);
   for (int i = 0; i < grid.n_cells(); ++i) {
     const double right = viscosity(i + 1), h = state.h_m + grid.face_height[i];
-    const double sliding =
-        grid.spacing[i] * film_content(problem.cavitation, deficit[i + upstream]) * 0.5 * (left + right) * inputs.U / h;
+    const double of_node = film_content(problem.cavitation, deficit[i + upstream]);
+    const double content =
+        of_node < 1 ? of_node * carried_gap(of_node, state.h_m + grid.node_height[i + upstream], h).gap / h : of_node;
+    const double sliding = grid.spacing[i] * content * 0.5 * (left + right) * inputs.U / h;
     sum.mean += factor(factors.sliding_stress, i, 1) * sliding;
     sum.half_difference += 0.5 * factor(factors.pressure_stress, i, 1) * h * (state.p[i + 1] - state.p[i]) -
                            factor(factors.stress_difference, i, 0) * sliding;

@@ -78,7 +78,12 @@ class Film2dBalance {
     const Real h = h_m + Real::load(b_.face_x + place);
     const Cube cubed = cube(h, b_.face_x_second, b_.face_x_third, place);
     const Real conductance(b_.conductance[i]);
-    Flux flux = film::flux(motion_, h, conductance * cubed.value, conductance * cubed.square, left, right);
+    Real upstream = h;
+    if constexpr (kFilmContent) {
+      upstream = h_m + motion_.upstream(Real::load(b_.node_height + place),
+                                        Real::load(b_.node_height + place + shape_.stride));
+    }
+    Flux flux = film::flux(motion_, h, upstream, conductance * cubed.value, conductance * cubed.square, left, right);
     if constexpr (kTerms == Terms::kAll) {
       const auto is_steady = Real(0) >= Real(b_.rate);
       if (i == 0) limit_inlet(motion_.quarter_U, h, Real(b_.left_supply), is_steady, left, right, flux);

@@ -107,7 +107,9 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
     const bool on_wall = node < film.left_gas_end || node >= film.right_gas_begin;
     return carried_share(1 - film.deficit_share * film.deficit[node], on_wall ? kOnWall : kBetweenWalls);
   };
-  double carried = entrainment(0.25 * U, film_content(U >= 0), stream);
+  const double content = film_content(U >= 0);
+  const double upstream = film.h_m + film.node_height[U >= 0 ? i : i + 1] + (stream - h);
+  double carried = entrainment(0.25 * U, content, carried_gap(content, upstream, stream).gap);
   if (supply < kUnlimited && !film.is_steady) {
     const double limit = supply / (rho[0] + rho[1]);
     carried = 0.25 * U * (limit < stream ? limit : stream);
@@ -300,8 +302,14 @@ class AlongFace {
     /// @param rho,K of node i and the one after it
     RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
       const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      couette += cell_shear(Some::load(film.spacing + i), sheared<Some>(film, i + upstream), h, Some::load(rho),
-                            Some::load(K), Some::load(rho + 1), Some::load(K + 1));
+      Some content = sheared<Some>(film, i + upstream);
+      const auto in_cavity = content < Some(1);
+      if (Some::any(in_cavity)) {
+        const Some at_node = Some(film.h_m) + Some::load(film.node_height + i + upstream);
+        content = select(in_cavity, content * carried_gap(content, at_node, h).gap / h, content);
+      }
+      couette += cell_shear(Some::load(film.spacing + i), content, h, Some::load(rho), Some::load(K),
+                            Some::load(rho + 1), Some::load(K + 1));
       poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
     }
   };

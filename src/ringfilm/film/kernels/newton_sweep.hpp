@@ -221,14 +221,18 @@ class NewtonSweep {
   RINGFILM_INLINE Flux flux(int face, const Node& left, const Node& right) const {
     const Real h = h_m_ + at(b_.face_height, face);
     const Real third = h * h * at(b_.conductance, face);
+    Real upstream = h;
+    if constexpr (kFilmContent) {
+      upstream = h_m_ + motion_.upstream(at(b_.node_height, face), at(b_.node_height, face + 1));
+    }
     if constexpr (kTerms == Terms::kAll) {
-      const Real carried = h + at(b_.carried, face);
-      Flux flux = film::flux(motion_, carried, third * h, third, left, right);
+      const Real beyond = at(b_.carried, face), carried = h + beyond;
+      Flux flux = film::flux(motion_, carried, upstream + beyond, third * h, third, left, right);
       if (face == 0) limit_inlet(carried, Real::load(b_.left_supply), left, right, flux);
       limit_right(face, carried, left, right, flux);
       return flux;
     } else {
-      return film::flux(motion_, h, third * h, third, left, right);
+      return film::flux(motion_, h, upstream, third * h, third, left, right);
     }
   }
 
@@ -250,9 +254,7 @@ class NewtonSweep {
   RINGFILM_INLINE Real forward() {
     const int n = b_.n_cells;
     load_ = slope_ = Visitor(0);
-    const Real rate = Real::load(b_.rate), left_h = Real::load(b_.left_h);
-    const Mask continues = Real::load(b_.continues) > Real(0);
-    const bool some_continue = Real::any(continues);
+    const Real rate = Real::load(b_.rate);
     Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
     Real by_column(0), by_rhs(0);              // what the elimination subtracts from the load row
 
@@ -276,12 +278,7 @@ class NewtonSweep {
         Real stored = volume * h;  // times rho theta
         if constexpr (kTerms == Terms::kAll) stored += volume * at(b_.stored, i);
         const Real filled = filled_density<kFilmContent>(here);
-        Real inflow = at(b_.inflow, i);
-        if (some_continue) {
-          inflow = select(continues, volume * (filled * (left_h + height)), inflow);
-          inflow.store(b_.inflow + i * kWidth);
-        }
-        Real residual = stored * filled - inflow + (out.value - in.value);
+        Real residual = stored * filled - at(b_.inflow, i) + (out.value - in.value);
         Real diagonal = out.by_left - in.by_right;
         if constexpr (kFilmContent) {
           diagonal += stored * filled_density_slope(here, inverse_content_scale_);

@@ -52,7 +52,6 @@ void LaneNewton::clear(int lane) {
   block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
   clear_table(lane);
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
-  block_.continues[lane] = block_.left_h[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.left_supply[lane] = block_.right_supply[lane] = kUnlimited;
   clear_from(lane, 0);
@@ -151,7 +150,7 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
     block_.content_scale[lane] = inputs.mean_pressure(at.problem->grid);
     block_.inverse_content_scale[lane] = 1 / block_.content_scale[lane];
   }
-  set_step(lane, inputs, previous, h_m, unknowns, laws, Inflow::kOfTheState);
+  set_step(lane, inputs, previous, h_m, unknowns, laws);
   const double *p = guess.p.data(), *deficit = guess.deficit.data();
   const double p_c = inputs.p_cavitation, content_scale = block_.content_scale[lane];
   const double beyond = kBeyondKink * block_.scale[lane];
@@ -172,18 +171,6 @@ void LaneNewton::limit_search_effort(int lane) {
   at.far_too_much = kFarTooMuch * at.inputs->load;
 }
 
-void LaneNewton::continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous,
-                                         const FilmState& remembered, double h_m) {
-  const bool same_zero = inputs.p_cavitation == block_.p_cavitation[lane] && block_.terms == Terms::kPlain;
-  const Unknowns unknowns = Unknowns::kFilmAndSeparation;
-  if (!same_zero) return start(lane, inputs, remembered, previous, h_m, unknowns, block_.laws);
-  // The kernel works out what is left of the step before with the fit of this one.
-  const bool is_of_lane = inputs.oil == lanes_[lane].oil && &remembered == &previous;
-  const Inflow inflow_is = is_of_lane ? Inflow::kOfTheLane : Inflow::kOfTheState;
-  set_step(lane, inputs, remembered, h_m, unknowns, block_.laws, inflow_is);
-  set_edges(lane);
-}
-
 void LaneNewton::set_edges(int lane) {
   const Lane& at = lanes_[lane];
   nodal(block_.z, 0, lane) = edge_z(at.inputs->left, at.inputs->p_cavitation);
@@ -191,7 +178,7 @@ void LaneNewton::set_edges(int lane) {
 }
 
 void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
-                          LaneLaws laws, Inflow inflow_is) {
+                          LaneLaws laws) {
   Lane& at = lanes_[lane];
   const FilmProblem& problem = *at.problem;
   const FilmGrid& grid = problem.grid;
@@ -224,9 +211,6 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
     block_.cavity_K[lane] = at.oil->density(inputs.p_cavitation) / at.oil->viscosity(inputs.p_cavitation);
   }
   set_terms(lane, inputs);
-  block_.continues[lane] = inflow_is == Inflow::kOfTheLane && inputs.source.empty() ? 1 : 0;
-  block_.left_h[lane] = previous.h_m;
-  if (block_.continues[lane] > 0) return;
   const double *content = previous.mass_per_area.data(), *share = grid.share.data();
   double* inflow = block_.inflow + lane;
   for (int i = 0; i <= at.n_cells; ++i) inflow[i * width_] = share[i] * rate * content[i];
@@ -321,7 +305,6 @@ void LaneNewton::conclude(int lane) {
   const double d_ln_h = block_.d_ln_h[lane];
   const double largest = block_.largest[lane];
   ++at.iterations;
-  block_.continues[lane] = 0;
   const bool sound = std::isfinite(block_.check[lane]) && std::isfinite(block_.excess[lane]) &&
                      std::isfinite(largest) && std::isfinite(d_ln_h);
   at.phase = Phase::kFailed;

@@ -52,12 +52,6 @@ class LaneNewton {
   /// search then tries a film nearer to one that was found, and where it carries far more than the load.
   void limit_search_effort(int lane);
 
-  /// A new solve from what the last one in this lane left, which must be the film of `previous`; film and h_m are
-  /// sought, with the laws of the last solve. The oil may be another one.
-  /// @param remembered of which only the `mass_per_area` enters: `previous` or what is made of more films
-  void continue_from_last_step(int lane, const FilmInputs& inputs, const FilmState& previous,
-                               const FilmState& remembered, double h_m);
-
   /// One iteration of all running lanes.
   void iterate();
 
@@ -89,9 +83,8 @@ class LaneNewton {
   };
   double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
   void clear_from(int lane, int node);
-  enum class Inflow { kOfTheState, kOfTheLane };  ///< where the oil is that the step before left
   void set_step(int lane, const FilmInputs& inputs, const FilmState& previous, double h_m, Unknowns unknowns,
-                LaneLaws laws, Inflow inflow_is);
+                LaneLaws laws);
   void set_edges(int lane);
   void set_oil(int lane, const FilmInputs& inputs);
   void set_contact(int lane);

@@ -238,9 +238,16 @@ double PointRelaxation::sweep_mass_conserving() {
   double largest_p = 0;
   double largest_theta = 0;
   const int step = inputs_.U >= 0 ? 1 : -1;
+  // What the node upstream of a face passes on, as a share of what a full one does, and its slope in its content.
+  const auto passed = [&](int face, int node) {
+    const double h = state_.h_m + problem_.grid.face_height[face];
+    const CarriedGap<double> of = carried_gap(theta[node], state_.h_m + problem_.grid.node_height[node], h);
+    return CarriedGap<double>{theta[node] * of.gap / h, of.slope / h};
+  };
   for (int i = step > 0 ? 1 : n - 1; i > 0 && i < n; i += step) {
-    const double in = work_.couette_[i - 1] * (step > 0 ? theta[i - 1] : 1.0);
-    const double out = work_.couette_[i] * (step > 0 ? 1.0 : theta[i + 1]);
+    const int out_of = step > 0 ? i : i - 1;
+    const double in = work_.couette_[i - 1] * (step > 0 ? passed(i - 1, i - 1).gap : 1.0);
+    const double out = work_.couette_[i] * (step > 0 ? 1.0 : passed(i, i + 1).gap);
     const double balanced = work_.kept_[i] + work_.from_left_[i] * p[i - 1] + work_.from_right_[i] * p[i + 1] -
                             work_.compliance_[i] * (out - in);  // of a full film
     const double before = p[i];
@@ -249,11 +256,15 @@ double PointRelaxation::sweep_mass_conserving() {
       p[i] = std::max(p_c, before + factor_ * (balanced - before));
     } else {
       p[i] = p_c;
-      // d(outflow)/d(theta): what the node would keep and pass on.
-      const double carried =
-          problem_.grid.share[i] / inputs_.time_step * work_.oil_.rho[i] * (state_.h_m + problem_.grid.node_height[i]) +
-          std::abs(work_.couette_[step > 0 ? i : i - 1]);
-      film_content = carried > 0 ? std::max(1 - (p_c - balanced) / (work_.compliance_[i] * carried), 0.0) : theta[i];
+      // What the node would keep and pass on less than a full one, and by how much that changes with its content.
+      const double kept =
+          problem_.grid.share[i] / inputs_.time_step * work_.oil_.rho[i] * (state_.h_m + problem_.grid.node_height[i]);
+      const double full = std::abs(work_.couette_[out_of]);
+      const CarriedGap<double> now = passed(out_of, i);
+      const double lack = kept * (1 - theta[i]) + full * (1 - now.gap), slope = kept + full * now.slope;
+      const double missing = (p_c - balanced) / work_.compliance_[i];
+      if (slope > 0) film_content = std::clamp(theta[i] - (missing - lack) / slope, 0.0, 1.0);
+      else film_content = theta[i];
     }
     largest_theta = std::max(std::abs(film_content - theta[i]), largest_theta);
     theta[i] = film_content;

@@ -92,6 +92,10 @@ double viscosity_at(const models::OilAtTemperature& oil, LaneLaws laws, double p
   return fitted.rho / fitted.K;
 }
 
+double density_at(const models::OilAtTemperature& oil, LaneLaws laws, double p) {
+  return laws == LaneLaws::kFitted ? oil.fit()->at(p).rho : oil.density(p);
+}
+
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
   const OilHere left = oil_at(*inputs.oil, state, i), right = oil_at(*inputs.oil, state, i + 1);
   const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};

@@ -34,6 +34,8 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
 
 /// Viscosity of the oil at a pressure, by the laws that a solved film holds, without shear [Pa s].
 double viscosity_at(const models::OilAtTemperature& oil, LaneLaws laws, double p);
+/// Density likewise [kg/m3].
+double density_at(const models::OilAtTemperature& oil, LaneLaws laws, double p);
 
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
 double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);
