@@ -12,8 +12,8 @@ struct Measured {
   Resolution resolution;
 };
 /// docs/manual/performance.md, "accuracy and cost".
-constexpr std::array kMeasured = {Measured{0.1, {512, 2, 5e-5}}, Measured{0.5, {128, 4, 2e-3}},
-                                  Measured{1, {64, 4, 4e-3}}, Measured{5, {32, 5, 2e-2}}};
+constexpr std::array kMeasured = {Measured{0.1, {384, 3, 2e-4, 1e-8}}, Measured{0.5, {96, 6, 5e-3, 1e-6}},
+                                  Measured{1, {56, 6, 1.5e-2, 1e-6}}, Measured{5, {32, 9, 4e-2, 1e-5}}};
 
 /// The longest step up to `longest` of which the angles that are asked for are multiples; of a list 1 degree, which
 /// most lists are multiples of.
@@ -37,7 +37,8 @@ Resolution resolution_for(double accuracy) {
   const double step_error = between(finer.resolution.step_error, coarser.resolution.step_error);
   const double step_deg =
       accuracy < coarser.accuracy ? finer.resolution.crank_step_deg : coarser.resolution.crank_step_deg;
-  return {static_cast<int>(std::lround(cells)), step_deg, step_error};
+  const double tolerance = between(finer.resolution.tolerance, coarser.resolution.tolerance);
+  return {static_cast<int>(std::lround(cells)), step_deg, step_error, tolerance};
 }
 
 Case with_accuracy(Case c) {
@@ -50,6 +51,7 @@ Case with_accuracy(Case c) {
   solver.crank_step_control = StepControl::kAdaptive;
   solver.time_scheme = TimeScheme::kBdf2;
   solver.step_error = resolution.step_error;
+  solver.tolerance = resolution.tolerance;
   return c;
 }
 

@@ -56,9 +56,10 @@ TEST(TimeScheme, FilmsConvergeWithItsOrder) {
 }
 
 TEST(Accuracy, MeasuredPointsAreKeptAndOthersLieBetweenThem) {
-  EXPECT_EQ(resolution_for(0.5).cells, 128);
+  EXPECT_EQ(resolution_for(0.5).cells, 96);
   EXPECT_EQ(resolution_for(5).cells, 32);
-  EXPECT_DOUBLE_EQ(resolution_for(1).step_error, 4e-3);
+  EXPECT_DOUBLE_EQ(resolution_for(1).step_error, 1.5e-2);
+  EXPECT_DOUBLE_EQ(resolution_for(1).tolerance, 1e-6);
   for (double accuracy = 0.05; accuracy < 10; accuracy *= 1.1) {
     EXPECT_GE(resolution_for(accuracy).cells, resolution_for(1.1 * accuracy).cells);
     EXPECT_LE(resolution_for(accuracy).step_error, resolution_for(1.1 * accuracy).step_error);
@@ -71,8 +72,8 @@ TEST(Accuracy, StepsAreNoLongerThanThoseOfTheCurves) {
   c.solver.accuracy = 1;
   EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 1);
   c.output.crank_angles_deg = {0};
-  EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 4);
-  EXPECT_EQ(with_accuracy(with_accuracy(c)).solver.cells, 64);
+  EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 6);
+  EXPECT_EQ(with_accuracy(with_accuracy(c)).solver.cells, 56);
 }
 
 TEST(Accuracy, NearlyAllValuesReachIt) {
