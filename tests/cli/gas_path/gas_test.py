@@ -191,6 +191,13 @@ class GasTest(program.ProgramTest):
             self.assert_refused(done, words)
             self.assertRegex(done.stderr, r"pack\.toml:\d+:\d+: ", words)
 
+    def test_a_mistyped_model_is_the_only_error(self):
+        done = self.run_program("gas", "pack.toml", "--set", "gas_path.model=orifice")
+        self.assert_refused(done, 'choose one of "given", "orifice-volume"')
+        self.assertIn("1 error", done.stderr)
+        self.write((HEAD + TOP + SECOND + OIL).replace("orifice-volume", "orifice"))
+        self.assertIn("1 error", self.run_program("gas", "pack.toml").stderr)
+
     def test_missing_keys_are_named_with_their_ring(self):
         self.write(HEAD + TOP.replace('side_clearance = "50 um"\n', "") + OIL)
         done = self.run_program("gas", "pack.toml")
