@@ -170,9 +170,17 @@ class GasTest(program.ProgramTest):
         refused = self.run_program("report", "gas.nc", "-o", "gas.html")
         self.assert_refused(refused, "the gas of a ring pack alone")
 
+    def test_static_twist_is_reported_of_rings_with_a_width(self):
+        for ring in self.json_of()["ring_motion"]:
+            self.assertLess(abs(ring["largest_static_twist"]), 1)
+            self.assertLessEqual(ring["twisted_share"], 1 - ring["unseated_share"])
+        self.write(HEAD + TOP.replace('face_width = "1.2 mm"\n', "") + SECOND + OIL)
+        self.assertNotIn("largest_static_twist", self.json_of()["ring_motion"][0])
+
     def test_pack_without_oil_ring_is_noted(self):
         self.write(HEAD + TOP + SECOND.replace('volume_below = "300 mm3"\n', ""))
-        self.assertIn("oil-ring-missing", [note["topic"] for note in self.json_of()["notes"]])
+        self.assertIn("oil-ring-missing", [note["topic"] for note in self.json_of("-o", "gas.nc")["notes"]])
+        self.assertTrue(b"note_topic" in (self.folder / "gas.nc").read_bytes())
 
     def test_bad_input_is_refused_with_its_line(self):
         whole = HEAD + TOP + SECOND + OIL
