@@ -21,7 +21,7 @@ class AndersonMixing {
   void add(const std::vector<double>& argument, const std::vector<double>& image);
 
   bool can_mix() const { return history_.size() > 1; }
-  /// The argument from which to go on, once there is an image.
+  /// The argument with which to continue, once there is an image.
   std::vector<double> mixture() const;
   /// How much the map still moves, as a norm.
   double moved() const { return history_.empty() ? 0 : history_.back().norm; }

@@ -9,7 +9,7 @@ export function inputOf(c, key) {
 }
 
 /** Name of the piston land below the ring of that index: "land 2" below the first. */
-const landBelow = (ring) => `land ${ring + 2}`;
+const landBelow = (ring) => 'land 2'.replace('2', ring + 2);
 
 /** Are two lists of numbers the same? */
 const alike = (a, b) => a.length === b.length && a.every((v, k) => v === b[k]);
