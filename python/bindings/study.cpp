@@ -251,11 +251,10 @@ py::list sobol(const StudyResultObject& self, const GivenText& value, const Give
 py::array curves(const py::object& object, const GivenText& quantity) {
   const std::string name = text_of("quantity", quantity.value, "film_thickness");
   const auto& self = object.cast<const StudyResultObject&>();
-  const study::OutputSelection& keep = self.loaded->study().keep;
-  const auto kept = study::kept_quantities(keep);
-  const std::size_t n_angles = study::kept_angles(keep).size();
+  const std::vector<study::KeptCurve> kept = study::kept_curves(self.loaded->study());
+  const std::size_t n_angles = study::kept_angles(self.loaded->study().keep).size();
   for (std::size_t q = 0; q < kept.size(); ++q) {
-    if (kept[q]->name != name) continue;
+    if (kept[q].quantity.name != name) continue;
     const auto angles = static_cast<py::ssize_t>(n_angles);
     const auto row = static_cast<py::ssize_t>(kept.size() * n_angles * sizeof(float));
     return view(self.curves.data() + q * n_angles, {static_cast<py::ssize_t>(self.reasons.size()), angles},
@@ -387,8 +386,8 @@ void bind_results(py::module_& module) {
       .def("curves", &curves, py::arg("quantity"),
            R"(A curve of all scenarios, shape (scenario, crank_angle), SI, single precision, without a copy.
 
-Over crank_angle; NaN where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its
-file).)")
+Of a pack those of ring 2 are "ring_2_total_friction", and "total_friction" is that of all rings. Over crank_angle; NaN
+where a scenario was not solved. Raises InputError unless the study keeps it ([keep] in its file).)")
       .def_property_readonly(
           "crank_angle",
           [](const StudyResultObject& self) {

@@ -67,6 +67,12 @@ struct Loaded {
     return plan.can_grow() && io::is_beginning_of(found, expected);
   }
 
+  std::vector<std::string> names_of_curves() const {
+    std::vector<std::string> names;
+    for (const study::KeptCurve& curve : study::kept_curves(plan.study())) names.push_back(curve.quantity.name);
+    return names;
+  }
+
   io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
     const io::Provenance program = io::this_program();
     std::string inputs;
@@ -75,8 +81,6 @@ struct Loaded {
       if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
     }
     const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
-    const study::OutputSelection& keep = plan.study().keep;
-    const bool has_curves = keep.curves != study::Curves::kNone;
     return {io::sha256(plan.digest_text()),
             io::sha256(inputs),
             fmt::format("{} commit {} {}", program.program, program.commit, program.compiler),
@@ -85,8 +89,8 @@ struct Loaded {
             range.first,
             range.end,
             plan.values().quantities.size(),
-            has_curves ? keep.quantities : std::vector<std::string>{},
-            study::kept_angles(keep).size(),
+            names_of_curves(),
+            study::kept_angles(plan.study().keep).size(),
             std::string(film::kernels().name)};
   }
 };
@@ -117,7 +121,7 @@ constexpr double kLargestCurves = 2e9;
 
 void check_curves(const StudyOptions& options, const study::Plan& plan) {
   const study::OutputSelection& keep = plan.study().keep;
-  const double row = static_cast<double>(sizeof(float) * study::kept_quantities(keep).size()) *
+  const double row = static_cast<double>(sizeof(float) * study::kept_curves(plan.study()).size()) *
                      static_cast<double>(study::kept_angles(keep).size());
   const double bytes = row * static_cast<double>(plan.most());
   if (options.yes || bytes <= kLargestCurves) return;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <numbers>
 
 #include "gas_path/gas_variations.hpp"
 #include "output_names.hpp"
@@ -44,13 +45,20 @@ std::string events_table(const gas_path::GasPathResult& result) {
   return text;
 }
 
+std::string twist_cell(const gas_path::RingMotionValues& ring) {
+  if (!ring.largest_static_twist) return "";
+  const double twist = *ring.largest_static_twist * 180 / std::numbers::pi;
+  if (twist == 0) return "       none";
+  return fmt::format("{:>11.2g} degree at {:.0f}", twist, ring.largest_static_twist_angle_deg);
+}
+
 std::string seating_table(const gas_path::GasPathResult& result) {
-  std::string text = "\nring   least force on the lower flank   unseated\n";
+  std::string text = "\nring   least force on the lower flank   unseated   largest static twist\n";
   for (std::size_t i = 0; i < result.motion.size(); ++i) {
     const gas_path::RingMotionValues& ring = result.motion[i];
     if (!ring.has_groove) continue;
-    text += fmt::format("{:>4}{:>12.4g} N at{:>6.0f} degree{:>11.1f} %\n", i + 1, ring.least_seating_force,
-                        ring.least_seating_force_angle_deg, 100 * ring.unseated_share);
+    text += fmt::format("{:>4}{:>12.4g} N at{:>6.0f} degree{:>11.1f} %{}\n", i + 1, ring.least_seating_force,
+                        ring.least_seating_force_angle_deg, 100 * ring.unseated_share, twist_cell(ring));
   }
   return text;
 }

@@ -19,25 +19,36 @@ constexpr double kStartAngleDeg = 270;
 /// which strokes leave to the next ones, over all.
 constexpr double kCheckSpacingDeg = 15;
 constexpr double kCheckedDeg = 180;
+constexpr int kCompression = 3;  ///< stroke_at
 /// A film forgets its start within half a stroke, as a rule. Very cold oil on a nearly flat face is squeezed out so
 /// slowly that a film of millimetres at the start loses some percent per cycle, and then each cycle leaves up to 0.96
 /// of the difference from the one before. The state is followed as long as that difference halves in so many cycles,
 /// and so reaches any tolerance. One that does not is held up by something else: the rounding of the iteration, or
 /// steps that differ from cycle to cycle.
 constexpr std::size_t kCyclesToHalve = 50;
+constexpr double kNotKnown = std::numeric_limits<double>::infinity();
+
+/// A ring that is not part of a pack has a liner of its own.
+PlaceOnLiner& with_liner(const Setup& setup, PlaceOnLiner& place) {
+  const bool needs_own = setup.input.film.supply == OilSupply::kFilmOnLiner && !place.film;
+  if (needs_own) place.film = std::make_shared<LinerFilm>(fresh_liner(setup, 0));
+  return place;
+}
 
 }  // namespace
 
-CycleRun::CycleRun(Setup setup, PlaceOnLiner place)
+CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
     : setup_(std::move(setup)),
+      shares_liner_(place.film != nullptr),
       place_(std::move(place)),
+      settling_(of_own_liner),
       n_steps_(steps_per_cycle(setup_.input.solver)),
       step_deg_(kCycleDeg / n_steps_),
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
-      integration_(setup_, place_),
+      integration_(setup_, with_liner(setup_, place_)),
       recorder_(setup_),
       k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
-      distance_(std::numeric_limits<double>::infinity()) {
+      distance_{kNotKnown, kNotKnown} {
   attempt([this] { integration_.start(k_); });
 }
 
@@ -63,18 +74,34 @@ void CycleRun::arrived() {
   k_ = (k_ + 1) % n_steps_;
   ++steps_integrated_;
   const int since_start = steps_integrated_ % n_steps_;
-  const bool is_checked = since_start * step_deg_ <= kCheckedDeg || integration_.liner_oil() != nullptr;
-  if (k_ % check_every_ == 0 && is_checked) {
-    const auto before = one_cycle_ago_.find(k_);
-    if (before != one_cycle_ago_.end()) {
-      const TimeIntegration::Distance distance = integration_.distance(before->second);
-      distance_ = distance.largest();
-      repeats_ = distance.film <= allowed_distance() && distance.on_liner <= setup_.input.solver.step_error;
-    }
-    const bool goes_on = !repeats_ || place_.film != nullptr;  // until all rings of the pack repeat themselves
-    if (goes_on) one_cycle_ago_[k_] = integration_.snapshot();
+  const bool has_oil = place_.film != nullptr;
+  const bool is_checked = since_start * step_deg_ <= kCheckedDeg || has_oil;
+  if (has_oil && begins_compression()) {
+    CycleRun* const alone = this;
+    if (!shares_liner_) settling_.begin_next_cycle(*place_.film, {&alone, 1});
+  } else if (k_ % check_every_ == 0 && is_checked) {
+    compare_with_last_cycle();
   }
   if (!repeats_ && since_start == 0) check_approach();
+}
+
+bool CycleRun::begins_compression() const {
+  return stroke_at(k_ * step_deg_) == kCompression && stroke_at((k_ - 1) * step_deg_) != kCompression;
+}
+
+void CycleRun::compare_with_last_cycle() {
+  const auto before = one_cycle_ago_.find(k_);
+  if (before != one_cycle_ago_.end()) {
+    distance_ = integration_.distance(before->second);
+    repeats_ = distance_.film <= allowed_distance() && oil_repeats();
+  }
+  const bool goes_on = !repeats_ || shares_liner_;  // until all rings of the pack repeat themselves
+  if (goes_on) one_cycle_ago_[k_] = integration_.snapshot();
+}
+
+void CycleRun::forget_last_cycle() {
+  one_cycle_ago_.clear();
+  one_cycle_ago_[k_] = integration_.snapshot();
 }
 
 double CycleRun::allowed_distance() const {
@@ -91,14 +118,15 @@ double CycleRun::allowed_distance() const {
 }
 
 void CycleRun::check_approach() {
-  distances_.push_back(distance_);
+  const double distance = distance_.largest();
+  distances_.push_back(distance);
   const std::size_t n = distances_.size();
-  if (n <= kCyclesToHalve || distance_ <= distances_[n - 1 - kCyclesToHalve] / 2) return;
+  if (n <= kCyclesToHalve || distance <= distances_[n - 1 - kCyclesToHalve] / 2) return;
   char text[512];
   std::snprintf(text, sizeof text,
                 "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
                 "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger %s",
-                n, distance_, allowed_distance(), kCyclesToHalve,
+                n, distance, allowed_distance(), kCyclesToHalve,
                 setup_.input.film.supply == OilSupply::kFilmOnLiner
                     ? "solver.step_error, or supply.reach that leaves the ring more oil"
                     : "solver.tolerance or a smaller solver.crank_step");
@@ -126,7 +154,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 }
 
 CycleResult CycleRun::result(Completeness others) const {
-  return recorder_.result(integration_, distance_, steps_integrated_, repeats_ ? others : Completeness::kStopped);
+  return recorder_.result(integration_, distance_.largest(), steps_integrated_,
+                          repeats_ ? others : Completeness::kStopped);
 }
 
 }  // namespace ringfilm::cycle

@@ -9,6 +9,7 @@
 #include "ringfilm/cycle/integration/recorder.hpp"
 #include "ringfilm/cycle/integration/side_by_side.hpp"
 #include "ringfilm/cycle/integration/time_integration.hpp"
+#include "ringfilm/cycle/oil_settling.hpp"
 
 namespace ringfilm::cycle {
 
@@ -31,7 +32,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop);
 class CycleRun final : public BatchMember {
  public:
   /// Starts the integration; a start without an answer is a stop like any other.
-  explicit CycleRun(Setup setup, PlaceOnLiner place = {});
+  /// @param of_own_liner how the oil comes to rest on the liner of a ring that shares it with no other
+  explicit CycleRun(Setup setup, PlaceOnLiner place = {}, OilIteration of_own_liner = OilIteration::kMixed);
 
   TimeIntegration& integration() override { return integration_; }
   void conclude(const film::FilmReport& report) override;
@@ -40,6 +42,16 @@ class CycleRun final : public BatchMember {
   const Setup& setup() const { return setup_; }
   int steps_integrated() const { return steps_integrated_; }
   double crank_angle_deg() const { return k_ * step_deg_; }  ///< of the last base angle
+
+  // Of the oil on the liner, see OilSettling.
+  /// Is the integration at the angle where a cycle of the oil ends and the next begins, BDC before compression? There
+  /// the rings leave free what settles slowly, the liner near TDC.
+  bool begins_compression() const;
+  /// Compares the state with that of one cycle before, if there is one, and keeps it.
+  void compare_with_last_cycle();
+  bool oil_repeats() const { return distance_.on_liner <= setup_.input.solver.step_error; }
+  /// After a change of the oil on the liner: cycles are compared from the present state on.
+  void forget_last_cycle();
 
   /// Once done: what was found, and why no more if the integration stopped. @param others of its pack
   CycleResult result(Completeness others = Completeness::kComplete) const;
@@ -57,8 +69,10 @@ class CycleRun final : public BatchMember {
   void attempt(const Part& part);
 
   Setup setup_;
+  bool shares_liner_;  ///< with other rings of a pack, which settle the oil together
   PlaceOnLiner place_;
-  int n_steps_;  ///< of a cycle
+  OilSettling settling_;  ///< of a liner of its own
+  int n_steps_;           ///< of a cycle
   double step_deg_;
   int check_every_;
   TimeIntegration integration_;
@@ -66,7 +80,7 @@ class CycleRun final : public BatchMember {
   std::map<int, TimeIntegration::Snapshot> one_cycle_ago_;  ///< by base angle
   int k_ = 0;                                               ///< base angle
   int steps_integrated_ = 0;
-  double distance_;
+  TimeIntegration::Distance distance_;
   std::vector<double> distances_;  ///< at the end of each cycle
   bool repeats_ = false;
   std::optional<Stop> stop_;

@@ -129,11 +129,16 @@ double Network::gas_and_friction(std::size_t index, double crank_angle, double p
   const double edge = disc(pack_.bore) - disc(outer), flank = disc(outer) - disc(inner);
   const double gas = edge * (p_below - p_above) + flank * (models::mean_channel_pressure(p_groove, p_below) -
                                                            models::mean_channel_pressure(p_above, p_groove));
-  if (ring.bore_friction_coefficient == 0) return gas;
+  return gas + friction_on_bore(index, crank_angle, p_groove, p_crankcase);
+}
+
+double Network::friction_on_bore(std::size_t index, double crank_angle, double p_groove, double p_crankcase) const {
+  const Ring& ring = pack_.rings[index];
+  if (ring.bore_friction_coefficient == 0) return 0;
   const double sliding = pack_.crank.velocity(crank_angle, pack_.speed) / pack_.sliding_smoothing_speed;
   const double on_bore =
       std::numbers::pi * pack_.bore * ring.face_width * (ring.elastic_pressure + p_groove - p_crankcase);
-  return gas - ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
+  return -ring.bore_friction_coefficient * on_bore * std::tanh(sliding);
 }
 
 double Network::axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,

@@ -76,6 +76,9 @@ class Network {
   double axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
                      double p_crankcase) const;
 
+  /// Of the bore on a ring, towards the chamber; 0 without a stated coefficient [N]. @param as of axial_force()
+  double friction_on_bore(std::size_t ring, double crank_angle, double p_groove, double p_crankcase) const;
+
   /// Acceleration of a ring relative to its groove, where nothing supports it, eq-ring-acceleration [m/s2].
   /// @param ring of RingMotion::kAxial @param crank_angle 0 = firing TDC [rad] @param p_above @param p_groove
   /// @param p_below @param p_crankcase pressures [Pa]

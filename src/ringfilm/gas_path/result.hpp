@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct RingMotionValues {
   double least_seating_force = 0;            ///< that presses it on its lower flank, if it lay there [N]
   double least_seating_force_angle_deg = 0;  ///< crank angle of it [degree]
   double unseated_share = 0;                 ///< share of the cycle in which that force is negative [-]
+  /// Largest by its size while that force is positive, eq-static-twist; nothing without a face width [rad].
+  std::optional<double> largest_static_twist;
+  double largest_static_twist_angle_deg = 0;  ///< crank angle of it [degree]
+  double twisted_share = 0;                   ///< share of the cycle in which the flank does not hold the ring flat [-]
 };
 
 /// The gas over one cycle that repeats itself.
@@ -54,8 +59,9 @@ struct GasPathResult {
   double duration = 0;                        ///< of the cycle [s]
   double mass_defect =
       0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
-  double periodicity = 0;  ///< largest relative change of a pressure from one cycle to the next [-]
-  bool repeats = false;    ///< do the pressures repeat from cycle to cycle?
+  /// Largest relative change of a pressure from one cycle to the next, or from one period to the next [-].
+  double periodicity = 0;
+  bool repeats = false;  ///< do the pressures repeat from cycle to cycle?
   /// Cycles after which gas and rings repeat; 0: never within those that were followed. Where it is above 1 the blow-by
   /// is the mean of that many cycles, and all else that of the last.
   int period = 0;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ringfilm/gas_path/cycle_integration.hpp"
+#include "ringfilm/gas_path/static_twist.hpp"
 
 namespace ringfilm::gas_path {
 namespace {
@@ -91,6 +92,27 @@ std::vector<RingMotionValues> motion_values(const std::vector<RingEvent>& events
   return values;
 }
 
+/// What twists a ring on its lower flank, from degree to degree.
+void add_static_twist(const Network& network, std::size_t ring, GasPathResult& result) {
+  const Ring& of = network.pack().rings[ring];
+  if (of.face_width == 0 || of.youngs_modulus == 0) return;
+  const RingBorders& at = network.borders(ring);
+  RingMotionValues& values = result.motion[ring];
+  double largest = 0;
+  std::size_t n_twisted = 0;
+  for (std::size_t angle = 0; angle < result.pressure.size(); ++angle) {
+    const std::vector<double>& p = result.pressure[angle];
+    const double radians = static_cast<double>(angle) * std::numbers::pi / 180;
+    const double twist = static_twist(network, ring, radians, p[at.above], p[at.groove], p[at.below], p.back()).angle;
+    if (twist != 0) ++n_twisted;
+    if (std::abs(twist) <= std::abs(largest)) continue;
+    largest = twist;
+    values.largest_static_twist_angle_deg = static_cast<double>(angle);
+  }
+  values.largest_static_twist = largest;
+  values.twisted_share = static_cast<double>(n_twisted) / static_cast<double>(result.pressure.size());
+}
+
 /// What presses the rings on their lower flanks, from degree to degree.
 void add_seating_forces(const Network& network, GasPathResult& result) {
   for (std::size_t i = 0; i < result.motion.size(); ++i) {
@@ -109,6 +131,7 @@ void add_seating_forces(const Network& network, GasPathResult& result) {
       ring.least_seating_force_angle_deg = static_cast<double>(angle);
     }
     ring.unseated_share = static_cast<double>(n_unseated) / static_cast<double>(result.pressure.size());
+    add_static_twist(network, i, result);
   }
 }
 
@@ -121,23 +144,38 @@ bool is_alike(const PackState& a, const PackState& b) {
   return true;
 }
 
+/// A motion that was followed for more cycles.
+struct Followed {
+  int cycles = 0;      ///< for so many
+  int period = 0;      ///< in cycles; 0: none was found
+  double change = 0;   ///< largest relative change of a pressure from one period to the next; without one, of a cycle
+  double blow_by = 0;  ///< mean of the period [kg]
+};
+
 /// Follows a motion that does not repeat from cycle to cycle until it repeats after several: a ring that flutters may
-/// double its period. Leaves the mean blow-by of that period. @returns it; 0 where none was found
-int follow_to_period(CycleIntegration& cycle, double& blow_by) {
+/// double its period.
+Followed follow_to_period(CycleIntegration& cycle) {
   std::vector<PackState> states{cycle.state()};
   std::vector<double> of_cycle;
+  Followed followed;
   for (int n = 0; n < kMostFollowed; ++n) {
     cycle.integrate();
     states.push_back(cycle.state());
     of_cycle.push_back(cycle.result().blow_by);
+    const auto change = [&states](std::size_t period) {
+      return largest_change(states[states.size() - 1 - period].pressure, states.back().pressure);
+    };
+    followed.cycles = n + 1;
+    followed.change = change(1);
     for (std::size_t period = 1; period <= kLongestPeriod && period < states.size(); ++period) {
       if (!is_alike(states.back(), states[states.size() - 1 - period])) continue;
-      blow_by = std::accumulate(of_cycle.end() - static_cast<std::ptrdiff_t>(period), of_cycle.end(), 0.0) /
-                static_cast<double>(period);
-      return static_cast<int>(period);
+      followed.period = static_cast<int>(period);
+      followed.change = change(period);
+      followed.blow_by = std::accumulate(of_cycle.end() - followed.period, of_cycle.end(), 0.0) / followed.period;
+      return followed;
     }
   }
-  return 0;
+  return followed;
 }
 
 }  // namespace
@@ -176,14 +214,13 @@ GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
     }
     change_before = change;
   }
-  double blow_by = 0;
-  const int period = repeats ? 1 : follow_to_period(cycle, blow_by);
+  const Followed followed = repeats ? Followed{0, 1, change, 0} : follow_to_period(cycle);
   GasPathResult result = cycle.result();
-  if (period > 1) result.blow_by = blow_by;
-  result.periodicity = change;
-  result.repeats = repeats || period == 1;
-  result.period = period;
-  result.cycles = n;
+  if (followed.period > 1) result.blow_by = followed.blow_by;
+  result.periodicity = followed.change;
+  result.repeats = followed.period == 1;
+  result.period = followed.period;
+  result.cycles = n + followed.cycles;
   result.motion = motion_values(result.events, pack.rings);
   add_seating_forces(network, result);
   return result;

@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
+#include "ringfilm/study/statistics/kept_curves.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -33,6 +34,8 @@ class Row {
       put(region_value_name(region.name, "mean_pressure"), region.mean_pressure);
     }
   }
+
+  void put_curves(std::vector<float> curves) { row_.curves = std::move(curves); }
 
   void put_cycle(const CycleResult& result) {
     for (const auto& quantity : cycle::cycle_quantities()) put(quantity.name, result.values.*quantity.value);
@@ -73,10 +76,6 @@ class Row {
   static double value(const CycleResult& result, const char* name) {
     return result.values.*cycle::cycle_quantities()[*cycle::cycle_quantity_index(name)].value;
   }
-  static double together(RingValue::Rails rails, double a, double b) {
-    if (rails == RingValue::Rails::kSum) return a + b;
-    return rails == RingValue::Rails::kLowest ? std::min(a, b) : std::max(a, b);
-  }
 
   const StudyValues& values_;
   ScenarioRow row_;
@@ -110,9 +109,9 @@ std::vector<std::size_t> ring_numbers(const Case& pack, const Case& with_rails) 
 
 }  // namespace
 
-ScenarioRow pack_row(const Case& scenario, Compute compute, const StudyValues& values) {
+ScenarioRow pack_row(const Case& scenario, const Study& study, const StudyValues& values) {
   Row row(values);
-  if (compute == Compute::kGas) {
+  if (study.compute == Compute::kGas) {
     const gas_path::Pack pack = cycle::gas_pack(scenario);
     const gas_path::GasPathResult gas = gas_path::solve_gas_path(pack, cycle::given_pressures(scenario));
     row.put_gas(gas, pack.gas.gas_constant);
@@ -123,9 +122,14 @@ ScenarioRow pack_row(const Case& scenario, Compute compute, const StudyValues& v
   const cycle::CaseWithGas found = cycle::solve_gas_through_films(faces);
   if (found.gas) row.put_gas(*found.gas, scenario.gas_path.gas_constant);
   if (scenario.is_pack()) {
-    row.put_rings(films_of(found.input), ring_numbers(scenario, faces));
+    const std::vector<CycleResult> films = films_of(found.input);
+    const std::vector<std::size_t> numbers = ring_numbers(scenario, faces);
+    row.put_rings(films, numbers);
+    row.put_curves(kept_numbers_of_pack(study, films, numbers));
   } else {
-    row.put_cycle(cycle::simulate(cycle::prepare(found.input)));
+    const CycleResult film = cycle::simulate(cycle::prepare(found.input));
+    row.put_cycle(film);
+    row.put_curves(kept_numbers(study.keep, film.samples));
   }
   return std::move(row).row();
 }

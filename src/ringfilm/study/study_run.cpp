@@ -37,11 +37,11 @@ ScenarioRow row_of(const cycle::CycleResult& result, const OutputSelection& keep
 ScenarioRow unsolved_row(std::string reason, const Plan& plan) {
   while (!reason.empty() && reason.back() == '\n') reason.pop_back();
   return {std::vector<double>(plan.values().quantities.size(), std::numeric_limits<double>::quiet_NaN()),
-          reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(plan.study().keep)};
+          reason.empty() ? "not solved" : std::move(reason), no_kept_numbers(plan.study())};
 }
 
-std::uint64_t rows_in_block(const OutputSelection& keep, std::uint64_t most_rows) {
-  const std::size_t row = sizeof(float) * kept_quantities(keep).size() * kept_angles(keep).size();
+std::uint64_t rows_in_block(const Study& study, std::uint64_t most_rows) {
+  const std::size_t row = sizeof(float) * kept_curves(study).size() * kept_angles(study.keep).size();
   return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kLargestCurves / row, 1));
 }
 
@@ -101,7 +101,9 @@ void run_one_by_one(const Plan& plan, const ScenarioRange& range,
   std::atomic<bool> has_ended = false;
   const auto row = [&](std::uint64_t i) {
     try {
-      return pack_row(scenario_case(plan.study(), plan.point(i)), plan.study().compute, plan.values());
+      cycle::Case one = scenario_case(plan.study(), plan.point(i));
+      ask_for_kept(plan.study().keep, one);
+      return pack_row(one, plan.study(), plan.values());
     } catch (const InputError& refusal) {
       return unsolved_row(reason_of(refusal), plan);
     } catch (const ConvergenceError& stop) {
@@ -141,7 +143,7 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
                             const StudyRunOptions& options) {
   const OutputSelection& keep = plan.study().keep;
   StudyRunOptions in_blocks = options;
-  in_blocks.most_rows = rows_in_block(keep, options.most_rows);
+  in_blocks.most_rows = rows_in_block(plan.study(), options.most_rows);
   Collector collector(range.first, finished, in_blocks);
   std::map<std::size_t, std::uint64_t> scenario_of;  // of the cases on their way, by their place in the batch
   std::size_t n_given = 0;

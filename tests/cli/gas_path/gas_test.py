@@ -170,9 +170,17 @@ class GasTest(program.ProgramTest):
         refused = self.run_program("report", "gas.nc", "-o", "gas.html")
         self.assert_refused(refused, "the gas of a ring pack alone")
 
+    def test_static_twist_is_reported_of_rings_with_a_width(self):
+        for ring in self.json_of()["ring_motion"]:
+            self.assertLess(abs(ring["largest_static_twist"]), 1)
+            self.assertLessEqual(ring["twisted_share"], 1 - ring["unseated_share"])
+        self.write(HEAD + TOP.replace('face_width = "1.2 mm"\n', "") + SECOND + OIL)
+        self.assertNotIn("largest_static_twist", self.json_of()["ring_motion"][0])
+
     def test_pack_without_oil_ring_is_noted(self):
         self.write(HEAD + TOP + SECOND.replace('volume_below = "300 mm3"\n', ""))
-        self.assertIn("oil-ring-missing", [note["topic"] for note in self.json_of()["notes"]])
+        self.assertIn("oil-ring-missing", [note["topic"] for note in self.json_of("-o", "gas.nc")["notes"]])
+        self.assertTrue(b"note_topic" in (self.folder / "gas.nc").read_bytes())
 
     def test_bad_input_is_refused_with_its_line(self):
         whole = HEAD + TOP + SECOND + OIL
@@ -190,6 +198,13 @@ class GasTest(program.ProgramTest):
             done = self.run_program("gas", "pack.toml")
             self.assert_refused(done, words)
             self.assertRegex(done.stderr, r"pack\.toml:\d+:\d+: ", words)
+
+    def test_a_mistyped_model_is_the_only_error(self):
+        done = self.run_program("gas", "pack.toml", "--set", "gas_path.model=orifice")
+        self.assert_refused(done, 'choose one of "given", "orifice-volume"')
+        self.assertIn("1 error", done.stderr)
+        self.write((HEAD + TOP + SECOND + OIL).replace("orifice-volume", "orifice"))
+        self.assertIn("1 error", self.run_program("gas", "pack.toml").stderr)
 
     def test_missing_keys_are_named_with_their_ring(self):
         self.write(HEAD + TOP.replace('side_clearance = "50 um"\n', "") + OIL)

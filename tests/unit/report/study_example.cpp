@@ -63,7 +63,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
   const study::OutputSelection& keep = plan.study().keep;
   const auto& quantities = cycle::cycle_quantities();
   const std::vector<double> angles = study::kept_angles(keep);
-  const auto kept = study::kept_quantities(keep);
+  const auto kept = study::kept_curves(plan.study());
   study::ScenarioBlock block{0, {}};
   for (std::uint64_t i = 0; i < plan.size(); ++i) {
     const study::Point point = plan.point(i);
@@ -73,7 +73,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
     if (!std::isfinite(film)) {
       row.values.assign(quantities.size(), std::numeric_limits<double>::quiet_NaN());
       row.reason = "no film balances the load";
-      row.curves = study::no_kept_numbers(keep);
+      row.curves = study::no_kept_numbers(plan.study());
     } else {
       if (i % 3 == 0) row.notes = {{"shear-rate-high", "shear rate U/h up to 2e+07 1/s", 5}};
       for (std::size_t q = 0; q < kept.size(); ++q) {
@@ -84,7 +84,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
     block.rows.push_back(std::move(row));
   }
   io::ShardHeader header{"plan", "inputs", "program", 1, 1, 0, plan.size(), quantities.size(), {}, angles.size()};
-  for (const cycle::CurveQuantity* quantity : kept) header.curves.push_back(quantity->name);
+  for (const study::KeptCurve& curve : kept) header.curves.push_back(curve.quantity.name);
   io::ShardWriter(folder / "rows", header).append(block);
   std::vector<io::ShardReader> shards;
   shards.emplace_back(folder / "rows");

@@ -203,6 +203,7 @@ bool is_of_gas_path(const Field& field) {
                                                "ring.pressure_below",
                                                "ring.tangential_force",
                                                "ring.radial_thickness",
+                                               "ring.youngs_modulus",
                                                "ring.bore_friction_coefficient"};
   const auto lies_in = [&](const char* section) { return field.key.rfind(section, 0) == 0; };
   if (field.key == "gas.pressure_behind_ring") return false;

@@ -7,6 +7,8 @@ namespace ringfilm::cycle {
 
 double radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180); }
 
+int stroke_at(double crank_angle_deg) { return static_cast<int>(wrapped(crank_angle_deg) / 180); }
+
 double wrapped(double crank_angle_deg) {
   if (crank_angle_deg >= 0 && crank_angle_deg < kCycleDeg) return crank_angle_deg;
   const double angle = std::fmod(crank_angle_deg, kCycleDeg);

@@ -13,6 +13,9 @@ double radians(double angle_deg);
 /// The angle brought into [0, 720).
 double wrapped(double crank_angle_deg);
 
+/// The stroke in which a crank angle lies: 0 power, 1 exhaust, 2 intake, 3 compression; dead centres begin one.
+int stroke_at(double crank_angle_deg);
+
 /// Crank steps in one cycle; the case's step divides it (checked by `broken_rules`).
 int steps_per_cycle(const Solver& solver);
 

@@ -130,7 +130,7 @@ double LinerOil::mean(const std::vector<double>& films, double begin, double end
 
 void LinerOil::pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase) {
   const Sweep swept = sweep(from_deg, to_deg);
-  const auto stroke = static_cast<std::size_t>(wrapped(0.5 * (from_deg + to_deg)) / 180) % kStrokes;
+  const auto stroke = static_cast<std::size_t>(stroke_at(0.5 * (from_deg + to_deg))) % kStrokes;
   if (swept.up != up_ || !begun_) {
     passes_[(stroke + kStrokes - 1) % kStrokes].after = left_.mass_per_area();
     turn(swept.up);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/cycle/integration/ring_conditions.hpp"
@@ -24,6 +25,8 @@ class LinerFilm {
   void lay(double begin, double end, double mass, bool open_below);
 
   const std::vector<double>& mass_per_area() const { return mass_per_area_; }
+  /// Other oil in the same cells [kg/m2].
+  void replace(std::vector<double> mass_per_area) { mass_per_area_ = std::move(mass_per_area); }
   double cell() const { return cell_; }
   double length() const { return cell_ * static_cast<double>(mass_per_area_.size()); }
 

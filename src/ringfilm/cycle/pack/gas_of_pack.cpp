@@ -25,6 +25,15 @@ double ring_mass(const Case& c) {
   return gas.density.value() * c.ring.face_width * t * std::numbers::pi * (c.engine.bore - t);
 }
 
+bool has_mass(const Case& c) {
+  const RingGasPath& gas = c.ring.gas_path;
+  return gas.mass || (gas.density && c.ring.face_width > 0);
+}
+
+bool has_tension(const Ring& ring) {
+  return ring.face_width > 0 && (ring.elastic_pressure || ring.tangential_force || ring.free_gap);
+}
+
 gas_path::Ring gas_ring(const Case& c) {
   const Ring& ring = c.ring;
   const RingGasPath& gas = ring.gas_path;
@@ -41,10 +50,14 @@ gas_path::Ring gas_ring(const Case& c) {
   of.side_clearance = gas.side_clearance.value();
   of.land_clearance = gas.land_clearance.value();
   of.radial_thickness = ring.radial_thickness.value();
-  if (c.gas_path.ring_motion == RingMotion::kSeated) return of;  // its mass may be missing
-  of.elastic_pressure = elastic_pressure(c);
-  of.mass = ring_mass(c);
-  of.bore_friction_coefficient = gas.bore_friction_coefficient;
+  of.youngs_modulus = ring.youngs_modulus;
+  // A seated ring may lack what moves it.
+  const bool moves = c.gas_path.ring_motion == RingMotion::kAxial;
+  if (moves || has_mass(c)) of.mass = ring_mass(c);
+  if (moves || has_tension(ring)) {
+    of.elastic_pressure = elastic_pressure(c);
+    of.bore_friction_coefficient = gas.bore_friction_coefficient;
+  }
   return of;
 }
 

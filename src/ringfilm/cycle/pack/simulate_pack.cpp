@@ -34,8 +34,8 @@ std::vector<double> below_first_ring(std::vector<Setup>& rings) {
   return below;
 }
 
-Runs started(const std::vector<Setup>& rings, const std::vector<double>& below) {
-  const auto liner = std::make_shared<LinerFilm>(fresh_liner(rings.back(), below.back()));
+Runs started(const std::vector<Setup>& rings, const std::vector<double>& below,
+             const std::shared_ptr<LinerFilm>& liner) {
   Runs runs;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     runs.push_back(std::make_unique<CycleRun>(rings[i], PlaceOnLiner{liner, below[i], i + 1 == rings.size()}));
@@ -43,12 +43,10 @@ Runs started(const std::vector<Setup>& rings, const std::vector<double>& below) 
   return runs;
 }
 
-int stroke_from(double crank_angle_deg) { return static_cast<int>(wrapped(crank_angle_deg) / (kCycleDeg / kStrokes)); }
-
 /// One ring to the next dead centre. @returns whether it got there
 bool finish_stroke(CycleRun& ring, Observer* observer) {
-  const int stroke = stroke_from(ring.crank_angle_deg()), n_steps = steps_per_cycle(ring.setup().input.solver);
-  while (!ring.stop() && stroke_from(ring.crank_angle_deg()) == stroke) {
+  const int stroke = stroke_at(ring.crank_angle_deg()), n_steps = steps_per_cycle(ring.setup().input.solver);
+  while (!ring.stop() && stroke_at(ring.crank_angle_deg()) == stroke) {
     const int before = ring.steps_integrated();
     ring.integration().propose();
     ring.conclude(ring.integration().solve());
@@ -60,13 +58,17 @@ bool finish_stroke(CycleRun& ring, Observer* observer) {
 }
 
 /// All rings until each repeats itself or one stops.
-void integrate(Runs& runs, Observer* observer) {
+void integrate(Runs& runs, LinerFilm& liner, OilIteration iteration, Observer* observer) {
+  OilSettling settling(iteration);
+  std::vector<CycleRun*> rings;
+  for (const auto& run : runs) rings.push_back(run.get());
   const auto repeats = [](const auto& run) { return !run->stop() && run->done(); };
   const auto finish = [&](const auto& run) { return finish_stroke(*run, observer); };
   bool goes_on = true;
   while (goes_on && !std::all_of(runs.begin(), runs.end(), repeats)) {
-    const bool down = stroke_from(runs.front()->crank_angle_deg()) % 2 == 0;
+    const bool down = stroke_at(runs.front()->crank_angle_deg()) % 2 == 0;
     goes_on = down ? std::all_of(runs.rbegin(), runs.rend(), finish) : std::all_of(runs.begin(), runs.end(), finish);
+    if (goes_on && runs.front()->begins_compression()) settling.begin_next_cycle(liner, rings);
   }
 }
 
@@ -76,11 +78,12 @@ bool shares_oil(const Case& pack) {
   return pack.rings.size() > 1 && pack.rings.front().film.supply == OilSupply::kFilmOnLiner;
 }
 
-std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer) {
+std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer, OilIteration iteration) {
   const std::vector<double> below = below_first_ring(rings);
   for (;;) {
-    Runs runs = started(rings, below);
-    integrate(runs, observer);
+    const auto liner = std::make_shared<LinerFilm>(fresh_liner(rings.back(), below.back()));
+    Runs runs = started(rings, below, liner);
+    integrate(runs, *liner, iteration, observer);
     const auto stopped =
         std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run->stop().has_value(); });
     if (stopped != runs.end()) {

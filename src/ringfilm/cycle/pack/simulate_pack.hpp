@@ -22,6 +22,8 @@ struct RingOutcome {
 /// Integrates the rings of a pack that shares the oil on the liner, in the order from the chamber to the crankcase,
 /// until the state of each repeats. In each stroke the ring that leads comes first, and each of the others finds the
 /// film that the ring before it has left. As with `simulate`, a ring without a film is tried again on graded cells.
-std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer = nullptr);
+/// @param iteration how the oil on the liner comes to rest
+std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer = nullptr,
+                                       OilIteration iteration = OilIteration::kMixed);
 
 }  // namespace ringfilm::cycle

@@ -42,6 +42,7 @@ class CaseReader {
     if (with_data_files) read_data_files();
     return std::move(case_);
   }
+  bool has_faults() const { return !faults_.empty(); }
 
  private:
   void read_values() {
@@ -185,8 +186,10 @@ bool drop_unused(PackTrees& pack, const std::vector<Case>& without_overrides, bo
   for (std::size_t i = 0; i < pack.trees.size(); ++i) {
     CaseTree& tree = pack.trees[i];
     const Case& once = without_overrides[i];
-    const Case now = CaseReader(tree, units).read_as_far_as_possible(with_data_files);
-    if (now.problem != once.problem) continue;
+    CaseReader reader(tree, units);
+    const Case now = reader.read_as_far_as_possible(with_data_files);
+    // With a value that cannot be read it is not known what is in use.
+    if (now.problem != once.problem || reader.has_faults()) continue;
     n_removed += std::erase_if(tree.entries, [&](const TomlEntry& entry) {
       const cycle::Field& field = *cycle::find_field(entry.key);
       const bool of_file = entry.value.key_mark.line > 0 && !tree.from_oil_file.contains(entry.key);

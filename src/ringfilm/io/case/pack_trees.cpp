@@ -32,10 +32,10 @@ void refuse_last_land(const std::string& key, const TomlEntry* stated, std::vect
                     key + " is the height of a piston land between two rings, and no ring follows", "leave it out"});
 }
 
-/// Are the pressures of the piston lands computed?
-bool has_computed_gas(const std::vector<TomlEntry>& common) {
+/// Does the case state the pressures of the piston lands? One whose model is not known may compute them.
+bool has_given_gas(const std::vector<TomlEntry>& common) {
   const auto model = std::ranges::find(common, "gas_path.model", &TomlEntry::key);
-  return model != common.end() && model->value.text == "orifice-volume";
+  return model == common.end() || model->value.text == "given";
 }
 
 /// Gives each ring the pressure of the piston land above it.
@@ -114,7 +114,7 @@ PackTrees pack_trees(CaseTree tree) {
       faulty.insert(key);
     }
   }
-  if (!has_computed_gas(common)) join_lands(rings, tree.path, pack.faults);
+  if (has_given_gas(common)) join_lands(rings, tree.path, pack.faults);
   const Entries& last = rings.at(n).entries;
   const auto land = last.find(kLand);
   refuse_last_land(cycle::pack_key(n, kLand), land == last.end() ? nullptr : &land->second, pack.faults);

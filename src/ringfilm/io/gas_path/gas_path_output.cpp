@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <utility>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
@@ -12,6 +13,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file_notes.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 
@@ -25,10 +27,14 @@ constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
 constexpr long kGasSchema = 1;
 
 /// Is it a key that the gas uses, of one ring or of a ring of a pack?
-bool is_gas_entry(const CaseEntry& entry) {
+bool is_gas_entry(const CaseEntry& entry, const cycle::Case& c) {
   const auto of_ring = cycle::ring_key(entry.key);
   const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : entry.key);
   if (field == nullptr || !cycle::is_of_gas_path(*field)) return false;
+  // An oil ring does not twist.
+  const bool is_of_oil_ring = of_ring && of_ring->ring >= 1 && of_ring->ring <= c.rings.size() &&
+                              c.rings[of_ring->ring - 1].ring.gas_path.kind == cycle::RingKind::kOil;
+  if (is_of_oil_ring && field->key == "ring.youngs_modulus") return false;
   // What only the film requires has no value where the case does not state it.
   return !(entry.assumed && field->need == cycle::Need::kRequired);
 }
@@ -55,7 +61,7 @@ GasPathDocument gas_path_document(const cycle::Case& c) {
   document.result = gas_path::solve_gas_path(pack, cycle::given_pressures(c));
   document.title = c.title;
   for (CaseEntry& entry : case_entries(c)) {
-    if (is_gas_entry(entry)) document.inputs.push_back(std::move(entry));
+    if (is_gas_entry(entry, c)) document.inputs.push_back(std::move(entry));
   }
   document.files = c.files;
   document.input_notes = c.notes;
@@ -94,6 +100,13 @@ std::string gas_path_json(const GasPathDocument& document) {
                                      {"least_seating_force", result.motion[i].least_seating_force},
                                      {"least_seating_force_angle", result.motion[i].least_seating_force_angle_deg},
                                      {"unseated_share", result.motion[i].unseated_share}});
+    const gas_path::RingMotionValues& motion = result.motion[i];
+    if (!motion.largest_static_twist) continue;
+    constexpr double kDegree = 180 / std::numbers::pi;
+    ordered_json& ring = object["ring_motion"].back();
+    ring["largest_static_twist"] = *motion.largest_static_twist * kDegree;
+    ring["largest_static_twist_angle"] = motion.largest_static_twist_angle_deg;
+    ring["twisted_share"] = motion.twisted_share;
   }
   for (std::size_t k = 0; k < result.paths.size(); ++k) {
     object["paths"].push_back({{"name", path_name(result.paths[k])}, {"mass_per_cycle", result.transported[k]}});
@@ -107,7 +120,8 @@ std::string gas_path_json(const GasPathDocument& document) {
                      {"mean_pressure", "Pa"},      {"crank_angle", "degree"},
                      {"mass_per_cycle", "kg"},     {"mass_defect", "1"},
                      {"least_seating_force", "N"}, {"least_seating_force_angle", "degree"},
-                     {"unseated_share", "1"}};
+                     {"unseated_share", "1"},      {"largest_static_twist", "degree"},
+                     {"twisted_share", "1"},       {"largest_static_twist_angle", "degree"}};
   object["notes"] = gas_notes_array(document);
   ordered_json assumed = ordered_json::object();
   for (const CaseEntry& entry : document.inputs) {
@@ -127,6 +141,7 @@ void write_gas_path(const std::string& path, const GasPathDocument& document) {
   exchange_provenance(file, document.provenance);
   const struct { std::optional<PackGas> gas; } content{pack_gas(document.result, document.gas_constant)};
   exchange_pack_gas(file, content);
+  exchange_notes(file, document.input_notes, document.notes);
   write_atomically(path, file.bytes());
 }
 

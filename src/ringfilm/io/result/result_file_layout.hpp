@@ -6,6 +6,7 @@
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/result/result_file_notes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_unrolled.hpp"
 
@@ -164,16 +165,6 @@ void exchange_case(File& file, Document& document) {
   file.column("file", text("file_sha256", "SHA-256 of its bytes"), document.files, &cycle::InputFile::sha256);
 }
 
-template <class File, class Document>
-void exchange_notes(File& file, Document& document) {
-  file.texts("input_note", text("input_note_message", "note on the input files of the case"), document.input_notes);
-  auto& notes = document.result.notes;
-  file.rows("note", notes);
-  file.column("note", text("note_topic", "stable word for the note"), notes, &cycle::Note::topic);
-  file.column("note", text("note_message", "what the user must know about this result"), notes, &cycle::Note::message);
-  file.column("note", count("note_count", "crank steps or evaluations concerned"), notes, &cycle::Note::count);
-}
-
 /// @param table the variants of all entries one after the other, a row of `values` each
 template <class File, class Ledger, class VariantTable>
 void exchange_ledger(File& file, Ledger& ledger, VariantTable& table) {
@@ -258,7 +249,7 @@ void exchange(File& file, Document& document, VariantTable& variants) {
   exchange_fields(file, document.result);
   exchange_unrolled(file, document.result);
   exchange_case(file, document);
-  exchange_notes(file, document);
+  exchange_notes(file, document.input_notes, document.result.notes);
   exchange_ledger(file, document.ledger, variants);
   exchange_comparison(file, document);
 }

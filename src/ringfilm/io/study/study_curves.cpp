@@ -44,24 +44,24 @@ class BandReader {
   }
 
   std::vector<CurveBand> bands() {
-    const auto quantities = study::kept_quantities(keep_);
+    const std::vector<study::KeptCurve> kept = study::kept_curves(rows_.plan.study());
     const std::size_t n_bases = rows_.plan.study().bases.size(), n_shares = band_shares().size();
     std::vector<CurveBand> bands;
     for (std::size_t base = 0; base < n_bases; ++base) {
-      for (const auto* quantity : quantities)
-        bands.push_back({base, quantity, band_shares(),
+      for (std::size_t curve = 0; curve < kept.size(); ++curve) {
+        bands.push_back({base, curve, kept[curve].quantity, band_shares(),
                          std::vector<std::vector<double>>(n_shares, std::vector<double>(n_angles_))});
+      }
     }
     const std::uint64_t n = rows_.plan.size();
     const std::size_t at_once = std::clamp<std::size_t>(kBytesAtATime / sizeof(float) / std::max<std::uint64_t>(n, 1),
                                                         1, std::max<std::size_t>(n_angles_, 1));
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
+    for (std::size_t q = 0; q < kept.size(); ++q) {
       for (std::size_t first = 0; first < n_angles_; first += at_once) {
         const std::size_t n_now = std::min(at_once, n_angles_ - first);
         const std::vector<float> block = rows_.curve(q, first, n_now, {0, n});
         for (std::size_t base = 0; base < n_bases; ++base) {
-          for (std::size_t k = 0; k < n_now; ++k)
-            put(block.data() + k * n, first + k, bands[base * quantities.size() + q]);
+          for (std::size_t k = 0; k < n_now; ++k) put(block.data() + k * n, first + k, bands[base * kept.size() + q]);
         }
       }
     }

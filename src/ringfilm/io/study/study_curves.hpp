@@ -15,7 +15,8 @@ using study::kept_angles;
 /// How one quantity scatters over the scenarios of one base.
 struct CurveBand {
   std::size_t base = 0;
-  const cycle::CurveQuantity* quantity = nullptr;
+  std::size_t curve = 0;  ///< of study::kept_curves()
+  cycle::Quantity quantity;
   std::vector<double> shares;               ///< of the quantiles, increasing [-]
   std::vector<std::vector<double>> values;  ///< [share][angle of kept_angles()] [SI]; NaN where nothing was solved
 };
@@ -23,7 +24,7 @@ struct CurveBand {
 /// Shares of the quantiles that are reported of curves.
 const std::vector<double>& band_shares();
 
-/// Quantiles over the scenarios of each base, base after base, of each quantity that is kept; of a sample (see
+/// Quantiles over the scenarios of each base, base after base, of each curve that is kept; of a sample (see
 /// Plan::is_sample), or of all points where the plan is not a sample. Scenarios that were not solved are omitted. Empty
 /// where no curves are kept. Each angle has its own quantiles: a band is not a curve of any scenario. Curves are read a
 /// block of angles at a time: at most 128 MB of them or one angle, and 12 bytes for each scenario beside.

@@ -108,12 +108,6 @@ class StudyReader : DocumentReader {
     }
   }
 
-  /// Is every base one ring at given pressures?
-  bool has_single_films() const {
-    return std::ranges::all_of(study_.bases,
-                               [&](const study::Base& base) { return study::is_one_film(study_, base.input); });
-  }
-
   void read_factors(StudyTable& root) {
     const FactorSources sources{study_, units_};
     std::vector<study::Factor> factors;
@@ -132,9 +126,8 @@ class StudyReader : DocumentReader {
 
   void read_measured(StudyTable& root) {
     for (const TomlValue& value : root.items("measured")) {
-      if (!has_single_films()) {
-        root.refuse(value.mark, "[[measured]] is about one ring at given pressures",
-                    "leave it out, or write a base of one ring");
+      if (study_.compute == study::Compute::kGas) {
+        root.refuse(value.mark, "[[measured]] is about films, and the study computes the gas alone", "leave it out");
         return;
       }
       StudyTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
@@ -351,10 +344,6 @@ class StudyReader : DocumentReader {
                                                         {"quantiles", study::Curves::kQuantiles}})
                       .value_or(keep.curves);
     keep.quantities_mark = keep.crank_step_mark = value->key_mark;
-    if (keep.curves != study::Curves::kNone && !has_single_films()) {
-      table.refuse(value->key_mark, "curves are kept of one ring at given pressures alone",
-                   "leave curves out; `ringfilm run` has the curves of a pack");
-    }
     if (const TomlValue* quantities = table.find("quantities")) read_kept_quantities(table, *quantities);
     if (const TomlValue* step = table.find("crank_step")) {
       keep.crank_step_mark = step->mark;

@@ -32,11 +32,14 @@ constexpr std::uint64_t kRowsAtATime = 4096, kCurvesAtATime = 256;
 /// Numbers along a dimension that is stored in whole pieces.
 std::uint64_t padded(std::uint64_t n, std::uint64_t piece) { return n < piece ? n : (n + piece - 1) / piece * piece; }
 
+/// Curves of a pack have their rings in their names.
+bool has_ring_axis(const StudyRows& rows) { return !rows.plan.study().bases.front().input.is_pack(); }
+
 /// More than the file can become: its numbers not compressed, texts, and what the library needs to find them.
 std::uint64_t most_bytes(const StudyRows& rows, const std::vector<StudyRows::ScenarioNotes>& notes) {
   const study::OutputSelection& keep = rows.plan.study().keep;
   const bool is_full = keep.curves == study::Curves::kAll;
-  const std::uint64_t n_curves = study::kept_quantities(keep).size(), n_angles = kept_angles(keep).size();
+  const std::uint64_t n_curves = study::kept_curves(rows.plan.study()).size(), n_angles = kept_angles(keep).size();
   const std::uint64_t n = padded(rows.plan.size(), kRowsAtATime),
                       n_of_curves = padded(rows.plan.size(), kCurvesAtATime);
   const std::uint64_t n_columns =
@@ -201,13 +204,23 @@ class BlockWriter {
   }
 
   void define_curves() {
-    const std::vector<std::size_t> piece = {static_cast<std::size_t>(std::min(n_, kCurvesAtATime)), n_angles_, kRings};
-    for (const auto* quantity : study::kept_quantities(rows_.plan.study().keep)) {
-      cycle::Quantity curve = *quantity;
-      curve.name = fmt::format("curve_{}", quantity->name);
-      curves_.push_back(file_.blocks({kScenario, kCrankAngle, kRing}, curve, Stored::kSingle, piece));
+    const std::vector<std::size_t> piece =
+        curve_shape(static_cast<std::size_t>(std::min(n_, kCurvesAtATime)), n_angles_);
+    std::vector<const char*> dimensions = {kScenario, kCrankAngle};
+    if (has_ring_axis(rows_)) dimensions.push_back(kRing);
+    for (const study::KeptCurve& kept : study::kept_curves(rows_.plan.study())) {
+      cycle::Quantity curve = kept.quantity;
+      curve.name = fmt::format("curve_{}", curve.name);
+      curves_.push_back(file_.blocks(dimensions, curve, Stored::kSingle, piece));
       file_.describe(curve.name, "coordinates", coordinates_);
     }
+  }
+
+  /// Along the dimensions of a curve: scenarios, angles and the ring where there is an axis of it.
+  std::vector<std::size_t> curve_shape(std::size_t scenarios, std::size_t angles, std::size_t rings = kRings) const {
+    std::vector<std::size_t> shape = {scenarios, angles};
+    if (has_ring_axis(rows_)) shape.push_back(rings);
+    return shape;
   }
 
   void put(const std::optional<int>& variable, const study::ScenarioRange& block, const std::vector<double>& values) {
@@ -258,7 +271,9 @@ class BlockWriter {
       for (std::uint64_t i = 0; i < block.size(); ++i) {
         for (std::size_t k = 0; k < n_angles_; ++k) turned[i * n_angles_ + k] = curve[k * block.size() + i];
       }
-      file_.put_block(*curves_[q], {block.first, 0, 0}, {block.size(), n_angles_, kRings}, turned.data());
+      const auto size = static_cast<std::size_t>(block.size());
+      file_.put_block(*curves_[q], curve_shape(static_cast<std::size_t>(block.first), 0, 0),
+                      curve_shape(size, n_angles_), turned.data());
     }
   }
 
@@ -274,9 +289,10 @@ class BlockWriter {
   std::uint64_t n_unsolved_ = 0;  ///< written
 };
 
-void write_axes(ResultFileWriter& file, const study::OutputSelection& keep) {
+void write_axes(ResultFileWriter& file, const StudyRows& rows) {
   file.numbers({kCrankAngle}, {kCrankAngle, "degree", "degree", "crank angle, 0 at firing TDC", "phi", ""},
-               kept_angles(keep));
+               kept_angles(rows.plan.study().keep));
+  if (!has_ring_axis(rows)) return;
   file.numbers({kRing}, {kRing, "1", "", "ring, counted from the chamber", "", ""}, std::vector<double>{1});
 }
 
@@ -290,10 +306,12 @@ void write_bands(ResultFileWriter& file, const StudyRows& rows) {
       for (const auto& curve : bands[b].values)
         for (const double number : curve) numbers.push_back(static_cast<float>(number));
     }
-    cycle::Quantity quantity = *bands[q].quantity;
+    cycle::Quantity quantity = bands[q].quantity;
     quantity.name = fmt::format("curve_{}_quantile", quantity.name);
     quantity.long_name.append(", quantiles over the scenarios");
-    file.numbers({"base_case", "quantile", kCrankAngle, kRing}, quantity, numbers);
+    std::vector<const char*> dimensions = {"base_case", "quantile", kCrankAngle};
+    if (has_ring_axis(rows)) dimensions.push_back(kRing);
+    file.numbers(dimensions, quantity, numbers);
   }
 }
 
@@ -331,7 +349,7 @@ void write_study_result(const std::string& path, const StudyRows& rows) {
   const std::vector<StudyRows::ScenarioNotes>& notes = rows.scenario_notes();
   ResultFileWriter file(path, aside, most_bytes(rows, notes));
   write_head(file, rows);
-  if (keep.curves != study::Curves::kNone) write_axes(file, keep);
+  if (keep.curves != study::Curves::kNone) write_axes(file, rows);
   BlockWriter blocks(file, rows, notes);
   blocks.define();
   blocks.write();

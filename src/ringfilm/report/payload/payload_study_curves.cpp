@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "ringfilm/io/study/study_curves.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
@@ -27,20 +25,17 @@ void add_study_curves(const io::StudyRows& rows, ordered_json& payload) {
   if (bands.empty()) return;
   const std::vector<double> angles = io::kept_angles(rows.plan.study().keep);
   const std::size_t stride = (angles.size() + kMostAngles - 1) / kMostAngles;
-  std::vector<const cycle::CurveQuantity*> quantities;
   ordered_json described = ordered_json::array(), list = ordered_json::array();
   for (const io::CurveBand& band : bands) {
-    auto found = std::find(quantities.begin(), quantities.end(), band.quantity);
-    if (found == quantities.end()) {
-      described.push_back({{"name", band.quantity->name},
-                           {"unit", band.quantity->unit},
-                           {"display_unit", band.quantity->display_unit},
-                           {"long_name", band.quantity->long_name}});
-      found = quantities.insert(quantities.end(), band.quantity);
+    if (band.curve == described.size()) {
+      described.push_back({{"name", band.quantity.name},
+                           {"unit", band.quantity.unit},
+                           {"display_unit", band.quantity.display_unit},
+                           {"long_name", band.quantity.long_name}});
     }
     ordered_json values = ordered_json::array();
     for (const std::vector<double>& curve : band.values) values.push_back(every(curve, stride));
-    list.push_back({{"base", band.base}, {"quantity", found - quantities.begin()}, {"values", std::move(values)}});
+    list.push_back({{"base", band.base}, {"quantity", band.curve}, {"values", std::move(values)}});
   }
   payload["curves"] = {{"angles", every(angles, stride)},
                        {"shares", bands.front().shares},

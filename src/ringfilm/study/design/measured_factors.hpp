@@ -19,7 +19,7 @@ struct MeasuredSharing {
 /// base for itself. The coefficient of boundary shear strength: times one factor for the scatter of its slope, one for
 /// the calibration and one for its reference, normal about 1 with the relative deviation, cut off at 0; the last two
 /// are common to the bases whose calibration has one name, if they are shared. A deviation that is absent or 0 adds
-/// nothing.
+/// nothing. Rings of a pack that state the same have one pair of surfaces, others one each.
 /// @param bases indices of study.bases
 /// Throws InputError for a base that states no deviation, and where bases with one calibration differ in its relative
 /// deviation by more than 2 %: one error cannot have two sizes.

@@ -72,6 +72,11 @@ const std::vector<RingValue>& ring_values() {
   return values;
 }
 
+double together(RingValue::Rails rails, double a, double b) {
+  if (rails == RingValue::Rails::kSum) return a + b;
+  return rails == RingValue::Rails::kLowest ? std::min(a, b) : std::max(a, b);
+}
+
 std::string ring_value_name(std::size_t ring, const std::string& name) {
   return "ring_" + std::to_string(ring) + "_" + name;
 }

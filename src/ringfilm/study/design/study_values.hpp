@@ -32,6 +32,8 @@ struct RingValue {
   Rails rails;
 };
 const std::vector<RingValue>& ring_values();
+/// What two rails have together.
+double together(RingValue::Rails rails, double a, double b);
 
 /// "ring_2_fmep"
 std::string ring_value_name(std::size_t ring, const std::string& name);

@@ -31,7 +31,7 @@ gas_path::GasPathResult gas_of_two_regions() {
   gas.position.assign(720, {2e-5});
   gas.transported = {2e-6};
   gas.events = {{1, 123.5, gas_path::FlankEvent::kLeavesLower}};
-  gas.motion = {{.has_groove = true}};
+  gas.motion.emplace_back().has_groove = true;
   gas.blow_by = 2e-6;
   gas.duration = 0.08;
   return gas;

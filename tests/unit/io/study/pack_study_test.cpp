@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <span>
+
 #include "../scratch_folder.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
@@ -9,6 +12,7 @@
 #include "ringfilm/study/design/plan.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/pack_scenario.hpp"
+#include "ringfilm/study/statistics/kept_curves.hpp"
 
 /// Studies of ring packs, from their files to the rows.
 namespace ringfilm::io {
@@ -19,6 +23,12 @@ using ::testing::HasSubstr;
 const std::string kSource = RINGFILM_SOURCE_FOLDER;
 const std::string kGrid = "[plan]\nmethod = \"grid\"\n";
 const std::string kGap = "[[factor]]\nkey = \"ring.1.end_gap\"\nvalues = [\"0.2 mm\", \"0.5 mm\"]\n";
+
+// Coarse, and of rings by themselves: fast.
+const std::string kCoarse =
+    "[[factor]]\nkey = \"solver.cells\"\nvalues = [40]\n[[factor]]\nkey = \"film.supply\"\nvalues = [\"given\"]\n"
+    "[[factor]]\nkey = \"solver.crank_step_control\"\nvalues = [\"fixed\"]\n"
+    "[[factor]]\nkey = \"solver.crank_step\"\nvalues = [\"4 degree\"]\n";
 
 /// A study of the shipped pack; `head` comes before its base.
 class PackStudy : public ::testing::Test {
@@ -75,12 +85,7 @@ TEST_F(PackStudy, OfTheGasAloneHasTheGasOfEachScenario) {
 }
 
 TEST_F(PackStudy, HasTheRingsOfEachScenarioAndTheirSum) {
-  // Coarse, and of rings by themselves: fast.
-  const std::string factors =
-      "[[factor]]\nkey = \"solver.cells\"\nvalues = [40]\n[[factor]]\nkey = \"film.supply\"\nvalues = [\"given\"]\n"
-      "[[factor]]\nkey = \"solver.crank_step_control\"\nvalues = [\"fixed\"]\n"
-      "[[factor]]\nkey = \"solver.crank_step\"\nvalues = [\"4 degree\"]\n";
-  const study::Plan plan = this->plan("", factors + kGrid);
+  const study::Plan plan = this->plan("", kCoarse + kGrid);
   const std::vector<study::ScenarioRow> all = rows(plan);
   ASSERT_EQ(all.size(), 1u);
   ASSERT_EQ(all[0].reason, "");
@@ -96,6 +101,33 @@ TEST_F(PackStudy, HasTheRingsOfEachScenarioAndTheirSum) {
             std::min(each[2].min_film_thickness, each[3].min_film_thickness));
   EXPECT_EQ(value(plan, all[0], "fmep"), each[0].fmep + each[1].fmep + each[2].fmep + each[3].fmep);
   EXPECT_GT(value(plan, all[0], "blow_by_flow"), 0);
+}
+
+TEST_F(PackStudy, KeepsTheCurvesOfEachRingAndTheirSum) {
+  const std::string keep =
+      "[keep]\ncurves = \"all\"\nquantities = [\"total_friction\", \"min_film_thickness\"]\n"
+      "crank_step = \"4 degree\"\n";
+  const study::Plan plan = this->plan("", kCoarse + kGrid + keep);
+  std::vector<std::string> names;
+  for (const study::KeptCurve& curve : study::kept_curves(plan.study())) names.push_back(curve.quantity.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"total_friction", "ring_1_total_friction", "ring_2_total_friction",
+                                             "ring_3_total_friction", "ring_1_min_film_thickness",
+                                             "ring_2_min_film_thickness", "ring_3_min_film_thickness"}));
+  const study::ScenarioRow row = rows(plan).at(0);
+  ASSERT_EQ(row.reason, "");
+  constexpr std::size_t kAngles = 180;
+  ASSERT_EQ(row.curves.size(), names.size() * kAngles);
+  const auto curve = [&row](std::size_t i) { return std::span(row.curves).subspan(i * kAngles, kAngles); };
+  for (std::size_t k = 0; k < kAngles; ++k) {
+    EXPECT_FLOAT_EQ(curve(0)[k], curve(1)[k] + curve(2)[k] + curve(3)[k]);
+  }
+  for (std::size_t ring = 1; ring <= 3; ++ring) {
+    const std::span<const float> film = curve(3 + ring);
+    // The value of the cycle is that of the vertex between the steps.
+    EXPECT_NEAR(*std::min_element(film.begin(), film.end()) / value(plan, row, names[3 + ring]), 1, 1e-2);
+  }
+  EXPECT_THAT(refusal("", kCoarse + kGrid + "[keep]\ncurves = \"all\"\nquantities = [\"wetted_begin\"]\n"),
+              HasSubstr("wetted_begin is not kept of the rings of a pack"));
 }
 
 TEST_F(PackStudy, RefusesKeysThatTheRingsDoNotHave) {
@@ -115,7 +147,7 @@ TEST_F(PackStudy, RefusesWhatTheGasAloneDoesNotUse) {
               HasSubstr("which the gas alone does not use"));
   EXPECT_THAT(refusal(gas, kGap + kGrid, kSource + "/cases/studies/bases/fired_new_ring.toml"),
               HasSubstr("gas_path.model is not stated"));
-  EXPECT_THAT(refusal("", kGap + kGrid + "[keep]\ncurves = \"all\"\n"), HasSubstr("curves are kept of one ring"));
+  EXPECT_THAT(refusal(gas, kGap + kGrid + "[keep]\ncurves = \"all\"\n"), HasSubstr("curves are those of films"));
   EXPECT_THAT(refusal("compute = \"oil\"\n", kGap + kGrid), HasSubstr("one of: films, gas"));
 }
 

@@ -74,7 +74,7 @@ TEST_F(StudyCurves, BandsAreQuantilesOverTheScenariosOfEachBase) {
   const StudyRows rows{file, plan, shards(file, {6, 16})};
   const std::vector<CurveBand> bands = curve_bands(rows);
   ASSERT_EQ(bands.size(), 2u);
-  EXPECT_EQ(bands[0].quantity->name, "power_loss");
+  EXPECT_EQ(bands[0].quantity.name, "power_loss");
   EXPECT_EQ(bands[0].shares, (std::vector<double>{0.05, 0.25, 0.5, 0.75, 0.95}));
   // Of 1 ... 8 the quantile q is q (8 + 1/3) + 1/3, no less than 1 and no more than 8 (hyndman1996, definition 8).
   const double of_eight[] = {1, 0.25 * (8 + 1.0 / 3) + 1.0 / 3, 4.5, 0.75 * (8 + 1.0 / 3) + 1.0 / 3, 8};

@@ -41,6 +41,38 @@ std::vector<std::string> names(const Study& study) {
   return all;
 }
 
+TEST(MeasuredFactors, RingsOfAPackThatStateTheSameHaveOnePair) {
+  cycle::Case pack = measured_case(0.3);
+  pack.rings = {measured_case(0.3), measured_case(0.24), measured_case(0.3)};
+  Study study = study_of({}, Method::kSobol, 16);
+  study.bases = {{"car", pack}};
+  add_measured_factors(study, {0});
+  EXPECT_THAT(names(study), ::testing::ElementsAre(
+                                "asperity_density of car ring 1+3", "asperity_radius of car ring 1+3",
+                                "roughness of car ring 1+3", "slope of zeta of car ring 1+3", "calibration of May",
+                                "reference of May", "asperity_density of car ring 2", "asperity_radius of car ring 2",
+                                "roughness of car ring 2", "slope of zeta of car ring 2"));
+  const auto keys = [&](std::size_t factor) {
+    std::vector<std::string> all;
+    for (const Target& target : study.factors[factor].targets) all.push_back(target.key);
+    return all;
+  };
+  EXPECT_THAT(keys(2), ::testing::ElementsAre("ring.1.contact.roughness", "ring.3.contact.roughness"));
+  EXPECT_EQ(keys(4).size(), 3u);
+  const Point point = Plan(study).point(5);
+  const cycle::Case drawn = scenario_case(study, point);
+  EXPECT_EQ(drawn.rings[0].contact.roughness, drawn.rings[2].contact.roughness);
+  EXPECT_NE(drawn.rings[0].contact.roughness, drawn.rings[1].contact.roughness);
+  EXPECT_NE(drawn.rings[0].contact.roughness, pack.rings[0].contact.roughness);
+
+  study = study_of({}, Method::kSobol, 16);
+  pack.rings[1] = pack.rings[0];
+  study.bases = {{"car", pack}};
+  add_measured_factors(study, {0});
+  EXPECT_EQ(names(study).front(), "asperity_density of car");
+  EXPECT_EQ(study.factors.size(), 6u);
+}
+
 TEST(MeasuredFactors, SurfacesAreEachForThemselvesAndTheCalibrationIsOneForAll) {
   Study study = three_states();
   add_measured_factors(study, {0, 1, 2});

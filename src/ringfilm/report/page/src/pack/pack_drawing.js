@@ -2,7 +2,7 @@
 import { kFaint, kInk, px, rule, text } from '../plot/svg_shapes.js';
 import { caseColour } from '../plot/palette.js';
 import { number } from '../units.js';
-import { inputOf, regionBelow, regionWords } from './pack_model.js';
+import { inputOf, regionWords } from './pack_model.js';
 
 const kWidth = 470;
 const kMargin = { top: 54, bottom: 34 };
@@ -56,7 +56,7 @@ function extremes(packed) {
   return [Math.min(...all), Math.max(...all)];
 }
 
-/** The pressure that acts in a place at an angle, by the names of the regions; that of the next one below else. */
+/** The pressure of the region of that name at an angle; null where there is no such region. */
 function pressureOf(packed, name, angle) {
   const region = packed.regions.find((one) => one.name === name);
   return region ? packed.pressureAt(region, angle) : null;
@@ -64,14 +64,9 @@ function pressureOf(packed, name, angle) {
 
 /** Regions above, in the groove and below each ring [Pa]. */
 export function pressuresAt(packed, angle) {
-  const { cases, pack } = packed;
-  const crankcase = pressureOf(packed, 'crankcase', angle);
   let above = pressureOf(packed, 'chamber', angle);
-  return cases.map((c, i) => {
-    const isLast = i + 1 === cases.length;
-    const isRailAbove = pack.ring_numbers[i] === pack.ring_numbers[i + 1];
-    const below =
-      isLast || isRailAbove ? crankcase : (pressureOf(packed, regionBelow(i), angle) ?? crankcase);
+  return packed.cases.map((c, i) => {
+    const below = packed.pressureAt(packed.regionBelow(i), angle);
     const isOil = c.inputs.some((entry) => entry.key === 'ring.kind' && entry.shown === 'oil');
     const groove = pressureOf(packed, `groove ${i + 1}`, angle) ?? (isOil ? below : above);
     const ring = { above, groove, below };
@@ -139,11 +134,7 @@ function labels(packed, at, scale) {
       y + (scale * width) / 2 + 4,
     );
     if (at.heights[i].isRailAbove) return;
-    const isLast = i + 1 === packed.cases.length;
-    label(
-      `${isLast ? 'crankcase' : regionWords(regionBelow(i))} ${bar(below)}`,
-      y + scale * (width + land / 2) + 4,
-    );
+    label(`${regionWords(packed.regionBelow(i).name)} ${bar(below)}`, y + scale * (width + land / 2) + 4);
   });
   return out;
 }

@@ -61,7 +61,7 @@ export function stackedFriction(packed) {
 
 /** Pressures between the rings and that of the cylinder. */
 export function gasPressures(packed) {
-  const series = packed.regions.map((region) => ({
+  const series = packed.differentRegions.map((region) => ({
     caseIndex: packed.seriesOf(region),
     part: region.name.startsWith('groove') ? 'viscous' : region.name === 'crankcase' ? 'boundary' : null,
     label: regionWords(region.name),

@@ -8,23 +8,24 @@ export function inputOf(c, key) {
   return c.inputs.find((entry) => entry.key === key)?.value_si ?? null;
 }
 
-/** Name of the region below the ring of that index, where it has a volume: "land 2" below the first. */
-export function regionBelow(ring) {
-  return 'land 2'.replace('2', ring + 2);
-}
+/** Name of the piston land below the ring of that index: "land 2" below the first. */
+const landBelow = (ring) => 'land 2'.replace('2', ring + 2);
 
 /** Are two lists of numbers the same? */
 const alike = (a, b) => a.length === b.length && a.every((v, k) => v === b[k]);
 
-/** Pressures above and below each ring as the films have them: the cylinder first, then below each ring. */
-function givenRegions(cases) {
+/** Pressures as the films have them: above the first ring, then below each ring; between rails there is no region. */
+function givenRegions(cases, numbers) {
   const curve = (c, name) => ({ angle: c.curves.crank_angle, pressure: c.curves[name] });
   const regions = [{ name: 'chamber', ring: null, ...curve(cases[0], 'gas_pressure') }];
   cases.forEach((c, i) => {
-    const below = curve(c, 'crankcase_pressure');
-    if (alike(below.pressure, regions[regions.length - 1].pressure)) return;
+    if (numbers[i] === numbers[i + 1]) return;
     const isLast = i + 1 === cases.length;
-    regions.push({ name: isLast ? 'crankcase' : regionBelow(i), ring: i, ...below });
+    regions.push({
+      name: isLast ? 'crankcase' : landBelow(i),
+      ring: isLast ? null : i,
+      ...curve(c, 'crankcase_pressure'),
+    });
   });
   return regions;
 }
@@ -49,11 +50,26 @@ export class PackModel {
           angle: gas.crank_angle,
           pressure: gas.pressure[i],
         }))
-      : givenRegions(this.cases);
+      : givenRegions(this.cases, pack.ring_numbers);
   }
 
   get hasCurves() {
     return this.cases.every((c) => c.curves.crank_angle.length > 1);
+  }
+
+  /** The region below a ring: a piston land without a volume is the region below it. */
+  regionBelow(ring) {
+    const names = this.cases.slice(ring).map((c, i) => landBelow(ring + i));
+    const land = names
+      .slice(0, -1)
+      .map((name) => this.regions.find((one) => one.name === name))
+      .find(Boolean);
+    return land ?? this.regions[this.regions.length - 1];
+  }
+
+  /** The regions whose pressures are not those of the one above. */
+  get differentRegions() {
+    return this.regions.filter((one, i, all) => i === 0 || !alike(one.pressure, all[i - 1].pressure));
   }
 
   /** Pressure of a region in bar on the axis of the charts. */

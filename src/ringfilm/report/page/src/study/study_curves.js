@@ -12,6 +12,9 @@ const kSigned = [
   'oil_flow_crankcase_edge',
 ];
 
+/** Of a ring of a pack, too: ring_2_friction_on_liner. */
+const isSigned = (name) => kSigned.includes(name.replace(/^ring_\d+_/, ''));
+
 /** A figure for each quantity: median and bands of each base. */
 export function bandFigures(model) {
   const { curves } = model;
@@ -66,8 +69,8 @@ export function bandFigures(model) {
             xUnit: '°',
             yLabel: described.long_name,
             yUnit: unit,
-            zeroLine: kSigned.includes(described.name),
-            fromZero: !kSigned.includes(described.name),
+            zeroLine: isSigned(described.name),
+            fromZero: !isSigned(described.name),
             series,
           },
         ],

@@ -1,0 +1,111 @@
+#include "ringfilm/cycle/oil_settling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "ringfilm/cycle/cycle_run.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// Cycles that are mixed at the most, the latest among them.
+constexpr std::size_t kDepth = 5;
+/// Share of the squared differences of `moved` that the weights leave to the scatter of the cycles, which follows the
+/// steps.
+constexpr double kScatter = 1e-3;
+/// A mixture that moves so many times as much oil as the cycle before led astray: mixing begins anew.
+constexpr double kAstray = 2;
+/// No cell has less than this share of what the last cycle has left there.
+constexpr double kLeastShare = 0.1;
+/// What moves less than this share of what moved before comes to rest by itself.
+constexpr double kFast = 0.25;
+/// A mixture helped if what still moves is less than this share of what moved before.
+constexpr double kHelped = 0.9;
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> d(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
+  return d;
+}
+
+/// Solution of a small symmetric positive definite system, by Cholesky's method in place.
+std::vector<double> solution(std::vector<std::vector<double>> A, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = A[i][j];
+      for (std::size_t k = 0; k < j; ++k) sum -= A[i][k] * A[j][k];
+      A[i][j] = i == j ? std::sqrt(sum) : sum / A[j][j];
+    }
+    for (std::size_t k = 0; k < i; ++k) b[i] -= A[i][k] * b[k];
+    b[i] /= A[i][i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= A[k][i] * b[k];
+    b[i] /= A[i][i];
+  }
+  return b;
+}
+
+}  // namespace
+
+void AndersonMixing::add(const std::vector<double>& argument, const std::vector<double>& image) {
+  Pair now{image, difference(image, argument), 0};
+  for (std::size_t i = 1; i < now.moved.size(); ++i) now.moved[i] += now.moved[i - 1];
+  now.norm = std::sqrt(product(now.moved, now.moved));
+  if (!history_.empty() && now.norm > kAstray * moved()) history_.clear();
+  history_.push_back(std::move(now));
+  if (history_.size() > kDepth) history_.erase(history_.begin());
+}
+
+std::vector<double> AndersonMixing::mixture() const {
+  const Pair& now = history_.back();
+  std::vector<double> mixed = now.image;
+  const std::size_t n = history_.size() - 1;
+  std::vector<std::vector<double>> changes, normal(n, std::vector<double>(n));
+  std::vector<double> right(n);
+  for (std::size_t i = 0; i < n; ++i) changes.push_back(difference(now.moved, history_[i].moved));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) normal[i][j] = product(changes[i], changes[j]);
+    normal[i][i] += kScatter * normal[i][i] + std::numeric_limits<double>::min();
+    right[i] = product(changes[i], now.moved);
+  }
+  const std::vector<double> weight = solution(std::move(normal), std::move(right));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] -= weight[i] * (now.image[c] - history_[i].image[c]);
+  }
+  for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] = std::max(mixed[c], kLeastShare * now.image[c]);
+  return mixed;
+}
+
+void OilSettling::begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings) {
+  for (CycleRun* ring : rings) ring->compare_with_last_cycle();
+  const std::vector<double> end = liner.mass_per_area();
+  if (iteration_ == OilIteration::kMixed && !begin_.empty() && !rings.front()->oil_repeats()) {
+    const double moved_before = mixing_.moved();
+    mixing_.add(begin_, end);
+    const bool has_helped = has_mixed_ && mixing_.moved() <= kHelped * moved_before;
+    if (has_helped) n_to_wait_ = 1;
+    if (has_mixed_ && !has_helped) {
+      n_plain_ = n_to_wait_;
+      n_to_wait_ *= 2;
+    }
+    has_mixed_ = n_plain_ == 0 && mixing_.can_mix() && mixing_.moved() > kFast * moved_before;
+    if (has_mixed_) {
+      liner.replace(mixing_.mixture());
+      for (CycleRun* ring : rings) ring->forget_last_cycle();
+    }
+    n_plain_ = std::max(0, n_plain_ - 1);
+  }
+  begin_ = liner.mass_per_area();
+}
+
+}  // namespace ringfilm::cycle

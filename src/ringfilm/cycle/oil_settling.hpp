@@ -1,0 +1,56 @@
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ringfilm/cycle/integration/liner_oil.hpp"
+
+/// How the oil on the liner comes to rest from cycle to cycle (docs/theory/oil-supply.md).
+namespace ringfilm::cycle {
+
+class CycleRun;
+
+/// `kPlain`: each cycle begins with what the one before has left. `kMixed`: with a mixture of several, eq-oil-mixing.
+enum class OilIteration { kPlain, kMixed };
+
+/// Anderson mixing @cite anderson1965 for the distribution of a quantity over cells that a map leaves fixed,
+/// eq-oil-mixing.
+class AndersonMixing {
+ public:
+  /// @param image what the map makes of the argument; at least 0 in all cells, as are the mixtures
+  void add(const std::vector<double>& argument, const std::vector<double>& image);
+
+  bool can_mix() const { return history_.size() > 1; }
+  /// The argument with which to continue, once there is an image.
+  std::vector<double> mixture() const;
+  /// How much the map still moves, as a norm.
+  double moved() const { return history_.empty() ? 0 : history_.back().norm; }
+
+ private:
+  struct Pair {
+    std::vector<double> image;
+    std::vector<double> moved;  ///< integral of image less argument up to each cell
+    double norm = 0;            ///< of `moved`
+  };
+  std::vector<Pair> history_;  ///< the latest last
+};
+
+/// The oil on a liner over the cycles that its rings need until it repeats.
+class OilSettling {
+ public:
+  explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
+
+  /// All rings on the liner have ended a cycle of the oil: compares it with the one before and, where the oil lies
+  /// elsewhere, lays that with which the next cycle begins.
+  void begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings);
+
+ private:
+  OilIteration iteration_;
+  AndersonMixing mixing_;
+  std::vector<double> begin_;  ///< oil at the begin of the cycle [kg/m2]; empty: none has begun
+  bool has_mixed_ = false;     ///< did the cycle begin with a mixture?
+  int n_plain_ = 0;            ///< cycles that follow one another before oil is mixed again
+  int n_to_wait_ = 1;          ///< such cycles after the next mixture that does not help
+};
+
+}  // namespace ringfilm::cycle
