@@ -68,31 +68,25 @@ struct Pack {
         column[c] = of(__builtin_shufflevector(one, other, 0, 2));
         column[c + 1] = of(__builtin_shufflevector(one, other, 1, 3));
       }
+    } else if constexpr (kLanes == 4) {
+      for (int c = 0; c < 4; ++c) column[c] = of(Values{row[0][c], row[1][c], row[2][c], row[3][c]});
     } else {
       typedef double Row __attribute__((vector_size(32)));
-      Row r[kLanes];
-      for (int lane = 0; lane < kLanes; ++lane) __builtin_memcpy(&r[lane], row[lane], sizeof(Row));
-      if constexpr (kLanes == 4) {
-        const Row even_01 = __builtin_shufflevector(r[0], r[1], 0, 4, 2, 6);
-        const Row odd_01 = __builtin_shufflevector(r[0], r[1], 1, 5, 3, 7);
-        const Row even_23 = __builtin_shufflevector(r[2], r[3], 0, 4, 2, 6);
-        const Row odd_23 = __builtin_shufflevector(r[2], r[3], 1, 5, 3, 7);
-        column[0] = of(__builtin_shufflevector(even_01, even_23, 0, 1, 4, 5));
-        column[1] = of(__builtin_shufflevector(odd_01, odd_23, 0, 1, 4, 5));
-        column[2] = of(__builtin_shufflevector(even_01, even_23, 2, 3, 6, 7));
-        column[3] = of(__builtin_shufflevector(odd_01, odd_23, 2, 3, 6, 7));
-      } else {
-        Values both[4];  // rows of lanes k and k + 4
-        for (int k = 0; k < 4; ++k) both[k] = __builtin_shufflevector(r[k], r[k + 4], 0, 1, 2, 3, 4, 5, 6, 7);
-        const Values even_01 = __builtin_shufflevector(both[0], both[1], 0, 8, 2, 10, 4, 12, 6, 14);
-        const Values odd_01 = __builtin_shufflevector(both[0], both[1], 1, 9, 3, 11, 5, 13, 7, 15);
-        const Values even_23 = __builtin_shufflevector(both[2], both[3], 0, 8, 2, 10, 4, 12, 6, 14);
-        const Values odd_23 = __builtin_shufflevector(both[2], both[3], 1, 9, 3, 11, 5, 13, 7, 15);
-        column[0] = of(__builtin_shufflevector(even_01, even_23, 0, 1, 8, 9, 4, 5, 12, 13));
-        column[1] = of(__builtin_shufflevector(odd_01, odd_23, 0, 1, 8, 9, 4, 5, 12, 13));
-        column[2] = of(__builtin_shufflevector(even_01, even_23, 2, 3, 10, 11, 6, 7, 14, 15));
-        column[3] = of(__builtin_shufflevector(odd_01, odd_23, 2, 3, 10, 11, 6, 7, 14, 15));
+      Values both[4];  // rows of lanes k and k + 4
+      for (int k = 0; k < 4; ++k) {
+        Row low, high;
+        __builtin_memcpy(&low, row[k], sizeof low);
+        __builtin_memcpy(&high, row[k + 4], sizeof high);
+        both[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
       }
+      const Values even_01 = __builtin_shufflevector(both[0], both[1], 0, 8, 2, 10, 4, 12, 6, 14);
+      const Values odd_01 = __builtin_shufflevector(both[0], both[1], 1, 9, 3, 11, 5, 13, 7, 15);
+      const Values even_23 = __builtin_shufflevector(both[2], both[3], 0, 8, 2, 10, 4, 12, 6, 14);
+      const Values odd_23 = __builtin_shufflevector(both[2], both[3], 1, 9, 3, 11, 5, 13, 7, 15);
+      column[0] = of(__builtin_shufflevector(even_01, even_23, 0, 1, 8, 9, 4, 5, 12, 13));
+      column[1] = of(__builtin_shufflevector(odd_01, odd_23, 0, 1, 8, 9, 4, 5, 12, 13));
+      column[2] = of(__builtin_shufflevector(even_01, even_23, 2, 3, 10, 11, 6, 7, 14, 15));
+      column[3] = of(__builtin_shufflevector(odd_01, odd_23, 2, 3, 10, 11, 6, 7, 14, 15));
     }
   }
   /// The whole numbers below numbers from 0 to the largest int, which go to `to` as well.
