@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "ringfilm/cycle/integration/contact_setup.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/storage/shipped_pairs.hpp"
+#include "ringfilm/study/ensemble/batch.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -82,6 +82,7 @@ void add_column(io::MeasuredTable& table, const std::string& name, const std::st
 /// Boundary friction coefficients to run with: own, low, typical, high.
 struct Frictions {
   double own, low, typical, high;
+  std::array<double, 4> all() const { return {own, low, typical, high}; }
 };
 
 Frictions frictions(const Case& c) {
@@ -89,6 +90,20 @@ Frictions frictions(const Case& c) {
   const models::FrictionPair pair = pair_of_name(shipped, kOfOil);
   return {c.contact.boundary_shear_strength_coefficient, pair.low.value_or(pair.friction), pair.friction,
           pair.high.value_or(pair.friction)};
+}
+
+Case case_of(const FrictionBandRequest& request, const LawOfMaps& law, double coefficient) {
+  Case c = request.input;
+  c.contact.hardness = request.hardness;
+  c.contact.boundary_shear_strength_coefficient = coefficient;
+  c.output = {};
+  law.choose(c);
+  return c;
+}
+
+const cycle::CycleResult& result_of(const study::Ending& ending, const LawOfMaps& law) {
+  if (ending.is_solved()) return ending.result;
+  throw ConvergenceError(fmt::format("the cycle with the law \"{}\" has no result: {}", law.label, ending.reason()));
 }
 
 }  // namespace
@@ -127,23 +142,25 @@ io::Measurement friction_band(const FrictionBandRequest& request) {
   for (int k = 0; k < kPlacesOfCurve; ++k) {
     curve.x.push_back(kEndOfCurve * file.law.composite_roughness * k / (kPlacesOfCurve - 1));
   }
-  for (const LawOfMaps& law : laws(file)) {
-    Case c = request.input;
-    c.contact.hardness = request.hardness;
-    c.output = {};
-    law.choose(c);
+  const std::vector<LawOfMaps> of_maps = laws(file);
+  std::vector<Case> cases;  // of each law those of all coefficients, one after the other
+  for (const LawOfMaps& law : of_maps) {
+    for (const double coefficient : zeta.all()) cases.push_back(case_of(request, law, coefficient));
+  }
+  const std::vector<study::Ending> ended = study::endings(cases);
+  for (std::size_t l = 0; l < of_maps.size(); ++l) {
+    const LawOfMaps& law = of_maps[l];
+    const std::size_t first = l * zeta.all().size();
     table.row_labels.push_back(law.label);
-    std::vector<double> row;
-    for (const double coefficient : {zeta.own, zeta.low, zeta.typical, zeta.high}) {
-      c.contact.boundary_shear_strength_coefficient = coefficient;
-      const cycle::CycleResult result = simulate(cycle::prepare(c));
-      if (row.empty()) row = {result.values.lambda_ratio_at_peak_pressure, result.values.min_film_thickness};
-      row.push_back(result.values.mean_power_loss);
+    const cycle::CycleValues& values = result_of(ended[first], law).values;
+    std::vector<double> row = {values.lambda_ratio_at_peak_pressure, values.min_film_thickness};
+    for (std::size_t k = 0; k < zeta.all().size(); ++k) {
+      row.push_back(result_of(ended[first + k], law).values.mean_power_loss);
     }
     for (std::size_t k = 0; k < row.size(); ++k) table.values[k].push_back(row[k]);
     if (std::string(law.name) == "measured_flow") continue;  // its pressure is that of the maps
     io::MeasuredSeries series{law.name, law.label, {}, false};
-    const auto contact = cycle::asperity_contact(c);
+    const auto contact = cycle::asperity_contact(cases[first]);
     for (const double h : curve.x) {
       const double p = contact->contact(h).pressure;
       series.y.push_back(p > kLeastDrawn ? p : std::numeric_limits<double>::quiet_NaN());

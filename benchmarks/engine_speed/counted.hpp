@@ -30,7 +30,13 @@ struct Pack<1, benchmarks::kCounted> {
   static Pack of(double value) { return Pack(value); }
   static Pack load(const double* from) { return Pack(*from); }
   static Pack gather(const double* from, int) { return Pack(*from); }
-  static Pack of_rows(const double* const* row, int column) { return Pack(row[0][column]); }
+  static void turn_rows(const double* const* row, Pack (&column)[4]) {
+    for (int c = 0; c < 4; ++c) column[c] = Pack(row[0][c]);
+  }
+  Pack whole(int (&to)[1]) const {
+    to[0] = static_cast<int>(v);
+    return Pack(to[0]);
+  }
   void store(double* to) const { *to = v; }
 
   friend Pack operator+(Pack a, Pack b) { return counted(a.v + b.v); }

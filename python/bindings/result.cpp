@@ -469,6 +469,7 @@ const io::ResultDocument& ResultObject::document() const {
     document_.files = input_->files;
     document_.input_notes = input_->notes;
     document_.ledger = study::assumptions(*input_);
+    document_.contact = cycle::contact_curves(*input_);
     input_.reset();
   }
   return document_;

@@ -16,6 +16,7 @@ template <int kWidth>
 struct PackValues {
   typedef double Values __attribute__((vector_size(8 * kWidth)));
   typedef long long Mask __attribute__((vector_size(8 * kWidth)));
+  typedef int Whole __attribute__((vector_size(4 * kWidth)));
 };
 template <>
 struct PackValues<1> {
@@ -57,17 +58,46 @@ struct Pack {
       return load(from);
     }
   }
-  /// The number at `column` of a row for each lane.
-  RINGFILM_INLINE static Pack of_rows(const double* const* row, int column) {
-    if constexpr (kLanes == 8) {
-      return of(Values{row[0][column], row[1][column], row[2][column], row[3][column], row[4][column], row[5][column],
-                       row[6][column], row[7][column]});
-    } else if constexpr (kLanes == 4) {
-      return of(Values{row[0][column], row[1][column], row[2][column], row[3][column]});
+  /// The four numbers of a row for each lane, a pack for each column.
+  RINGFILM_INLINE static void turn_rows(const double* const* row, Pack (&column)[4]) {
+    if constexpr (kLanes == 1) {
+      for (int c = 0; c < 4; ++c) column[c] = load(row[0] + c);
     } else if constexpr (kLanes == 2) {
-      return of(Values{row[0][column], row[1][column]});
+      for (int c = 0; c < 4; c += 2) {
+        const Values one = load(row[0] + c).v, other = load(row[1] + c).v;
+        column[c] = of(__builtin_shufflevector(one, other, 0, 2));
+        column[c + 1] = of(__builtin_shufflevector(one, other, 1, 3));
+      }
+    } else if constexpr (kLanes == 4) {
+      for (int c = 0; c < 4; ++c) column[c] = of(Values{row[0][c], row[1][c], row[2][c], row[3][c]});
     } else {
-      return load(row[0] + column);
+      typedef double Row __attribute__((vector_size(32)));
+      Values both[4];  // rows of lanes k and k + 4
+      for (int k = 0; k < 4; ++k) {
+        Row low, high;
+        __builtin_memcpy(&low, row[k], sizeof low);
+        __builtin_memcpy(&high, row[k + 4], sizeof high);
+        both[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+      }
+      const Values even_01 = __builtin_shufflevector(both[0], both[1], 0, 8, 2, 10, 4, 12, 6, 14);
+      const Values odd_01 = __builtin_shufflevector(both[0], both[1], 1, 9, 3, 11, 5, 13, 7, 15);
+      const Values even_23 = __builtin_shufflevector(both[2], both[3], 0, 8, 2, 10, 4, 12, 6, 14);
+      const Values odd_23 = __builtin_shufflevector(both[2], both[3], 1, 9, 3, 11, 5, 13, 7, 15);
+      column[0] = of(__builtin_shufflevector(even_01, even_23, 0, 1, 8, 9, 4, 5, 12, 13));
+      column[1] = of(__builtin_shufflevector(odd_01, odd_23, 0, 1, 8, 9, 4, 5, 12, 13));
+      column[2] = of(__builtin_shufflevector(even_01, even_23, 2, 3, 10, 11, 6, 7, 14, 15));
+      column[3] = of(__builtin_shufflevector(odd_01, odd_23, 2, 3, 10, 11, 6, 7, 14, 15));
+    }
+  }
+  /// The whole numbers below numbers from 0 to the largest int, which go to `to` as well.
+  RINGFILM_INLINE Pack whole(int (&to)[kLanes]) const {
+    if constexpr (kLanes == 1) {
+      to[0] = static_cast<int>(v);
+      return Pack(to[0]);
+    } else {
+      const auto below = __builtin_convertvector(v, typename PackValues<kLanes>::Whole);
+      __builtin_memcpy(to, &below, sizeof below);
+      return of(__builtin_convertvector(below, Values));
     }
   }
   RINGFILM_INLINE void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }

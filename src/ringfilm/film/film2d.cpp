@@ -70,6 +70,19 @@ CircumferentialGrid refined_around(int n_cells, double length, double end_cell) 
   return around_at(std::move(y), length, Ends::kOpen);
 }
 
+std::vector<double> row_of_strip(const std::vector<double>& all, int j, int width) {
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(j) * width;
+  return {begin, begin + width};
+}
+
+FlowFactors factors_of_strip(const FlowFactors& all, int j, int n_strips) {
+  FlowFactors of;
+  for (const auto list : kFactorLists) {
+    of.*list = row_of_strip(all.*list, j, static_cast<int>((all.*list).size()) / n_strips);
+  }
+  return of;
+}
+
 std::vector<double> rise_of_strips(const Film2dProblem& problem, const Film2dInputs& inputs,
                                    const std::vector<double>& ring) {
   std::vector<double> rise = inputs.rise;

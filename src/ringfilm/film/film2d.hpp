@@ -58,6 +58,12 @@ struct Film2dGap {
 /// The same in each strip, that of the grid across.
 Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around);
 
+/// The numbers of strip j among those of all, `width` of each strip.
+std::vector<double> row_of_strip(const std::vector<double>& all, int j, int width);
+
+/// The flow factors of strip j among those of all; lists without influence stay empty.
+FlowFactors factors_of_strip(const FlowFactors& all, int j, int n_strips);
+
 /// A ring that bends (eq-film-2d-ring): a beam with two unknowns at each of its nodes, its separation from the liner
 /// and the change of that over the length of a cell [m]. Strip j is at node `first_node` + j.
 struct ElasticRing {

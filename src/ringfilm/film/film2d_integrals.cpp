@@ -21,18 +21,19 @@ class Strips {
 
   FilmIntegrals integrals(int j) {
     const int n_across = problem_.n_across();
-    const auto row = [&](const std::vector<double>& from, int width) {
-      const auto begin = from.begin() + static_cast<std::ptrdiff_t>(j) * width;
-      return std::vector<double>(begin, begin + width);
-    };
-    strip_.grid.node_height = row(problem_.gap.node, n_across);
-    strip_.grid.face_height = row(problem_.gap.face_x, n_across - 1);
+    const auto row = [&](const std::vector<double>& from) { return row_of_strip(from, j, n_across); };
+    strip_.grid.node_height = row(problem_.gap.node);
+    strip_.grid.face_height = row_of_strip(problem_.gap.face_x, j, n_across - 1);
     now_.h_m = state_.h_m + (rise_.empty() ? 0.0 : rise_[j]);
     now_.laws = state_.laws;
-    now_.p = row(state_.p, n_across);
-    now_.deficit = row(state_.deficit, n_across);
-    now_.mass_per_area = row(state_.mass_per_area, n_across);
-    before_.mass_per_area = row(previous_.mass_per_area, n_across);
+    now_.p = row(state_.p);
+    now_.deficit = row(state_.deficit);
+    now_.mass_per_area = row(state_.mass_per_area);
+    before_.mass_per_area = row(previous_.mass_per_area);
+    if (state_.factors) {
+      now_.factors =
+          std::make_shared<const FlowFactors>(factors_of_strip(*state_.factors, j, problem_.around.n_strips()));
+    }
     FilmIntegrals sums = film_integrals(strip_, inputs_.strip, before_, now_);
     if (!problem_.gap.face_x_second.empty()) add_steps(j, sums);
     return sums;
@@ -56,7 +57,8 @@ class Strips {
       if (!problem_.gap.face_y_second.empty()) {
         cube += 3 * h * problem_.gap.face_y_second[low_row + i] + problem_.gap.face_y_third[low_row + i];
       }
-      const double K = fluidity(state_.p[low_row + i]) + fluidity(state_.p[high_row + i]);
+      const double K = mobility_across(low_row + i) * fluidity(state_.p[low_row + i]) +
+                       mobility_across(high_row + i) * fluidity(state_.p[high_row + i]);
       flow += problem_.strip.grid.share[i] *
               pressure_flux(conductance(cube, around.spacing[cell]), K, state_.p[high_row + i] - state_.p[low_row + i]);
     }
@@ -64,6 +66,9 @@ class Strips {
   }
 
  private:
+  double mobility_across(std::size_t node) const {
+    return state_.factors && !state_.factors->mobility_across.empty() ? state_.factors->mobility_across[node] : 1;
+  }
   double fluidity(double p) const {
     const models::OilAtTemperature& oil = *inputs_.strip.oil;
     return state_.laws == LaneLaws::kFitted ? oil.fit()->at(p).K : oil.density(p) / oil.viscosity(p);

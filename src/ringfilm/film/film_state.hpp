@@ -90,15 +90,20 @@ inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 /// By what a film differs from that of a Newtonian oil between smooth walls; held during a solve. Those of shear stress
 /// only enter integrals. An empty list has no influence.
 struct FlowFactors {
-  std::vector<double> mobility;  ///< of the flow by pressure, at the nodes: 1 between smooth walls [-]
-  std::vector<double> stored;    ///< by how much more oil the gap holds than its height, at the nodes [m]
-  std::vector<double> carried;   ///< the same of what the wall carries through the faces [m]
-  std::vector<double> thinning;  ///< viscosity over that without shear, at the nodes [-]
+  std::vector<double> mobility;         ///< of the flow by pressure, at the nodes: 1 between smooth walls [-]
+  std::vector<double> mobility_across;  ///< the same of the flow across the motion, of a film in two dimensions [-]
+  std::vector<double> stored;           ///< by how much more oil the gap holds than its height, at the nodes [m]
+  std::vector<double> carried;          ///< the same of what the wall carries through the faces [m]
+  std::vector<double> thinning;         ///< viscosity over that without shear, at the nodes [-]
   // eq-average-shear, at the faces
   std::vector<double> sliding_stress;     ///< of the stress by sliding, phi_f [-]
   std::vector<double> stress_difference;  ///< by which it is smaller on the moving wall, V_r Phi_fs [-]
   std::vector<double> pressure_stress;    ///< of the stress by pressure, phi_fp [-]
 };
+inline constexpr std::vector<double> FlowFactors::*kFactorLists[] = {
+    &FlowFactors::mobility,          &FlowFactors::mobility_across, &FlowFactors::stored,
+    &FlowFactors::carried,           &FlowFactors::thinning,        &FlowFactors::sliding_stress,
+    &FlowFactors::stress_difference, &FlowFactors::pressure_stress};
 
 /// What follows where Newton's method finds no film.
 enum class Fallback {

@@ -1,10 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "batch_cases.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/contact_curves.hpp"
 #include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/models/patir_cheng.hpp"
 
@@ -112,7 +114,8 @@ TEST(ContactLaw, LawsThatCannotBeAreRefused) {
 }
 
 /// The same with the flow of Patir and Cheng as if it had been measured, from `first` to `last` in lambda.
-Case with_flow(Case c, double first = 0.5, double last = 8) {
+/// @param across phi_y over phi_x
+Case with_flow(Case c, double first = 0.5, double last = 8, double across = 1) {
   ContactLawTable law = *c.contact.law;
   const double sigma = law.composite_roughness;
   const models::PatirCheng factors(1);
@@ -123,7 +126,7 @@ Case with_flow(Case c, double first = 0.5, double last = 8) {
     const double h = lambda * sigma;
     flow.h.push_back(h);
     flow.pressure_flow_x.push_back(factors.pressure_flow(lambda));
-    flow.pressure_flow_y.push_back(factors.pressure_flow(lambda));
+    flow.pressure_flow_y.push_back(across * factors.pressure_flow(lambda));
     flow.shear_flow.push_back(0.4 * factors.shear_flow(lambda));
     flow.pressure_stress.push_back(1);
     flow.mean_gap.push_back(h + sigma * models::average_gap_excess(lambda));
@@ -149,6 +152,27 @@ TEST(MeasuredFlow, OfPatirAndChengsNumbersGivesTheirCycle) {
   EXPECT_NEAR(other.values.min_film_thickness / one.values.min_film_thickness, 1, 1e-3);
   EXPECT_GT(std::abs(smooth.values.mean_power_loss / one.values.mean_power_loss - 1), 0.01);
   EXPECT_THAT(topics(other), ::testing::Not(::testing::Contains("flow-factors-left")));
+}
+
+// A film of four times the flow around the ring is that of half the length (Film2dFactors): twice as much leaves
+// through its ends, and up to four times on a mesh whose cells are longer than the layer there.
+TEST(MeasuredFlow, AcrossTheMotionLetsOilOutOfTheEnds) {
+  const auto leaked = [](double across) {
+    Case c = with_flow(with_table(styles_new_ring()), 0.5, 80, across);  // up to the edges of the face
+    c.film.dimension = FilmDimension::kUnrolled;
+    c.ring.end_gap = 0.3e-3;
+    c.solver.cells = 40;
+    c.solver.cells_y = 40;
+    c.solver.crank_step_deg = c.output.crank_angle_step_deg = 8;
+    double sum = 0;
+    const CycleResult result = simulated(c);
+    for (const UnrolledSample& sample : result.unrolled_samples) sum += std::abs(sample.gap_leakage);
+    EXPECT_LT(result.effort.max_mass_residual, 1e-4);
+    return sum;
+  };
+  const double ratio = leaked(4) / leaked(1);
+  EXPECT_GT(ratio, 2);
+  EXPECT_LT(ratio, 4);
 }
 
 TEST(MeasuredFlow, NotesWhereTheFactorsEnd) {
@@ -191,6 +215,64 @@ TEST(ContactLaw, MovesAndScalesAsTheCaseStates) {
     EXPECT_NEAR(other.pressure / one.pressure, 1.3, 1e-3) << h;
     EXPECT_NEAR(other.area_share / one.area_share, 1.3, 1e-3) << h;
   }
+}
+
+// Greenwood and Tripp: p goes with N^2 beta^1.5 at a given sigma.
+TEST(ContactCurves, HaveTheBandOfWhatWasMeasured) {
+  Case c = styles_new_ring();
+  const ContactCurves without = contact_curves(c);
+  ASSERT_EQ(without.laws.front().name, "of_the_case");
+  EXPECT_TRUE(std::isnan(without.log_deviation[10]));
+  EXPECT_EQ(without.pressure[20], asperity_contact(c)->contact(without.separation[20]).pressure);
+  EXPECT_TRUE(without.phi_x.empty() && without.phi_y.empty() && without.phi_s.empty());
+  MeasuredContact& measured = c.contact.measured;
+  measured.asperity_density_deviation = 0.1 * c.contact.asperity_density;
+  measured.asperity_radius_deviation = 0.05 * c.contact.asperity_radius;
+  measured.roughness_deviation = 0;
+  const double of_density = 2 * std::log(1.1), of_radius = 1.5 * std::log(1.05);
+  for (const double correlation : {0.0, -0.8}) {
+    measured.density_radius_correlation = correlation;
+    const double expected =
+        std::sqrt(of_density * of_density + of_radius * of_radius + 2 * correlation * of_density * of_radius);
+    for (const std::size_t k : {0, 20, 60}) {
+      EXPECT_NEAR(contact_curves(c).log_deviation[k], expected, 1e-9) << k;
+    }
+  }
+}
+
+// ln p falls evenly, by 1 over the length: a shift of the separation is a factor of the pressure.
+TEST(ContactCurves, HaveTheBandOfAMeasuredPair) {
+  constexpr double kLength = 0.2e-6, kShift = 30e-9, kScale = 0.1, kCorrelation = 0.4;
+  Case c = with_table(styles_new_ring());
+  ContactLawTable law = *c.contact.law;
+  for (std::size_t k = 0; k < law.rows.h.size(); ++k) {
+    law.rows.pressure[k] = 1e9 * std::exp(-law.rows.h[k] / kLength);
+    law.rows.area_share[k] = law.rows.pressure[k] / 2.5e9;
+  }
+  law.shift_deviation = kShift;
+  law.factor_deviation = kScale;
+  law.shift_factor_correlation = kCorrelation;
+  c.contact.law = base::Shared<ContactLawTable>(std::move(law));
+  const ContactCurves curves = contact_curves(c);
+  const double by_shift = kShift / kLength;
+  const double expected = std::sqrt(by_shift * by_shift + kScale * kScale + 2 * kCorrelation * by_shift * kScale);
+  ASSERT_EQ(curves.laws.size(), 1u);  // its maps are not part of the case
+  for (const std::size_t k : {5, 20, 40}) EXPECT_NEAR(curves.log_deviation[k] / expected, 1, 0.01) << k;
+}
+
+TEST(ContactCurves, HaveTheFlowOfTheGap) {
+  const Case c = with_flow(with_table(styles_new_ring()));
+  const ContactCurves curves = contact_curves(c);
+  ASSERT_EQ(curves.phi_x.size(), curves.separation.size());
+  const std::size_t k = 30;  // lambda 1.5
+  EXPECT_NEAR(curves.phi_x[k], models::PatirCheng(1).pressure_flow(1.5), 1e-6);
+  EXPECT_NEAR(curves.phi_s[k], 0.4 * models::PatirCheng(1).shear_flow(1.5), 1e-6);
+  Case published = with_table(styles_new_ring());
+  published.film.flow_factors = Roughness::kPatirCheng;
+  published.film.orientation = 1.0 / 3;
+  const ContactCurves of_literature = contact_curves(published);
+  EXPECT_EQ(of_literature.phi_x[k], models::PatirCheng(1.0 / 3).pressure_flow(1.5));
+  EXPECT_EQ(of_literature.phi_y[k], models::PatirCheng(3).pressure_flow(1.5));
 }
 
 }  // namespace

@@ -45,6 +45,12 @@ TEST(HeightTable, SeparatorsAndDecimalCommas) {
   }
 }
 
+TEST(HeightTable, AnEmptyCellAtTheEndOfARowIsAMissingHeight) {
+  const SurfaceFile file = read_bytes("a.csv", "1,2,3,\n5,6,7,8\n9,10,11,\n", with("um", nullptr, "2 um"));
+  ASSERT_EQ(file.map.points_x, 4u);
+  EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1}));
+}
+
 TEST(HeightTable, ARowOfTabulatorsIsARowOfMissingHeights) {
   const SurfaceFile file = read_bytes("a.txt", "\t\n1\t2\t3\t4\n\t\t\t\n5\t6\t7\t8\n", with("um", nullptr, "2 um"));
   ASSERT_EQ(file.map.points_y, 3u) << "the blank line in front is not a row";

@@ -50,6 +50,16 @@ inline ResultDocument example_document(int n_samples = 5) {
   result.effort = {3.5, 1e-9, 720, 2900, 4, 2, 1, 1e-15, 2e-9, 3e-14};
   result.complete = true;
 
+  document.contact.separation = {0, 1e-6, 2e-6};
+  document.contact.laws = {{"of_the_case", "law of the case"}, {"plastic", "plastic"}};
+  for (int i = 0; i < 6; ++i) {
+    document.contact.pressure.push_back(number());
+    document.contact.log_deviation.push_back(i < 3 ? number() : std::nan(""));
+  }
+  for (auto* const along : {&document.contact.real_area, &document.contact.phi_x, &document.contact.phi_y}) {
+    for (int i = 0; i < 3; ++i) along->push_back(number());
+  }
+
   study::LedgerEntry lifted{"cavitation", "the film ruptures", "", "docs/theory", true, {}};
   study::LedgerVariant variant{"film.cavitation = \"reynolds-exit\"", {}, true, ""};
   for (const auto& quantity : cycle::cycle_quantities()) variant.values.*quantity.value = number();

@@ -367,14 +367,13 @@ void append_flow_factor_breaches(const Case& c, std::vector<RuleBreach>& breache
   if (!c.has_flow_factors()) return;
   const std::string key = key_of_factors(c);
   check_measured_factors(c, key, breaches);
-  if (c.is_unrolled()) {
-    breaches.push_back(
-        {key, key + " requires film.dimension = \"face\"",
-         "the film of the whole ring has smooth walls and a Newtonian oil; compute the face, or omit it"});
+  if (c.is_unrolled() && c.lubricant.thins()) {
+    breaches.push_back({"lubricant.shear_thinning", "lubricant.shear_thinning requires film.dimension = \"face\"",
+                        "the film of the whole ring has a Newtonian oil; compute the face, or omit it"});
   }
   if (c.problem == Problem::kPad && c.pad.width) {
     breaches.push_back({key, key + " is for a pad without pad.width",
-                        "a film in two dimensions has smooth walls and a Newtonian oil; omit the width, or this key"});
+                        "a pad with a width has smooth walls and a Newtonian oil; omit the width, or this key"});
   }
   if (c.solver.method != Method::kCoupledNewton) {
     breaches.push_back({key, key + " requires solver.method = \"coupled-newton\"",

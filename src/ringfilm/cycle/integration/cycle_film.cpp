@@ -6,6 +6,7 @@
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver2d/bent_ring_guess.hpp"
+#include "ringfilm/film/solver2d/film2d_factors.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -134,7 +135,10 @@ film::FilmReport CycleFilm::solve(const RingConditions& at, const film::FilmStat
                            [&](film::FilmState& found) { return solve_across(at.inputs, previous, found); });
   }
   if (!film2d_) return solve_across(at.inputs, previous, state);
-  return film::solve_film2d(*film2d_, film2d_inputs(at), previous, state, std::get<film::Film2dWorkspace>(workspace_));
+  return film::solve_with_factors(
+      factors_.laws(), *film2d_, film2d_inputs(at), state, [&](const film::Film2dInputs& held, film::FilmState& found) {
+        return film::solve_film2d(*film2d_, held, previous, found, std::get<film::Film2dWorkspace>(workspace_));
+      });
 }
 
 film::FilmReport CycleFilm::solve_steady(const RingConditions& at, film::FilmState& before, film::FilmState& state) {

@@ -213,7 +213,10 @@ film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<fi
   laws.thinning = thinning;
   laws.sigma = sigma;
   const models::PatirCheng rough(c.film.orientation);
-  if (c.film.flow_factors == Roughness::kPatirCheng) laws.pressure_flow = rough;
+  if (c.film.flow_factors == Roughness::kPatirCheng) {
+    laws.pressure_flow = rough;
+    laws.cross_flow = models::PatirCheng(1 / c.film.orientation);
+  }
   if (c.film.stress_factors == Roughness::kPatirCheng) laws.stress = rough;
   if (c.film.shear_flow == Roughness::kPatirCheng) {
     laws.shear_flow = rough;

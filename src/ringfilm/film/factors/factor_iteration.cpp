@@ -38,23 +38,39 @@ class SeparationOfFactors {
 
 }  // namespace
 
-FilmReport FactorIteration::solve(const FilmInputs& inputs, FilmState& state, const Solve& solve) const {
+double enough_of_factors(const FilmProblem& problem) {
+  return std::max(kFactorTolerance * problem.tolerance, kRounding);
+}
+
+FilmReport iterate_factors(const FilmOfFactors& film, double enough, FilmState& state) {
   FilmReport total;
-  if (laws_.are_of_plain_film()) return solve(inputs, state);
-  const double enough = std::max(kFactorTolerance * problem_.tolerance, kRounding);
-  FilmInputs held = inputs;
   SeparationOfFactors at(state.h_m);
   for (int pass = 0; pass < kMostPasses; ++pass) {
-    held.factors = flow_factors(laws_, problem_, inputs, state, at.value());
-    total.add(solve(held, state));
+    const auto held = film.factors(state, at.value());
+    total.add(film.solve(held, state));
     if (!total.converged) return total;
-    const auto found = flow_factors(laws_, problem_, inputs, state, state.h_m);
-    if (difference(*held.factors, *found, problem_.grid, state.h_m) <= enough) return total;
+    if (film.difference(held, film.factors(state, state.h_m), state) <= enough) return total;
     at.take(state.h_m);
   }
   total.converged = false;
   total.failure = Failure::kNotConverged;
   return total;
+}
+
+FilmReport FactorIteration::solve(const FilmInputs& inputs, FilmState& state, const Solve& solve) const {
+  if (laws_.are_of_plain_film()) return solve(inputs, state);
+  using Factors = FilmOfFactors::Factors;
+  FilmInputs held = inputs;
+  return iterate_factors(
+      {[&](const FilmState& of, double h_m) { return flow_factors(laws_, problem_, inputs, of, h_m); },
+       [&](const Factors& one, const Factors& other, const FilmState& of) {
+         return difference(*one, *other, film_heights(problem_.grid, of.h_m));
+       },
+       [&](const Factors& factors, FilmState& of) {
+         held.factors = factors;
+         return solve(held, of);
+       }},
+      enough_of_factors(problem_), state);
 }
 
 }  // namespace ringfilm::film

@@ -5,6 +5,20 @@
 
 namespace ringfilm::film {
 
+/// What the loop of a factor iteration requires of a film.
+struct FilmOfFactors {
+  using Factors = std::shared_ptr<const FlowFactors>;
+  std::function<Factors(const FilmState&, double h_m)> factors;  ///< with these pressures at this separation
+  std::function<double(const Factors&, const Factors&, const FilmState&)> difference;  ///< film::difference
+  std::function<FilmReport(const Factors&, FilmState&)> solve;  ///< the film with factors that are held
+};
+
+/// Solves with factors that are taken anew until they no longer change by `enough`, from the state on.
+FilmReport iterate_factors(const FilmOfFactors& film, double enough, FilmState& state);
+
+/// Change of the factors that a problem lets through [-].
+double enough_of_factors(const FilmProblem& problem);
+
 /// Films whose factors follow from the film itself: solved with factors that are held, which are then taken anew, until
 /// they no longer change (docs/theory/flow-factors.md).
 class FactorIteration {
@@ -17,6 +31,8 @@ class FactorIteration {
 
   /// @param state as of film::solve_film @returns the report of the last film, with the iterations of all
   FilmReport solve(const FilmInputs& inputs, FilmState& state, const Solve& solve) const;
+
+  const FactorLaws& laws() const { return laws_; }
 
  private:
   const FilmProblem& problem_;

@@ -66,6 +66,15 @@ std::vector<double> pressure_flow(const FactorLaws& laws, const FilmGrid& grid, 
   return along(grid.node_height, h_m, [&](double h) { return laws.pressure_flow->pressure_flow(h / laws.sigma); });
 }
 
+/// phi_y at the nodes; empty: 1.
+std::vector<double> cross_flow(const FactorLaws& laws, const FilmGrid& grid, double h_m) {
+  if (const auto& measured = laws.measured.pressure_flow) {
+    return along(grid.node_height, h_m, [&](double h) { return measured->pressure_flow_across(h); });
+  }
+  if (!laws.cross_flow) return {};
+  return along(grid.node_height, h_m, [&](double h) { return laws.cross_flow->pressure_flow(h / laws.sigma); });
+}
+
 /// By how much the mean gap exceeds the film thickness; empty: nowhere [m].
 std::vector<double> gap_excess(const FactorLaws& laws, const std::vector<double>& heights, double h_m) {
   if (const auto& measured = laws.measured.average_gap) {
@@ -89,13 +98,15 @@ std::vector<double> shear_flow(const FactorLaws& laws, const std::vector<double>
 }  // namespace
 
 std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const FilmProblem& problem,
-                                                const FilmInputs& inputs, const FilmState& state, double h_m) {
+                                                const FilmInputs& inputs, const FilmState& state, double h_m,
+                                                FlowDirections directions) {
   const FilmGrid& grid = problem.grid;
   auto factors = std::make_shared<FlowFactors>();
   if (laws.thinning) add_thinning(*laws.thinning, problem, inputs, state, h_m, *factors);
   factors->mobility = pressure_flow(laws, grid, h_m);
   if (laws.thinning && factors->mobility.empty()) factors->mobility.assign(grid.x.size(), 1.0);
   for (std::size_t i = 0; i < factors->thinning.size(); ++i) factors->mobility[i] /= factors->thinning[i];
+  if (directions == FlowDirections::kBoth) factors->mobility_across = cross_flow(laws, grid, h_m);
   factors->stored = gap_excess(laws, grid.node_height, h_m);
   factors->carried = gap_excess(laws, grid.face_height, h_m);
   const std::vector<double> by_shear = shear_flow(laws, grid.face_height, h_m);
@@ -109,19 +120,27 @@ std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const Fi
   return factors;
 }
 
-double difference(const FlowFactors& one, const FlowFactors& other, const FilmGrid& grid, double h_m) {
-  double largest = 0;
-  for (std::size_t i = 0; i < one.mobility.size(); ++i) {
-    largest = std::max(largest, std::abs(one.mobility[i] / other.mobility[i] - 1));
+FilmHeights film_heights(const FilmGrid& grid, double h_m) {
+  FilmHeights film{grid.node_height, grid.face_height};
+  for (auto* const heights : {&film.node, &film.face}) {
+    for (double& height : *heights) height += h_m;
   }
+  return film;
+}
+
+double difference(const FlowFactors& one, const FlowFactors& other, const FilmHeights& film) {
+  double largest = 0;
+  const auto compare_factors = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] / b[i] - 1));
+  };
   const auto compare_lengths = [&](const std::vector<double>& a, const std::vector<double>& b,
                                    const std::vector<double>& heights) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      largest = std::max(largest, std::abs(a[i] - b[i]) / (h_m + heights[i]));
-    }
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]) / heights[i]);
   };
-  compare_lengths(one.stored, other.stored, grid.node_height);
-  compare_lengths(one.carried, other.carried, grid.face_height);
+  compare_factors(one.mobility, other.mobility);
+  compare_factors(one.mobility_across, other.mobility_across);
+  compare_lengths(one.stored, other.stored, film.node);
+  compare_lengths(one.carried, other.carried, film.face);
   return largest;
 }
 

@@ -30,6 +30,8 @@ struct MeasuredFactors {
 struct FactorLaws {
   std::optional<ThinningOil> thinning;
   std::optional<models::PatirCheng> pressure_flow, shear_flow, stress;
+  /// phi_y, the flow factor across the motion: that of the same roughness turned by a quarter, gamma -> 1/gamma.
+  std::optional<models::PatirCheng> cross_flow;
   AverageGap average_gap = AverageGap::kNominal;  ///< kMeasured counts where `measured` has it
   double sigma = 0;                               ///< composite roughness [m]
   MeasuredFactors measured;
@@ -41,11 +43,24 @@ struct FactorLaws {
   }
 };
 
+/// Directions of the flow by pressure in a film.
+enum class FlowDirections {
+  kAlong,  ///< along the motion alone
+  kBoth    ///< across it as well, in two dimensions
+};
+
 /// The factors of a film with the pressures of `state` at the separation h_m [m].
 std::shared_ptr<const FlowFactors> flow_factors(const FactorLaws& laws, const FilmProblem& problem,
-                                                const FilmInputs& inputs, const FilmState& state, double h_m);
+                                                const FilmInputs& inputs, const FilmState& state, double h_m,
+                                                FlowDirections directions = FlowDirections::kAlong);
+
+/// Film thickness at nodes and at faces along the motion [m].
+struct FilmHeights {
+  std::vector<double> node, face;
+};
+FilmHeights film_heights(const FilmGrid& grid, double h_m);
 
 /// Largest difference of two sets of factors that move the film, relative to the factor, of lengths to the film [-].
-double difference(const FlowFactors& one, const FlowFactors& other, const FilmGrid& grid, double h_m);
+double difference(const FlowFactors& one, const FlowFactors& other, const FilmHeights& film);
 
 }  // namespace ringfilm::film

@@ -30,8 +30,10 @@ struct Film2dBlock {
   double* node_height;                    ///< [m]
   double *face_x, *low_face, *high_face;  ///< heights of the faces to the next node across and to the strips beside [m]
   double *face_x_second, *face_x_third, *low_second, *low_third, *high_second, *high_third;  ///< moments about them
-  double *rho, *drho_dp, *K, *dK_dp;  ///< filled by the oil kernel, or by the caller with LaneLaws::kGiven
-  double* column;                     ///< slope of the balance in ln h_m
+  double *rho, *drho_dp, *K, *dK_dp;   ///< filled by the oil kernel, or by the caller with LaneLaws::kGiven
+  double *mobility, *mobility_across;  ///< FlowFactors, only with Terms::kAll; so are the next two [-]
+  double *stored, *carried;            ///< [m]
+  double* column;                      ///< slope of the balance in ln h_m
   /// Of it, by the separation of the strip itself and at the faces to the strips beside; nullptr: not asked for
   double *own_column, *low_column, *high_column;
   double* rhs;       ///< minus the balance

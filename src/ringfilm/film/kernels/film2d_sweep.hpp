@@ -56,6 +56,16 @@ class Film2dBalance {
             theta};
   }
 
+  /// The node as flow by pressure in one direction sees it. @param mobility of that direction
+  RINGFILM_INLINE Node mobile(Node node, const double* mobility, std::size_t place) const {
+    if constexpr (kTerms == Terms::kAll) {
+      const Real factor = Real::load(mobility + place);
+      node.K = factor * node.K;
+      node.dK = factor * node.dK;
+    }
+    return node;
+  }
+
   /// Mean of h^3 over a face, and a third of its slope in h_m.
   struct Cube {
     Real value, square;
@@ -83,14 +93,18 @@ class Film2dBalance {
       upstream = h_m + motion_.upstream(Real::load(b_.node_height + place),
                                         Real::load(b_.node_height + place + shape_.stride));
     }
-    Flux flux = film::flux(motion_, h, upstream, conductance * cubed.value, conductance * cubed.square, left, right);
     if constexpr (kTerms == Terms::kAll) {
+      const Real beyond = Real::load(b_.carried + place), carried = h + beyond;
+      Flux flux = film::flux(motion_, carried, upstream + beyond, conductance * cubed.value,
+                             conductance * cubed.square, left, right);
       const auto is_steady = Real(0) >= Real(b_.rate);
-      if (i == 0) limit_inlet(motion_.quarter_U, h, Real(b_.left_supply), is_steady, left, right, flux);
+      if (i == 0) limit_inlet(motion_.quarter_U, carried, Real(b_.left_supply), is_steady, left, right, flux);
       if (i == shape_.n_across - 2)
-        limit_inlet(motion_.quarter_U, h, Real(b_.right_supply), is_steady, left, right, flux);
+        limit_inlet(motion_.quarter_U, carried, Real(b_.right_supply), is_steady, left, right, flux);
+      return flux;
+    } else {
+      return film::flux(motion_, h, upstream, conductance * cubed.value, conductance * cubed.square, left, right);
     }
-    return flux;
   }
 
   /// Flux on from node i, and the balance of node i if it is not an edge.
@@ -101,12 +115,16 @@ class Film2dBalance {
     for (int k = 0; k < shape_.slots(colour); k += Real::kWidth) {
       const std::size_t place = begin + k, strip = strips + k;
       const Node here = node(place);
-      Flux out = flux_after(i, place, Real::load(b_.h_m + strip), here, node(place + shape_.stride));
+      const std::size_t next = place + shape_.stride;
+      Flux out = flux_after(i, place, Real::load(b_.h_m + strip), mobile(here, b_.mobility, place),
+                            mobile(node(next), b_.mobility, next));
       if (i == shape_.n_across - 2) out.by_right = Real(0);  // the edges are given
       if (i == 0) out.by_left = Real(0);
-      if (i > 0)
-        balance(i, place, strip, here, node(place + other + low_shift(colour)),
-                node(place + other + high_shift(colour)), taken(strip), out);
+      if (i > 0) {
+        const std::size_t low = place + other + low_shift(colour), high = place + other + high_shift(colour);
+        balance(i, place, strip, mobile(here, b_.mobility_across, place), mobile(node(low), b_.mobility_across, low),
+                mobile(node(high), b_.mobility_across, high), taken(strip), out);
+      }
       give(strip, out);
     }
   }
@@ -138,16 +156,17 @@ class Film2dBalance {
 
     const Real height = Real::load(b_.node_height + place);
     const Real volume = share * Real(b_.rate);
-    const Real stored = volume * (h_m + height);  // times rho theta
+    Real gap = h_m + height;
+    if constexpr (kTerms == Terms::kAll) gap += Real::load(b_.stored + place);
+    const Real stored = volume * gap;  // times rho theta
     const Real filled = filled_density<kFilmContent>(here);
     Real residual = stored * filled - Real::load(b_.inflow + place) + (out.value - in.value) + (on.value - from.value);
     Real diagonal = (out.by_left - in.by_right) + (on.by_left - from.by_right);
     if constexpr (kFilmContent) {
       diagonal += stored * filled_density_slope(here, inverse_content_scale_);
     } else {
-      const Real gap = Real(b_.start_h) + height;
-      const Real multiplier =
-          multiplier_weight(Real(b_.conductance[i - 1] + b_.conductance[i]), gap, Real(b_.cavity_K));
+      const Real multiplier = multiplier_weight(Real(b_.conductance[i - 1] + b_.conductance[i]),
+                                                Real(b_.start_h) + height, Real(b_.cavity_K));
       diagonal = select(here.is_film, diagonal + stored * here.drho, multiplier);
       residual += multiplier * min(Real(0), Real::load(b_.z + place));
     }

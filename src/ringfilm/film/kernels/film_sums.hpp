@@ -386,23 +386,17 @@ class AlongFace {
       const typename Some::Mask inside = gap < Some(contact.reach);
       if (!Some::any(inside)) return;
       const Some place = min(max(Some(0), gap) * Some(contact.per_gap), Some(contact.end));
-      alignas(64) double places[Some::kWidth], pieces[Some::kWidth];
-      place.store(places);
-      const double *pressure[Some::kWidth], *area_of[Some::kWidth];
-      for (int k = 0; k < Some::kWidth; ++k) {
-        const int piece = static_cast<int>(places[k]);
-        pieces[k] = piece;
-        pressure[k] = contact.pressure + 4 * piece;
-        area_of[k] = contact.area + 4 * piece;
-      }
-      const Some d = place - Some::load(pieces), weight = select(inside, Some::load(film.share + i), Some(0));
-      const Some p = weight * eighth_power(cubic(pressure, d));
+      const OnPieces<Some> on(place);
+      const Some weight = select(inside, Some::load(film.share + i), Some(0));
+      const Some p = weight * eighth_power(cubic(on, contact.pressure));
       load += p;
       beyond += select(gap > Some(contact.turning_gap), p, Some(0));
-      area += weight * eighth_power(cubic(area_of, d));
+      area += weight * eighth_power(cubic(on, contact.area));
     }
-    RINGFILM_INLINE static Some cubic(const double* const* c, Some d) {
-      return Some::of_rows(c, 0) + d * (Some::of_rows(c, 1) + d * (Some::of_rows(c, 2) + d * Some::of_rows(c, 3)));
+    RINGFILM_INLINE static Some cubic(const OnPieces<Some>& on, const double* cubics) {
+      Some c[4];
+      on.coefficients([cubics](int) RINGFILM_INLINE_BODY { return cubics; }, c);
+      return c[0] + on.within * (c[1] + on.within * (c[2] + on.within * c[3]));
     }
     RINGFILM_INLINE static Some eighth_power(Some root) {
       const Some square = root * root;

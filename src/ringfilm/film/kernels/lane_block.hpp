@@ -31,6 +31,24 @@ using Lanes = double[kMostLanes];
 /// Nodal arrays hold this many more nodes than there are, with no share: nodes are visited several at a time.
 inline constexpr int kPadding = 16;
 
+/// Where places lie on cubics of equal pieces (models::ContactPieces).
+template <class Real>
+struct OnPieces {
+  int piece[Real::kWidth];
+  Real within;  ///< the piece, 0 to 1
+
+  /// @param places counted in pieces, from 0 to before the end of the last one
+  RINGFILM_INLINE explicit OnPieces(Real places) { within = places - places.whole(piece); }
+
+  /// @param cubics(lane) the first coefficient of that lane's first piece @param c lowest power first
+  template <class Cubics>
+  RINGFILM_INLINE void coefficients(const Cubics& cubics, Real (&c)[4]) const {
+    const double* row[Real::kWidth];
+    for (int lane = 0; lane < Real::kWidth; ++lane) row[lane] = cubics(lane) + 4 * piece[lane];
+    Real::turn_rows(row, c);
+  }
+};
+
 /// Newton's iteration of the films in all lanes. Nodal arrays hold the value of node i in lane l at [i * width + l].
 struct LaneBlock {
   int n_cells;
@@ -79,6 +97,7 @@ struct LaneBlock {
   alignas(64) Lanes contact_reach;              ///< beyond this gap there is none; negative: nowhere [m]
   alignas(64) Lanes contact_scale;              ///< of the pressure [Pa]
   alignas(64) Lanes contact_per_gap;            ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
+  bool has_polynomials;                         ///< does any lane have them?
   double contact[kContactTerms];                ///< eighth root of F_5/2 in t
   double contact_slope_of[kContactSlopeTerms];  ///< its slope in t
 

@@ -122,7 +122,7 @@ class NewtonSweep {
       sum<kFluiditySlopeTerms>(b_.fit_dK, t, film.dK, slot);
       sum<kDensityTerms>(b_.fit_rho, t, film.rho, slot);
       sum<kDensitySlopeTerms>(b_.fit_drho, t, film.drho, slot);
-      add_contact(i);
+      if (b_.has_polynomials) add_contact(i);
       if (b_.has_tables) add_tabulated_contact(i);
     } else {
       for (int a = 0; a < kAbreast; ++a) {
@@ -182,20 +182,11 @@ class NewtonSweep {
       if (!Visitor::any(gap < reach)) continue;
       const Visitor lowest = max(Visitor(0), gap);
       const Visitor place = min(lowest * per_gap, end);  // a NaN is there
-      alignas(64) double places[Visitor::kWidth];
-      place.store(places);
-      const double* cubic[Visitor::kWidth];
-      alignas(64) double piece[Visitor::kWidth];
-      for (int k = 0; k < Visitor::kWidth; ++k) {
-        const int number = static_cast<int>(places[k]);
-        piece[k] = number;
-        cubic[k] = b_.table[kAlongFace ? 0 : k] + 4 * number;
-      }
-      const Visitor d = place - Visitor::load(piece);
-      const Visitor c_3 = Visitor::of_rows(cubic, 3), c_2 = Visitor::of_rows(cubic, 2),
-                    c_1 = Visitor::of_rows(cubic, 1);
-      const Visitor value = Visitor::of_rows(cubic, 0) + d * (c_1 + d * (c_2 + d * c_3));
-      const Visitor root_slope = c_1 + d * (c_2 + c_2 + Visitor(3) * d * c_3);
+      const OnPieces<Visitor> on(place);
+      Visitor c[4];
+      on.coefficients([&](int lane) RINGFILM_INLINE_BODY { return b_.table[kAlongFace ? 0 : lane]; }, c);
+      const Visitor value = c[0] + on.within * (c[1] + on.within * (c[2] + on.within * c[3]));
+      const Visitor root_slope = c[1] + on.within * (c[2] + c[2] + Visitor(3) * on.within * c[3]);
       const Visitor square = value * value, fourth = square * square;
       const Visitor dF = Visitor(8) * fourth * square * value * root_slope * per_gap;
       const Visitor F = fourth * fourth + dF * (gap - lowest);

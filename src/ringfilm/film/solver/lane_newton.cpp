@@ -48,9 +48,7 @@ void LaneNewton::clear(int lane) {
   block_.scale[lane] = block_.inverse_scale[lane] = 1;
   block_.content_scale[lane] = block_.inverse_content_scale[lane] = 1;
   block_.fit_K[0][lane] = block_.fit_rho[0][lane] = 1;
-  block_.contact_reach[lane] = kNowhere;
-  block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
-  clear_table(lane);
+  clear_contact(lane);
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.left_supply[lane] = block_.right_supply[lane] = kUnlimited;
@@ -90,9 +88,7 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
     nodal(block_.face_height, i, lane) = grid.face_height[i];
     nodal(block_.conductance, i, lane) = conductance(1, grid.spacing[i]);
   }
-  block_.contact_reach[lane] = kNowhere;
-  block_.contact_per_gap[lane] = block_.contact_scale[lane] = block_.contact_spread[lane] = 0;
-  clear_table(lane);
+  clear_contact(lane);
   set_contact(lane);
 }
 
@@ -114,24 +110,20 @@ void LaneNewton::set_contact(int lane) {
   const FilmProblem& problem = *lanes_[lane].problem;
   if (problem.contact == nullptr) return;
   block_.contact_spread[lane] = problem.contact_spread == ContactSpread::kLocal ? 1 : 0;
-  if (const models::ContactPieces* pieces = problem.contact->pieces()) return set_table(lane, *pieces);
-  const auto fitted = problem.contact->fitted();
-  if (!fitted) return;
-  block_.contact_reach[lane] = fitted->reach;
-  block_.contact_scale[lane] = fitted->pressure_scale;
-  block_.contact_per_gap[lane] = 2 / fitted->reach;
-  for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = fitted->fit->P52[k];
-  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = fitted->fit->P52_slope[k];
+  if (const models::ContactPieces* pieces = problem.contact->pieces()) {
+    set_table(lane, *pieces);
+  } else if (const auto fitted = problem.contact->fitted()) {
+    set_polynomials(lane, *fitted);
+  }
+  note_laws();
 }
 
-void LaneNewton::clear_table(int lane) {
-  static constexpr double kNoContact[4] = {};
-  block_.table[lane] = kNoContact;
-  block_.table_end[lane] = 0;
-  block_.table_reach[lane] = kNowhere;
-  block_.table_per_gap[lane] = block_.table_scale[lane] = 0;
-  block_.has_tables = false;
-  for (int other = 0; other < width_; ++other) block_.has_tables = block_.has_tables || block_.table_reach[other] > 0;
+void LaneNewton::set_polynomials(int lane, const models::FittedContact& law) {
+  block_.contact_reach[lane] = law.reach;
+  block_.contact_scale[lane] = law.pressure_scale;
+  block_.contact_per_gap[lane] = 2 / law.reach;
+  for (int k = 0; k < kContactTerms; ++k) block_.contact[k] = law.fit->P52[k];
+  for (int k = 0; k < kContactSlopeTerms; ++k) block_.contact_slope_of[k] = law.fit->P52_slope[k];
 }
 
 void LaneNewton::set_table(int lane, const models::ContactPieces& pieces) {
@@ -140,7 +132,24 @@ void LaneNewton::set_table(int lane, const models::ContactPieces& pieces) {
   block_.table_reach[lane] = pieces.reach;
   block_.table_per_gap[lane] = static_cast<double>(pieces.pressure.size()) / pieces.reach;
   block_.table_scale[lane] = pieces.pressure_scale;
-  block_.has_tables = true;
+}
+
+void LaneNewton::clear_contact(int lane) {
+  static constexpr double kNoContact[4] = {};
+  block_.contact_spread[lane] = 0;
+  block_.contact_reach[lane] = block_.table_reach[lane] = kNowhere;
+  block_.contact_per_gap[lane] = block_.contact_scale[lane] = 0;
+  block_.table[lane] = kNoContact;
+  block_.table_end[lane] = block_.table_per_gap[lane] = block_.table_scale[lane] = 0;
+  note_laws();
+}
+
+void LaneNewton::note_laws() {
+  block_.has_polynomials = block_.has_tables = false;
+  for (int lane = 0; lane < width_; ++lane) {
+    block_.has_polynomials = block_.has_polynomials || block_.contact_reach[lane] > 0;
+    block_.has_tables = block_.has_tables || block_.table_reach[lane] > 0;
+  }
 }
 
 void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& previous, const FilmState& guess,

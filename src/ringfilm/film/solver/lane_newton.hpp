@@ -88,8 +88,10 @@ class LaneNewton {
   void set_edges(int lane);
   void set_oil(int lane, const FilmInputs& inputs);
   void set_contact(int lane);
+  void set_polynomials(int lane, const models::FittedContact& law);
   void set_table(int lane, const models::ContactPieces& pieces);
-  void clear_table(int lane);
+  void clear_contact(int lane);
+  void note_laws();
   void set_terms(int lane, const FilmInputs& inputs);
   void fit_block();
   void evaluate_properties(int lane);

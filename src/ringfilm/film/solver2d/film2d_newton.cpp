@@ -74,6 +74,11 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
       nodal.push_back(moment);
     }
   }
+  if (problem.strip.terms == Terms::kAll) {
+    for (double** factor : {&block_.mobility, &block_.mobility_across, &block_.stored, &block_.carried}) {
+      nodal.push_back(factor);
+    }
+  }
   if (elastic_.bends()) {
     for (double** slopes : {&block_.own_column, &block_.low_column, &block_.high_column}) nodal.push_back(slopes);
   }
@@ -229,6 +234,7 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
       inflow[place] = share * (rate * previous.mass_per_area[node] + source);
     }
   }
+  if (block_.terms == Terms::kAll) set_factors(strip.factors.get());
   if (ends_ == Ends::kJoined) StripMultigrid::join_ends(shape_, ends_, block_.bound);
   set_given(inputs);
   h_m_ = guess.h_m;
@@ -236,6 +242,24 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   ring_.resize(elastic_.n_unknowns(), 0.0);
   set_lowest();
   set_separation(problem, inputs);
+}
+
+void Film2dNewton::set_factors(const FlowFactors* factors) {
+  const int n_cells = shape_.n_across - 1, last = ends_ == Ends::kOpen ? shape_.n_strips : shape_.n_strips - 1;
+  const auto put = [&](double* to, std::vector<double> FlowFactors::*of, int across, double none) {
+    for (int s = -first_; s <= last; ++s) {
+      for (int i = 0; i < across; ++i) {
+        const auto place = static_cast<std::size_t>(s + first_) * across + i;
+        const bool is_given = factors != nullptr && !(factors->*of).empty();
+        to[shape_.at(i, s)] = is_given ? (factors->*of)[place] : none;
+      }
+    }
+    StripMultigrid::join_ends(shape_, ends_, to);
+  };
+  put(block_.mobility, &FlowFactors::mobility, shape_.n_across, 1);
+  put(block_.mobility_across, &FlowFactors::mobility_across, shape_.n_across, 1);
+  put(block_.stored, &FlowFactors::stored, shape_.n_across, 0);
+  put(block_.carried, &FlowFactors::carried, n_cells, 0);
 }
 
 void Film2dNewton::give_oil(const models::OilAtTemperature& oil) {

@@ -40,6 +40,7 @@ class Film2dNewton {
   void set_separation(const Film2dProblem& problem, const Film2dInputs& inputs);
   void set_lowest();
   void set_given(const Film2dInputs& inputs);
+  void set_factors(const FlowFactors* factors);
   void give_oil(const models::OilAtTemperature& oil);
   /// Excess of what is carried over the load, and its slopes in the border's unknowns at fixed pressures.
   void set_loads(const Film2dProblem& problem, const Film2dInputs& inputs);

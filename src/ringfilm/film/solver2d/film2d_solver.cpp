@@ -137,14 +137,18 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
   const bool fitted = state.laws == LaneLaws::kFitted;
   const std::vector<double> rise = rise_of_strips(problem, inputs, state.ring);
   state.mass_per_area.resize(problem.n_nodes());
+  state.factors = inputs.strip.factors;
+  const auto stored = [&](std::size_t node) {
+    return state.factors && !state.factors->stored.empty() ? state.factors->stored[node] : 0;
+  };
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     const double h_m = state.h_m + (rise.empty() ? 0.0 : rise[j]);
     for (int i = 0; i < n_across; ++i) {
       const auto node = static_cast<std::size_t>(j) * n_across + i;
       const double p = state.p[node];
       const double rho = fitted ? oil.fit()->at(p).rho : oil.density(p);
-      state.mass_per_area[node] =
-          rho * film_content(problem.strip.cavitation, state.deficit[node]) * (h_m + problem.gap.node[node]);
+      const double gap = h_m + problem.gap.node[node] + stored(node);
+      state.mass_per_area[node] = rho * film_content(problem.strip.cavitation, state.deficit[node]) * gap;
     }
   }
 }

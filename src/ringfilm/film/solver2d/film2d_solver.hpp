@@ -40,7 +40,8 @@ film::FilmReport solve_film2d_at_separation(const Film2dProblem& problem, const 
 /// Every strip like the one of a film across.
 film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip);
 
-/// rho theta h of every node, from pressure, deficit and h_m, by the laws that `state.laws` names.
+/// rho theta h of every node, from pressure, deficit and h_m, by the laws that `state.laws` names and with the factors
+/// of the inputs.
 void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, FilmState& state);
 
 /// W_h + W_a per length in y [N/m].

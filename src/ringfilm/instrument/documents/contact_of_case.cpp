@@ -7,6 +7,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/contact_curves.hpp"
 #include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
@@ -14,33 +15,7 @@
 namespace ringfilm::instrument {
 namespace {
 
-using cycle::AsperityLaw, cycle::ContactLaw, cycle::ContactMoments, cycle::SummitPlane;
-
-/// Laws that are laid beside each other.
-struct OtherLaw {
-  const char *name, *label;
-  ContactLaw model;
-  AsperityLaw asperity;
-  SummitPlane plane;
-  ContactMoments moments;
-};
-constexpr OtherLaw kOtherLaws[] = {
-    {"as_fed", "Greenwood-Tripp, summits counted from the plane of the surface", ContactLaw::kGreenwoodTripp,
-     AsperityLaw::kElastic, SummitPlane::kSurface, ContactMoments::kPair},
-    {"one_surface", "Greenwood-Tripp, N and beta of one surface, plane of the summits", ContactLaw::kGreenwoodTripp,
-     AsperityLaw::kElastic, SummitPlane::kNayak, ContactMoments::kOneSurface},
-    {"summits", "Greenwood-Williamson, plane of the summits, elastic", ContactLaw::kGreenwoodWilliamson,
-     AsperityLaw::kElastic, SummitPlane::kNayak, ContactMoments::kPair},
-    {"summits_that_flow", "Greenwood-Williamson, plane of the summits, Zhao-Maietta-Chang",
-     ContactLaw::kGreenwoodWilliamson, AsperityLaw::kZhaoMaiettaChang, SummitPlane::kNayak, ContactMoments::kPair},
-    {"elliptic_summits", "Bush-Gibson-Thomas", ContactLaw::kBushGibsonThomas, AsperityLaw::kElastic,
-     SummitPlane::kSurface, ContactMoments::kPair},
-    {"plastic", "plastic: hardness times material ratio", ContactLaw::kPlastic, AsperityLaw::kElastic,
-     SummitPlane::kSurface, ContactMoments::kPair},
-};
-
-constexpr int kPlacesOfCurve = 81;
-constexpr double kEndOfCurve = 4;  // lambda ratio
+using cycle::ContactLaw, cycle::SummitPlane;
 
 std::string choice_of(const char* key, const cycle::Case& c) {
   const cycle::Field& field = *cycle::find_field(key);
@@ -135,29 +110,18 @@ io::MeasuredCurve law_curves(const cycle::Case& c) {
   curve.caption = "Pressure of several laws of the same surfaces against the lambda ratio, logarithmic.";
   curve.x_axis = {"lambda_ratio", "lambda ratio", "1", "1"};
   curve.y_axis = {"contact_pressure", "contact pressure", "Pa", "MPa", true};
-  const double sigma = roughness(c);
-  for (int k = 0; k < kPlacesOfCurve; ++k) curve.x.push_back(kEndOfCurve * k / (kPlacesOfCurve - 1));
-  const auto add = [&](const char* name, const char* label, const cycle::Case& of) {
-    const auto law = asperity_contact(of);
-    io::MeasuredSeries series{name, label, {}, false};
-    for (const double lambda : curve.x) {
-      const double p = law->contact(lambda * sigma).pressure;
+  const cycle::ContactCurves curves = cycle::contact_curves(c);
+  const std::size_t places = curves.separation.size();
+  for (int k = 0; k < cycle::kPlacesOfCurves; ++k) {
+    curve.x.push_back(cycle::kLambdaOfCurves * k / (cycle::kPlacesOfCurves - 1));
+  }
+  for (std::size_t law = 0; law < curves.laws.size(); ++law) {
+    io::MeasuredSeries series{curves.laws[law].name, curves.laws[law].label, {}, false};
+    for (std::size_t k = 0; k < places; ++k) {
+      const double p = curves.pressure[law * places + k];
       series.y.push_back(p > 0 ? p : std::numeric_limits<double>::quiet_NaN());
     }
     curve.series.push_back(std::move(series));
-  };
-  add("of_the_case", "law of the case", c);
-  if (c.contact.model == ContactLaw::kTable) return curve;
-  for (const OtherLaw& other : kOtherLaws) {
-    cycle::Case of = c;
-    of.contact.model = other.model;
-    of.contact.asperity = other.asperity;
-    of.contact.summit_plane = other.plane;
-    of.contact.moments = other.moments;
-    const bool flows = other.model == ContactLaw::kPlastic || other.asperity != AsperityLaw::kElastic;
-    const bool has_plane = other.plane == SummitPlane::kNayak || other.model == ContactLaw::kBushGibsonThomas;
-    if ((flows && !c.contact.hardness) || (has_plane && !models::summit_statistics(*asperities(of)))) continue;
-    add(other.name, other.label, of);
   }
   return curve;
 }

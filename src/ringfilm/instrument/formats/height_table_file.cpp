@@ -285,9 +285,19 @@ class TableReader {
     std::string_view cell;
     std::size_t count = 0;
     while (cells.next(cell)) ++count;
-    // A separator may end each row.
-    if (separator_ != ' ' && count > 1 && cell.empty() && stripped(line_).back() == separator_) --count;
-    return count;
+    const bool ends = separator_ != ' ' && count > 1 && cell.empty() && stripped(line_).back() == separator_;
+    return ends && separators_end_rows() ? count - 1 : count;
+  }
+
+  /// Does a separator end each of the rows to come? If not, an empty cell at the end is a missing height.
+  bool separators_end_rows() const {
+    for (std::size_t begin = place_; begin < text_.size();) {
+      const std::size_t end = std::min(text_.find('\n', begin), text_.size());
+      const std::string_view row = stripped(text_.substr(begin, end - begin));
+      begin = end + 1;
+      if (!row.empty() && row.front() != '#' && row.back() != separator_) return false;
+    }
+    return true;
   }
 
   TableLayout layout_by_content() const {

@@ -40,6 +40,7 @@ ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result) 
   document.input_notes = c.notes;
   document.provenance = this_run();
   document.result = std::move(result);
+  document.contact = cycle::contact_curves(c);
   return document;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/cycle/contact_curves.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/gas_path/pack_gas.hpp"
 #include "ringfilm/study/comparison.hpp"
@@ -49,6 +50,7 @@ struct ResultDocument {
   bool ledger_computed = false;                  ///< were the variants run?
   std::vector<study::ComparisonRow> comparison;  ///< with published values; empty where there are none
   std::optional<study::ErrorEstimate> errors;    ///< absent where they were not asked for
+  cycle::ContactCurves contact;                  ///< contact law of the case and others of its surfaces
   /// Of a ring pack the result of each ring, from the chamber down, and in place of `result` the friction of all rings
   /// (fmep, energy_per_cycle, mean_power_loss) and whether all are complete. Empty: a case of one ring.
   std::vector<ResultDocument> rings;

@@ -6,6 +6,7 @@
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/result/result_file_contact.hpp"
 #include "ringfilm/io/result/result_file_notes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_unrolled.hpp"
@@ -248,6 +249,7 @@ void exchange(File& file, Document& document, VariantTable& variants) {
   exchange_errors(file, document);
   exchange_fields(file, document.result);
   exchange_unrolled(file, document.result);
+  exchange_contact(file, document.contact);
   exchange_case(file, document);
   exchange_notes(file, document.input_notes, document.result.notes);
   exchange_ledger(file, document.ledger, variants);

@@ -107,9 +107,9 @@ struct Root {
   double scale = 0;
   std::vector<double> h, y, slope;
 
-  ValueAndSlope<double> at(double separation) const {
-    const auto above = std::upper_bound(h.begin() + 1, h.end() - 1, separation);
-    const auto k = static_cast<std::size_t>(above - h.begin()) - 1;
+  /// @param k the interval of the separation, from the one given on
+  ValueAndSlope<double> at(double separation, std::size_t& k) const {
+    while (k + 2 < h.size() && h[k + 1] <= separation) ++k;
     const double d = h[k + 1] - h[k], t = (separation - h[k]) / d, rise = y[k + 1] - y[k];
     const double a = slope[k] * d, b = slope[k + 1] * d;
     const double c_2 = 3 * rise - 2 * a - b, c_3 = a + b - 2 * rise;
@@ -142,13 +142,17 @@ Root root_of(const std::vector<double>& h, const std::vector<double>& value, dou
 
 ContactPieces::Cubics cubics_of(const Root& root, double reach) {
   ContactPieces::Cubics cubics;
+  cubics.reserve(kPieces);
   const double width = reach / kPieces;
+  std::size_t interval = 0;
+  auto from = root.at(0, interval);
   for (int k = 0; k < kPieces; ++k) {
-    const auto from = root.at(k * width), to = root.at((k + 1) * width);
+    const auto to = root.at((k + 1) * width, interval);
     const double rise = to.value - from.value;
     const double least = 3 * std::min(rise, 0.0);  // within it the cubic falls
     const double a = std::max(from.slope * width, least), b = std::max(to.slope * width, least);
     cubics.push_back({from.value, a, 3 * rise - 2 * a - b, a + b - 2 * rise});
+    from = to;
   }
   return cubics;
 }

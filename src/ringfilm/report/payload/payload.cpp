@@ -114,6 +114,29 @@ ordered_json face_fields(const cycle::FaceFields& fields) {
           {"film_content", field(fields.film_content, n_nodes, kept)}};
 }
 
+/// The contact law against the separation, next to others of the same surfaces; null without contact.
+ordered_json contact(const cycle::ContactCurves& curves) {
+  if (curves.separation.empty()) return nullptr;
+  const std::size_t places = curves.separation.size();
+  const auto of_law = [&](const std::vector<double>& all, std::size_t law) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(law * places);
+    return rounded_list({begin, begin + static_cast<std::ptrdiff_t>(places)}, kFieldDigits);
+  };
+  ordered_json laws = ordered_json::array();
+  for (std::size_t k = 0; k < curves.laws.size(); ++k) {
+    laws.push_back({{"name", curves.laws[k].name},
+                    {"label", curves.laws[k].label},
+                    {"pressure", of_law(curves.pressure, k)},
+                    {"log_deviation", of_law(curves.log_deviation, k)}});
+  }
+  return {{"separation", rounded_list(curves.separation, kCurveDigits)},
+          {"laws", std::move(laws)},
+          {"real_area", rounded_list(curves.real_area, kFieldDigits)},
+          {"phi_x", rounded_list(curves.phi_x, kFieldDigits)},
+          {"phi_y", rounded_list(curves.phi_y, kFieldDigits)},
+          {"phi_s", rounded_list(curves.phi_s, kFieldDigits)}};
+}
+
 ordered_json effort(const cycle::Effort& e) {
   return {{"cycles_integrated", exact(e.cycles_integrated)},
           {"periodicity_error", exact(e.periodicity_error)},
@@ -218,6 +241,7 @@ ordered_json document(const io::ResultDocument& d) {
           {"unrolled_values", unrolled_values(d.result)},
           {"unrolled", unrolled_payload(d.result.unrolled, rupture_pressure(d.inputs))},
           {"stroke", stroke_profile(d.result.stroke)},
+          {"contact", contact(d.contact)},
           {"derived", std::move(derived)},
           {"notes", std::move(notes)},
           {"input_notes", d.input_notes},

@@ -37,17 +37,21 @@ class HalfSpace {
   /// The pressure of such a displacement; the mean, which has none, is treated as the longest wave.
   void press(std::span<const double> displacement, std::span<double> pressure);
 
+  /// Sum over the points of a pressure times its own displacement, by Parseval's theorem [Pa m].
+  double work(std::span<const double> pressure);
+
  private:
-  enum class Direction { to_displacement, to_pressure };
-  void apply(std::span<const double> from, std::span<double> to, Direction direction);
+  template <class Factor>
+  void apply(std::span<const double> from, std::span<double> to, const Factor& factor);
 
   ContactGrid grid_;
-  double stiffness_;               ///< E*/2 [Pa]
-  double longest_;                 ///< smallest |q| above 0 [1/m]
-  std::vector<double> q_x_, q_y_;  ///< of columns and rows of waves [rad/m]
+  std::vector<double> stiffness_;            ///< E* |q|/2 of each wave [Pa/m]
+  double longest_;                           ///< the smallest above 0 [Pa/m]
+  std::vector<double> images_x_, images_y_;  ///< how many waves of the whole spectrum each stands for
   std::optional<GridTransform> periodic_;
   std::optional<MirroredTransform> mirrored_;
-  std::vector<std::complex<double>> waves_;
+  std::vector<std::complex<double>> periodic_waves_;
+  std::vector<double> mirrored_waves_;
 };
 
 }  // namespace ringfilm::surface

@@ -113,22 +113,13 @@ int RoughContact::iterate(double separation_m, double& residual) {
     }
     former_product = product;
     former_violation_.swap(violation_);
-    half_space_.displace(direction_, work_);
-    const double curvature = dot(direction_, work_);
+    const double curvature = half_space_.work(direction_);
     if (!(curvature > 0)) break;
     const double step = dot(former_violation_, direction_) / curvature;
-    bool is_bounded = false;
     for (std::size_t i = 0; i < z_.size(); ++i) {
-      if (direction_[i] == 0) continue;
-      const double next = p_[i] - step * direction_[i];
-      p_[i] = std::clamp(next, 0.0, cap_);
-      is_bounded = is_bounded || p_[i] != next;
+      if (direction_[i] != 0) p_[i] = std::clamp(p_[i] - step * direction_[i], 0.0, cap_);
     }
-    if (is_bounded) {
-      update_gap(separation_m);
-    } else {
-      for (std::size_t i = 0; i < z_.size(); ++i) gap_[i] -= step * work_[i];
-    }
+    update_gap(separation_m);
   }
   residual = complementarity();
   return kMostIterations;

@@ -75,6 +75,21 @@ void expect_same(const cycle::CycleResult& a, const cycle::CycleResult& b) {
   EXPECT_EQ(a.complete, b.complete);
 }
 
+void expect_same(const cycle::ContactCurves& a, const cycle::ContactCurves& b) {
+  expect_same(a.separation, b.separation, "contact_separation");
+  ASSERT_EQ(a.laws.size(), b.laws.size());
+  for (std::size_t i = 0; i < a.laws.size(); ++i) {
+    EXPECT_EQ(a.laws[i].name, b.laws[i].name);
+    EXPECT_EQ(a.laws[i].label, b.laws[i].label);
+  }
+  expect_same(a.pressure, b.pressure, "contact_law_pressure");
+  expect_same(a.log_deviation, b.log_deviation, "contact_law_log_deviation");
+  expect_same(a.real_area, b.real_area, "contact_law_real_area");
+  expect_same(a.phi_x, b.phi_x, "contact_law_phi_x");
+  expect_same(a.phi_y, b.phi_y, "contact_law_phi_y");
+  expect_same(a.phi_s, b.phi_s, "contact_law_phi_s");
+}
+
 void expect_same_ledger(const std::vector<study::LedgerEntry>& a, const std::vector<study::LedgerEntry>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -151,6 +166,7 @@ void expect_same(const ResultDocument& a, const ResultDocument& b) {
   EXPECT_EQ(a.provenance.compiler, b.provenance.compiler);
   EXPECT_EQ(a.provenance.kernels, b.provenance.kernels);
   expect_same(a.result, b.result);
+  expect_same(a.contact, b.contact);
   expect_same_ledger(a.ledger, b.ledger);
   EXPECT_EQ(a.ledger_computed, b.ledger_computed);
   expect_same_comparison(a.comparison, b.comparison);

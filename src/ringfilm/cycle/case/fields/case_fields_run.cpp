@@ -76,8 +76,8 @@ void append_run_fields(std::vector<Field>& fields) {
                 {"film on the flat surface that comes in at x = length, out of the gas, f", "\"2 um\""}),
           field("film.flow_factors", choice<&Case::film, &Film::flow_factors>({"none", "patir-cheng", "measured"}),
                 kNoUnit, {}, Need::kDefault, {},
-                {"flow by pressure: that of smooth walls, or with the factor phi_x of rough ones, of the literature "
-                 "from h(x)/sigma or of the gap of contact.law",
+                {"flow by pressure: that of smooth walls, or with the factors phi_x and, unrolled, phi_y of rough "
+                 "ones, of the literature from h(x)/sigma or of the gap of contact.law",
                  "\"patir-cheng\""}),
           field("film.shear_flow", choice<&Case::film, &Film::shear_flow>({"none", "patir-cheng", "measured"}), kNoUnit,
                 {}, Need::kDefault, {},

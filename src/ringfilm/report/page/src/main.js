@@ -12,6 +12,7 @@ import {
   zoomFigure,
 } from './cycle/cycle_figures.js';
 import { element, svgElement } from './dom.js';
+import { contactPressureFigure, flowFactorFigure, realAreaFigure } from './cycle/contact_figures.js';
 import { FaceView, howToStoreFields } from './cycle/face_view.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
 import { firstScreen, operatingLine, reportTitle } from './cycle/first_screen.js';
@@ -208,6 +209,9 @@ function buildPage(model) {
     hasCurves ? view(gapFigure(model)) : null,
   ].filter(Boolean);
   const pack = packPart(model, context);
+  const contact = [contactPressureFigure(model), realAreaFigure(model), flowFactorFigure(model)]
+    .map(view)
+    .filter(Boolean);
   const influence = view(influenceFigure(model));
   views.push(
     ...cycle,
@@ -215,6 +219,7 @@ function buildPage(model) {
     ...(along ? [along] : []),
     ...others,
     ...faces,
+    ...contact,
     ...around,
     ...(influence ? [influence] : []),
   );
@@ -224,6 +229,7 @@ function buildPage(model) {
     ['cycle', 'Over the cycle', cycle.length],
     ['friction', 'Friction and wear', others.length],
     ['face', 'Face', faces.length],
+    ['contact', 'Contact law', contact.length],
     ['around', 'Around the ring', around.length],
     ['cycle-values', 'Cycle values', 1],
     ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
@@ -273,6 +279,7 @@ function buildPage(model) {
         : null,
       others.length ? section('friction', 'Friction and wear', charts(others.map((v) => v.node))) : null,
       faces.length ? section('face', 'Face of the ring', charts(faces.map((v) => v.node))) : null,
+      contact.length ? section('contact', 'Contact law', charts(contact.map((v) => v.node))) : null,
       around.length
         ? section(
             'around',

@@ -27,7 +27,14 @@ export function isOneOfSeveral(index) {
 /** How much of a case's colour the band of its error has. */
 export const kBandOpacity = 0.22;
 
-const kPartDash = { total: [], boundary: [9, 4], viscous: [2, 3], measured: [] };
+const kPartDash = {
+  total: [],
+  boundary: [9, 4],
+  viscous: [2, 3],
+  measured: [],
+  across: [9, 4],
+  sliding: [2, 3],
+};
 
 export function partDash(part) {
   return kPartDash[part] ?? [];
