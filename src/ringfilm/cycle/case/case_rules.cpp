@@ -193,8 +193,8 @@ void check_tension(const Case& c, Breaches& breaches) {
   const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (ring.expander_force ? 1 : 0) +
                      (gap ? 1 : 0) + (ring.free_shape ? 1 : 0);
   const std::string ways =
-      "state one of ring.elastic_pressure, ring.tangential_force, ring.expander_force of an oil ring, or ring.free_gap "
-      "or ring.free_shape with ring.radial_thickness";
+      "state one of ring.elastic_pressure, ring.tangential_force, ring.expander_force of an oil ring, ring.free_gap "
+      "with ring.radial_thickness, or ring.free_shape";
   if (stated == 0) {
     breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
