@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kArc = 0.005;  // longest piece of a centroid that is taken as an arc [rad]
+constexpr double kArc = 0.02;  // longest piece of a centroid that is taken as an arc [rad]
 /// Places along the ring follow from lengths, whose errors add up: they count a tenth of distances from it.
 constexpr double kWeightAlong = 0.1;
 
