@@ -89,7 +89,13 @@ test('a static closure is drawn with what of the ring is apart from the bore', (
   const x = Array.from({ length: 361 }, (_, j) => j);
   const bore = x.map((angle) => 8 * Math.cos((4 * Math.PI * angle) / 180));
   const ring = bore.map((deviation, j) => deviation - (j > 100 && j < 140 ? 1.5 : 0));
-  const shape = { name: 'bore_around', series: [{ x, y: bore }, { x, y: ring }] };
+  const shape = {
+    name: 'bore_around',
+    series: [
+      { x, y: bore },
+      { x, y: ring },
+    ],
+  };
   const figure = boreFigure({ curves: [{ name: 'clearance_around', series: [] }, shape] });
   const { shapes } = figure.draw(420);
   const [part, ...others] = paths(shapes.join(''), '#d1490a');
@@ -99,7 +105,20 @@ test('a static closure is drawn with what of the ring is apart from the bore', (
   assert.deepEqual(figure.columns()[3].values.slice(100, 102), [0, 1.5]);
   assert.equal(boreFigure({ curves: [] }), null);
   const round = x.map(() => 0);
-  assert.equal(boreFigure({ curves: [{ ...shape, series: [{ x, y: round }, { x, y: round }] }] }), null);
+  assert.equal(
+    boreFigure({
+      curves: [
+        {
+          ...shape,
+          series: [
+            { x, y: round },
+            { x, y: round },
+          ],
+        },
+      ],
+    }),
+    null,
+  );
 });
 
 let failed = 0;
