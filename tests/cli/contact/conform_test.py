@@ -165,6 +165,36 @@ class ConformTest(program.ProgramTest):
         again = self.closure(case="free.toml")
         self.assertAlmostEqual(again["tangential_force"] / found["tangential_force"], 1, delta=1e-4)
 
+    def write_pressures(self, points):
+        text = "angle [degree],pressure [bar]\n" + "".join(f"{angle},{bar:.12g}\n" for angle, bar in points)
+        (self.folder / "pressure.csv").write_text(text, encoding="utf-8")
+
+    def test_points_of_the_pressure_are_its_orders(self):
+        def bar(angle):
+            turn = math.radians(angle)
+            # The order 1 is not in balance: the projection takes its place.
+            return 3 * (1 + 0.25 * math.cos(2 * turn) - 0.1 * math.sin(5 * turn) + 0.4 * math.cos(turn - 1))
+
+        self.write_pressures([(angle, bar(angle)) for angle in range(-180, 180, 10)])
+        orders = "[{ order = 2, amplitude = 0.25 }, { order = 5, amplitude = 0.1, phase = '-18 degree' }]"
+        stated = self.closure("--set", f"ring.pressure_orders={orders}")
+        found = self.closure("--set", "ring.pressure_points=pressure.csv")
+        for name in ("projection", "moment_at_back", "max_clearance", "open_area", "mean_wall_force", "free_gap"):
+            self.assertAlmostEqual(found[name] / stated[name], 1, delta=1e-6, msg=name)
+
+    def test_points_of_the_pressure_that_are_none_are_refused(self):
+        good = [(angle, 1) for angle in range(0, 360, 20)]
+        stated = ("--set", "ring.pressure_points=pressure.csv")
+        for points, options, words in (
+            (good, ("--set", "ring.pressure_orders=[{ order = 2, amplitude = 0.1 }]"), "stated twice"),
+            (good, ("--set", "ring.pressure_points_orders=12"), "is more than 18 points have"),
+            (good[:5] + good[6:], (), "degree, where 17 angles over one turn have"),
+            (good[:6], (), "has 6 angles"),
+            ([(angle, -1) for angle, _ in good], (), "pulls the bore inwards"),
+        ):
+            self.write_pressures(points)
+            self.refused(words, *stated, *options)
+
     def test_noise_of_a_free_shape_is_smoothed_and_its_effect_stated(self):
         noise = random.Random(1)
         self.write_free_ring([(angle, radius + noise.gauss(0, 0.1e-6)) for angle, radius in free_ring()])

@@ -227,11 +227,14 @@ struct Ring {
   RingGasPath gas_path;  ///< what the gas meets at the ring
   /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
   std::vector<FourierTerm> pressure_orders;
-  std::optional<std::string> free_shape;  ///< CSV of the measured free ring, as named
-  base::Shared<FreeRing> free_ring;       ///< of that file
-  double free_shape_smoothing = 0;        ///< shortest wave around the ring that is kept of it [m]
-  RingFace face;                          ///< shape of the face across its width
-  Coating coating;                        ///< absent unless its modulus is stated
+  std::optional<std::string> pressure_points;    ///< CSV of that pressure around the ring, as named
+  base::Shared<PressurePoints> pressure_around;  ///< of that file
+  int pressure_points_orders = 8;                ///< the highest order that is kept of it
+  std::optional<std::string> free_shape;         ///< CSV of the measured free ring, as named
+  base::Shared<FreeRing> free_ring;              ///< of that file
+  double free_shape_smoothing = 0;               ///< shortest wave around the ring that is kept of it [m]
+  RingFace face;                                 ///< shape of the face across its width
+  Coating coating;                               ///< absent unless its modulus is stated
 };
 
 /// The keys under `liner`.
@@ -543,7 +546,7 @@ struct Case {
   /// Is anything stated that only a ring that bends uses?
   bool has_closure() const {
     return bends() || problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
-           ring.free_shape || conform.gas_pressure > 0 || conform.height;
+           ring.pressure_points || ring.free_shape || conform.gas_pressure > 0 || conform.height;
   }
   /// Does the film of a pad enter out of gas, with a surface that moves that way?
   bool enters_out_of_gas(Direction direction) const {

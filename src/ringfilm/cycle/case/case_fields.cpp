@@ -89,6 +89,8 @@ bool is_of_closure(const std::string& key) {
       "ring.gap_position",
       "ring.tangential_force",
       "ring.pressure_orders",
+      "ring.pressure_points",
+      "ring.pressure_points_orders",
       "ring.radial_thickness",
   };
   return keys.contains(key) || key.rfind("liner.distortion", 0) == 0 || key == "liner.thermal_distortion" ||

@@ -137,6 +137,32 @@ void check_place(const Case& c, Breaches& breaches) {
   check_covered("liner.distortion_map", map, *c.conform.height, breaches);
 }
 
+/// Points of the pressure in place of its orders.
+void check_pressure_points(const Ring& ring, Breaches& breaches) {
+  if (!ring.pressure_points) return;
+  const char* key = "ring.pressure_points";
+  if (!ring.pressure_orders.empty() || ring.free_shape) {
+    breaches.push_back({key,
+                        std::string("the pressure of the ring is stated twice: ring.pressure_points and ") +
+                            (ring.free_shape ? "ring.free_shape" : "ring.pressure_orders"),
+                        "state one of them"});
+  }
+  const std::vector<double>& pressure = ring.pressure_around->pressure;
+  if (pressure.empty()) return;  // not read
+  double sum = 0;
+  for (const double one : pressure) sum += one;
+  if (!(sum > 0)) {
+    breaches.push_back({key, "the pressure of ring.pressure_points pulls the bore inwards all in all",
+                        "pressures that press on the bore are positive"});
+  }
+  const auto most = static_cast<int>((pressure.size() - 1) / 2);
+  if (ring.pressure_points_orders <= most) return;
+  breaches.push_back({"ring.pressure_points_orders",
+                      "ring.pressure_points_orders = " + std::to_string(ring.pressure_points_orders) +
+                          " is more than " + std::to_string(pressure.size()) + " points have",
+                      "take " + std::to_string(most) + " or fewer, or state more points"});
+}
+
 /// Orders of the pressure that a smoothing may leave; a line force of more would be noise.
 constexpr int kFewestOrders = 2, kMostOrders = 40;
 
@@ -188,6 +214,7 @@ void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   check_heights("liner.distortion", c.liner.distortion, breaches);
   check_heights("liner.thermal_distortion", c.liner.thermal_distortion, breaches);
   check_place(c, breaches);
+  check_pressure_points(c.ring, breaches);
 }
 
 }  // namespace ringfilm::cycle

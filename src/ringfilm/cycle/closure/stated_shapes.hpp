@@ -33,4 +33,10 @@ struct FreeRing {
   std::vector<double> radius;     ///< [m]
 };
 
+/// Pressure of a ring on a round bore at angles from the gap's middle, evenly spaced over one turn.
+struct PressurePoints {
+  double first_angle_deg = 0;    ///< [degree]
+  std::vector<double> pressure;  ///< [Pa]
+};
+
 }  // namespace ringfilm::cycle

@@ -93,6 +93,16 @@ void append_terms(const std::vector<FourierTerm>& terms, std::optional<double> h
   }
 }
 
+/// Over their mean; what they have of order 1 is not in balance, and that of the projection takes its place.
+FourierSeries orders_of_points(const Ring& ring) {
+  const PressurePoints& points = *ring.pressure_around;
+  const FourierSeries all =
+      models::fourier_series(points.pressure, in_rad(points.first_angle_deg), ring.pressure_points_orders);
+  std::vector<FourierOrder> orders(all.orders().begin() + 2, all.orders().end());
+  for (FourierOrder& one : orders) one.amplitude /= all.orders().front().amplitude;
+  return FourierSeries(std::move(orders));
+}
+
 /// Where a ring of this length opens when it bends by -M_w/(E I), to first order along the tangent at the gap.
 double first_order_free_gap(const models::RingBeam& beam) {
   constexpr int kSteps = 7200;
@@ -214,7 +224,7 @@ models::RingBeam ring_beam(const Case& c) {
   }
   size.tangential_force =
       models::tangential_force_from_elastic_pressure(elastic_pressure(c), c.ring.face_width, c.engine.bore);
-  return {size, series_of(c.ring.pressure_orders, std::nullopt)};
+  return {size, c.ring.pressure_points ? orders_of_points(c.ring) : series_of(c.ring.pressure_orders, std::nullopt)};
 }
 
 StaticClosure static_closure(const Case& whole) {

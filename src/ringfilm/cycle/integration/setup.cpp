@@ -90,7 +90,8 @@ void append_bore_note(const Case& c, std::vector<Note>& notes) {
     }
     return;
   }
-  if (c.liner.is_round() && c.ring.pressure_orders.empty() && !c.ring.free_shape && !(c.conform.gas_pressure > 0))
+  if (c.liner.is_round() && c.ring.pressure_orders.empty() && !c.ring.pressure_points && !c.ring.free_shape &&
+      !(c.conform.gas_pressure > 0))
     return;
   notes.push_back(
       {"bore-taken-as-round",

@@ -107,6 +107,14 @@ std::vector<DataFile> data_files(const Case& c, const Units& units) {
            return {bore.sha256, bore.notes};
          }});
   }
+  if (c.ring.pressure_points) {
+    files.push_back(
+        {"ring.pressure_points", *c.ring.pressure_points, [&units](const NamedFile& file, Case& to) -> ReadData {
+           PressurePointsFile points = read_pressure_points(file, units);
+           to.ring.pressure_around = std::move(points.points);
+           return {points.sha256, points.notes};
+         }});
+  }
   if (c.ring.free_shape) {
     files.push_back({"ring.free_shape", *c.ring.free_shape, [&units](const NamedFile& file, Case& to) -> ReadData {
                        FreeShapeFile shape = read_free_shape(file, units);

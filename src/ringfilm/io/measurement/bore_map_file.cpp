@@ -168,7 +168,39 @@ class BoreRows {
   std::vector<std::size_t> first_row_;  ///< of each section
 };
 
+/// Angles of one turn, evenly spaced.
+void check_turn(const CsvFile& csv, const std::vector<double>& angle, std::vector<Fault>& faults) {
+  const std::size_t n = angle.size();
+  const double step = 360.0 / static_cast<double>(n);
+  for (std::size_t i = 0; i < n && n >= kFewestAngles; ++i) {
+    const double even = angle.front() + static_cast<double>(i) * step;
+    if (std::abs(angle[i] - even) <= kSameAngle + 1e-3 * step) continue;
+    faults.push_back(
+        {csv.cell_mark(i, *csv.find("angle")),
+         fmt::format("angle = {:.6g} degree, where {} angles over one turn have {:.6g} degree", angle[i], n, even),
+         "angles rise evenly over one whole turn, each of them once; are they degrees?"});
+    return;
+  }
+  if (n >= kFewestAngles) return;
+  faults.push_back({csv.cell_mark(0, *csv.find("angle")), fmt::format("the pressure has {} angles", n),
+                    fmt::format("{} evenly spaced angles over one turn or more are required", kFewestAngles)});
+}
+
 }  // namespace
+
+PressurePointsFile read_pressure_points(const NamedFile& file, const Units& units) {
+  const CsvFile csv = read_csv(file);
+  std::vector<Fault> faults;
+  const std::vector<double> angle = quantity_column(csv, "angle", "degree", "angle [degree]", units, faults);
+  PressurePointsFile read;
+  read.points.pressure = quantity_column(csv, "pressure", "Pa", "pressure [bar]", units, faults);
+  if (faults.empty()) check_turn(csv, angle, faults);
+  if (!faults.empty()) throw InputError(faults);
+  read.points.first_angle_deg = angle.front();
+  read.sha256 = csv.source.sha256;
+  read.notes = csv.notes;
+  return read;
+}
 
 BoreMapFile read_bore_map(const NamedFile& file, const Units& units) {
   const CsvFile csv = read_csv(file);

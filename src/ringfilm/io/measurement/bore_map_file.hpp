@@ -32,4 +32,15 @@ BoreMapFile read_bore_map(const NamedFile& file, const Units& units);
 /// faults, also where the repetition differs.
 DynamicBoreFile read_dynamic_bore(const NamedFile& file, const Units& units);
 
+/// Pressure around a ring.
+struct PressurePointsFile {
+  cycle::PressurePoints points;
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads a CSV file with the columns `angle [degree],pressure [bar]`, angles evenly spaced over one turn. Throws
+/// InputError with its faults.
+PressurePointsFile read_pressure_points(const NamedFile& file, const Units& units);
+
 }  // namespace ringfilm::io

@@ -33,6 +33,8 @@ constexpr When kCloses{
 constexpr When kDistortionMap{
     [](const Case& c) { return c.liner.distortion_map.has_value() || c.liner.dynamic_distortion.has_value(); },
     "liner.distortion_map or liner.dynamic_distortion is stated"};
+constexpr When kPressurePoints{[](const Case& c) { return c.ring.pressure_points.has_value(); },
+                               "ring.pressure_points is stated"};
 constexpr When kFreeShape{[](const Case& c) { return c.ring.free_shape.has_value(); }, "ring.free_shape is stated"};
 using TermPlace = FourierTermsKind::Place;
 constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
@@ -114,6 +116,15 @@ void append_ring_fields(std::vector<Field>& fields) {
                  "relative to its mean, "
                  "angles from the gap's middle; if omitted, uniform pressure",
                  "[{ order = 2, amplitude = 0.25, phase = \"0 degree\" }]"}),
+          field("ring.pressure_points", OptionalFileKind{member<&Case::ring, &Ring::pressure_points>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"for ringfilm conform and ring.conformity: in place of orders a CSV of that pressure, angle "
+                 "[degree],pressure [bar], whole turns of evenly spaced angles from the gap's middle; relative to its "
+                 "mean",
+                 "\"pressure.csv\""}),
+          field("ring.pressure_points_orders", CountKind{member<&Case::ring, &Ring::pressure_points_orders>},
+                kPlainNumber, between(2, 40), Need::kDefault, kPressurePoints,
+                {"highest order of the pressure that is kept of its points; what is finer is removed", "8"}),
           field("ring.free_shape", OptionalFileKind{member<&Case::ring, &Ring::free_shape>}, kNoUnit, {},
                 Need::kOptional, {},
                 {"CSV of the running surface of the free ring, angle [degree],radius [mm] from end to end about any "
