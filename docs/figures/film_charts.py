@@ -5,7 +5,7 @@ import math
 import ringfilm
 from shipped import case
 from chart import LEFT, RIGHT, Panel, Style, from_firing, legend, mark_synthetic, shown
-from svg import BLACK, BLUE, GREEN, METAL, OIL, ORANGE, RED, WIDTH, Picture, number
+from svg import BLACK, BLUE, GREEN, GREY, METAL, OIL, ORANGE, RED, WIDTH, Picture, number
 
 ACROSS = WIDTH - LEFT - RIGHT
 KEEPING, EXIT = Style(BLUE), Style(RED, "7 3")
@@ -360,6 +360,35 @@ def local_deformation():
     return picture
 
 
+def dynamic_bore():
+    """What the gas pressure adds to a bore at the end gap, and the thinnest film with and without it."""
+    moving, fixed = (case(f"distorted-bore/{name}.toml", solver__cells=60) for name in ("dynamic", "followed"))
+    picture = Picture("Deviation of a bore that the gas pressure bulges and thinnest film over the crank angle", 420)
+    mark_synthetic(picture)
+    styles = (Style(BLUE), Style(GREY, "5 3"))
+    legend(picture, LEFT, 20, list(zip(styles, ("with the dynamic part", "without"))), [210, 0])
+    span = (-90, 120)
+    ticks = range(-90, 121, 30)
+    top = Panel(picture, LEFT, 60, ACROSS, 120, span, (21, 26))
+    top.title("deviation of the bore's radius at the end of the ring [µm]")
+    top.y_axis("", range(21, 27))
+    top.x_axis("", ticks)
+    low = Panel(picture, LEFT, 240, ACROSS, 120, span, (0, 0.8))
+    low.title("thinnest film [µm]")
+    low.y_axis("", [0, 0.2, 0.4, 0.6, 0.8], zero=True)
+    low.x_axis("crank angle [degree], 0 at firing TDC", ticks)
+    for one, style in zip((moving, fixed), styles):
+        result = one.run()
+        data = result.to_xarray()
+        angle, bore = from_firing(data.field_crank_angle.values, data.strip_bore_deviation.values[:, 0])
+        top.curve(angle, [1e6 * value for value in bore], style, cut=True)
+        angle, film = from_firing(result.crank_angle, result.min_film_thickness)
+        low.curve(angle, [1e6 * value for value in film], style, cut=True)
+    for panel in (top, low):
+        panel.frame()
+    return picture
+
+
 PICTURES = {
     "film-states": film_states,
     "ring-film": ring_film,
@@ -370,4 +399,5 @@ PICTURES = {
     "convergence": convergence,
     "flow-factors": flow_factors,
     "local-deformation": local_deformation,
+    "dynamic-bore": dynamic_bore,
 }

@@ -1,5 +1,8 @@
 """Charts of the models: face, oil, contact."""
 
+import pathlib
+import tempfile
+
 import numpy
 import ringfilm
 
@@ -221,8 +224,48 @@ def closure():
     return picture
 
 
+def free_shape():
+    """Target pressure of the free ring of cases/distorted-bore, by points with noise and the length of smoothing."""
+    of_case = case("distorted-bore/followed.toml", ring__pressure_orders=[{"order": 2, "amplitude": 0.25}])
+    ring = ringfilm.conform(of_case)
+    mean = ring["tangential_force"]
+    noise = numpy.random.RandomState(5).normal(0, 0.1e-6, len(ring["free_radius"]))
+    picture = Picture("Target pressure around a ring by its measured free shape, smoothed over 80, 40 and 15 mm", 380)
+
+    panel = Panel(picture, LEFT, 62, ACROSS, 262, (0, 360), (0, 2))
+    panel.title("target pressure over its mean [1]; noise of the points: SYNTHETIC")
+    panel.y_axis("", [0, 0.5, 1, 1.5, 2])
+    panel.x_axis("angle from the middle of the gap [degree]", range(0, 361, 60))
+    entries = [(Style("#bbb", width=6), "made for")]
+    panel.curve(ring["angle"], ring["target_force"] / mean, Style("#bbb", width=6), cut=True)
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "free.csv"
+        rows = zip(ring["free_angle"], 1e3 * (ring["free_radius"] + noise))
+        path.write_text("angle [degree],radius [mm]\n" + "".join(f"{a:.9f},{r:.9f}\n" for a, r in rows))
+        for smoothing, style in (
+            ("80 mm", Style(BLUE)),
+            ("40 mm", Style(GREEN, "9 3")),
+            ("15 mm", Style(RED, "3 2", 1.2)),
+        ):
+            of_case.update(
+                {
+                    "ring.pressure_orders": None,
+                    "ring.elastic_pressure": None,
+                    "ring.free_shape": str(path),
+                    "ring.free_shape_smoothing": smoothing,
+                }
+            )
+            found = ringfilm.conform(of_case)
+            panel.curve(found["angle"], found["target_force"] / mean, style, cut=True)
+            entries.append((style, f"{smoothing}: ± {100 * found['pressure_deviation']:.2g} %"))
+    legend(picture, LEFT, 20, entries, [120, 190, 180, 0])
+    panel.frame()
+    return picture
+
+
 PICTURES = {
     "closure": closure,
+    "free-shape": free_shape,
     "faces": faces,
     "oil-viscosity": oil_viscosity,
     "contact-law": contact_law,

@@ -160,9 +160,35 @@ class FieldsForParaView(program.ProgramTest):
         # The last strip ends one gap before the circumference.
         self.assertAlmostEqual(max(y for _, y, _ in flat), math.pi * 0.089 - 0.0003, places=12)
 
-    def grid(self, folder):
-        """Points and film pressure of the second angle."""
-        piece = xml.etree.ElementTree.parse(self.folder / folder / "ring_0001.vts").find(".//Piece")
+    def test_a_ring_that_bends_has_its_separation_and_where_it_is_lifted_off(self):
+        case = str(program.SOURCES / "cases" / "distorted-bore" / "not-followed.toml")
+        settings = (
+            ("solver.cells", "24"),
+            ("solver.cells_y", "60"),
+            ("solver.crank_step", "4 degree"),
+            ("output.crank_angles", "4 degree"),
+            ("output.fields", '["180 degree", "360 degree"]'),
+            ("output.reduction", "none"),
+        )
+        options = [word for key, value in settings for word in ("--set", f"{key}={value}")]
+        self.run_well("run", case, *options, "--output", "bent.nc")
+        self.run_well("report", "bent.nc", "--vts", "fields", "--vts-shape", "plane")
+        points, film = self.grid("fields", "bent_0001", "film_thickness")
+        _, separation = self.grid("fields", "bent_0001", "strip_min_film_thickness")
+        _, lifted_off = self.grid("fields", "bent_0001", "strip_lifted_off")
+        self.assertEqual(len(points), 25 * 61)
+        for j in range(61):
+            strip = slice(25 * j, 25 * (j + 1))
+            (lowest,) = set(separation[strip])
+            # The lowest place of the face may lie between nodes.
+            self.assertAlmostEqual(lowest / min(film[strip]), 1, delta=0.05)
+            self.assertIn(set(lifted_off[strip]), ({0.0}, {1.0}))
+        around = lifted_off[25:-25]  # but for the ends of the ring
+        self.assertTrue(any(around) and not all(around))
+
+    def grid(self, folder, name="ring_0001", field="film_pressure"):
+        """Points and one field of an angle, the second one."""
+        piece = xml.etree.ElementTree.parse(self.folder / folder / f"{name}.vts").find(".//Piece")
 
         def numbers(array, letter, size):
             data = base64.b64decode(array.text)
@@ -171,7 +197,7 @@ class FieldsForParaView(program.ProgramTest):
 
         flat = numbers(piece.find("Points/DataArray"), "d", 8)
         return list(zip(flat[::3], flat[1::3], flat[2::3])), numbers(
-            piece.find("PointData/DataArray[@Name='film_pressure']"), "f", 4
+            piece.find(f"PointData/DataArray[@Name='{field}']"), "f", 4
         )
 
     def test_what_has_no_such_fields_is_refused(self):

@@ -37,3 +37,25 @@ def test_keys_of_the_bore_are_set_and_read():
         ringfilm.conform(case)
     with pytest.raises(TypeError):
         ringfilm.conform(5)
+
+
+def test_a_measured_free_shape_gives_back_its_pressure(tmp_path):
+    case = ringfilm.Case.read(str(FOLLOWED))
+    case["ring.pressure_orders"] = [{"order": 2, "amplitude": 0.25, "phase": "20 degree"}]
+    made_for = ringfilm.conform(case)
+    assert made_for["pressure_orders"] == [(2, pytest.approx(0.25), pytest.approx(20))]
+    rows = zip(made_for["free_angle"], 1e3 * made_for["free_radius"])
+    (tmp_path / "free.csv").write_text("angle [degree],radius [mm]\n" + "".join(f"{a:.8f},{r:.8f}\n" for a, r in rows))
+    case.update(
+        {
+            "ring.pressure_orders": None,
+            "ring.elastic_pressure": None,
+            "ring.free_shape": str(tmp_path / "free.csv"),
+            "ring.free_shape_smoothing": "40 mm",
+        }
+    )
+    found = ringfilm.conform(case)
+    assert found["tangential_force"] == pytest.approx(made_for["tangential_force"], rel=1e-3)
+    assert found["target_force"] == pytest.approx(made_for["target_force"], rel=1e-3)
+    assert found["free_shape_residual"] < 1e-8 and found["force_deviation"] < 1e-4
+    assert found["free_shape_orders"] == 6

@@ -6,6 +6,9 @@ import { pathToFileURL } from 'node:url';
 const { boreSvg, enlargement, hasBore } = await import(
   pathToFileURL(join(process.argv[2], 'src', 'cycle/bore_drawing.js')).href
 );
+const { boreFigure } = await import(
+  pathToFileURL(join(process.argv[2], 'src', 'measurement/bore_figure.js')).href
+);
 
 const tests = [];
 const test = (name, run) => tests.push({ name, run });
@@ -80,6 +83,42 @@ test('a round bore is not drawn', () => {
   assert.ok(hasBore(data));
   assert.ok(!hasBore(round));
   assert.ok(!hasBore({ ...data, strips: {} }));
+});
+
+test('a static closure is drawn with what of the ring is apart from the bore', () => {
+  const x = Array.from({ length: 361 }, (_, j) => j);
+  const bore = x.map((angle) => 8 * Math.cos((4 * Math.PI * angle) / 180));
+  const ring = bore.map((deviation, j) => deviation - (j > 100 && j < 140 ? 1.5 : 0));
+  const shape = {
+    name: 'bore_around',
+    series: [
+      { x, y: bore },
+      { x, y: ring },
+    ],
+  };
+  const figure = boreFigure({ curves: [{ name: 'clearance_around', series: [] }, shape] });
+  const { shapes } = figure.draw(420);
+  const [part, ...others] = paths(shapes.join(''), '#d1490a');
+  assert.equal(others.length, 0);
+  assert.equal(part.length, 39);
+  assert.match(figure.caption(), /by up to 1\.5\d* µm/);
+  assert.deepEqual(figure.columns()[3].values.slice(100, 102), [0, 1.5]);
+  assert.equal(boreFigure({ curves: [] }), null);
+  const round = x.map(() => 0);
+  assert.equal(
+    boreFigure({
+      curves: [
+        {
+          ...shape,
+          series: [
+            { x, y: round },
+            { x, y: round },
+          ],
+        },
+      ],
+    }),
+    null,
+  );
 });
 
 let failed = 0;

@@ -104,6 +104,27 @@ for (const width of [390, 1400]) {
   });
 }
 
+for (const width of [390, 1400]) {
+  test(`a ring is drawn in its bore at ${width} pixels`, async () => {
+    const { page, faults } = await opened('closure.html', width);
+    assert.equal(
+      await page.evaluate(() => document.documentElement.scrollWidth),
+      width,
+      'no sideways scrolling',
+    );
+    assert.equal(await page.textContent('.kind'), 'A ring in its bore');
+    const words = await page.locator('#ring-in-bore svg').first().textContent();
+    for (const word of ['largest clearance 1.5', 'gap', '90°', 'apart'])
+      assert.ok(words.includes(word), word);
+    const rows = (await downloaded(page, 'The ring in its bore as CSV')).split('\r\n');
+    assert.equal(rows[0], '"angle [degree]","bore [um]","ring [um]","clearance [um]"');
+    assert.equal(rows.length, 363); // a heading, 361 places and the end of the last line
+    assert.match(rows[91], /^90,8,6\.5,1\.5$/);
+    assert.deepEqual(faults, []);
+    await page.context().close();
+  });
+}
+
 test('missing points are grey, measured ones are not', async () => {
   const { page } = await opened('measurement.html', 1400);
   const pixels = await page.$eval('.map image', async (node) => {

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
 #include <iostream>
+#include <numbers>
+#include <utility>
 
 #include "example_document.hpp"
 #include "measurement_example.hpp"
@@ -11,6 +14,27 @@
 #include "study_example.hpp"
 
 namespace {
+
+/// A bore of order 4, 8 um, and a ring that is apart from it by 1.5 um over 40 degree.
+ringfilm::io::Measurement closure() {
+  using namespace ringfilm;
+  io::MeasuredCurve shape;
+  shape.name = "bore_around";
+  shape.title = "Bore and ring";
+  shape.x_axis = {"angle", "angle from the middle of the gap", "degree", "degree"};
+  shape.y_axis = {"deviation", "deviation of the radius", "m", "um"};
+  shape.series = {{"bore", "bore", {}}, {"ring", "ring", {}}};
+  for (int degree = 0; degree <= 360; ++degree) {
+    shape.x.push_back(degree);
+    shape.series[0].y.push_back(8e-6 * std::cos(4 * degree * std::numbers::pi / 180));
+    shape.series[1].y.push_back(shape.series[0].y.back() - (degree > 70 && degree < 110 ? 1.5e-6 : 0));
+  }
+  io::Measurement all;
+  all.kind = "conformity";
+  all.title = "Ring in its bore (made-up numbers)";
+  all.curves.push_back(std::move(shape));
+  return all;
+}
 
 /// A pack with the gas of formulas: piston land 2 at a tenth of the cylinder, a ring that rises from 200 to 300 degree.
 ringfilm::io::ResultDocument pack_with_gas() {
@@ -108,6 +132,8 @@ int main(int argc, char** argv) {
   hostile_surface.groups[0].values[0].remark = hostile_surface.tables[0].row_labels[0] = hostile.title;
   const bool hostile_surface_written =
       write("hostile_measurement.html", report::measurement_page(hostile_surface, units, {}));
+  const bool closure_written =
+      write("closure.html", report::measurement_page(closure(), units, {"ringfilm 0.0.0", "abc", "g++", ""}));
   bool studies_written = true;
   for (const auto& [name, page] :
        {std::pair{"study_uncertainty.html", example::uncertainty_page()},
@@ -116,7 +142,7 @@ int main(int argc, char** argv) {
         std::pair{"hostile_study.html", example::uncertainty_page(hostile.title)}})
     studies_written = write(name, page) && studies_written;
   return three_written && studies_written && around_written && hostile_written && coarse_written && pack_written &&
-                 bare_written && surface_written && hostile_surface_written
+                 bare_written && closure_written && surface_written && hostile_surface_written
              ? 0
              : 1;
 }

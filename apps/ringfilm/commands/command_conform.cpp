@@ -31,8 +31,10 @@ void conform(const ConformCommand& command) {
   const io::Measurement measurement = instrument::conformity_of_case(input, closure);
   if (command.outputs.csv) io::write_atomically(*command.outputs.csv, instrument::conformity_csv(closure));
   io::NamedRows rows = rows_of(measurement, instrument::kContactArcs);
-  const io::NamedRows forces = rows_of(measurement, instrument::kPointForces);
-  rows.insert(rows.end(), forces.begin(), forces.end());
+  for (const char* table : {instrument::kPointForces, instrument::kPressureOrders}) {
+    const io::NamedRows more = rows_of(measurement, table);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
   deliver(measurement, command.outputs, numbers_of(measurement),
           {{instrument::kContactPoints, lists_of(measurement, instrument::kContactPoints).front().second}}, rows);
 }

@@ -36,7 +36,9 @@ py::dict conform(const py::object& given) {
   const io::Measurement document = instrument::conformity_of_case(input, closure);
   py::dict of;
   of["title"] = document.title;
-  for (const auto& quantity : cycle::closure_quantities()) of[quantity.name.c_str()] = closure.values.*quantity.value;
+  for (const io::MeasuredGroup& group : document.groups) {
+    for (const io::MeasuredValue& value : group.values) of[value.name.c_str()] = value.value;
+  }
   for (const io::MeasuredTable& table : document.tables) {
     py::list rows;
     for (std::size_t i = 0; i < table.values.front().size(); ++i) {
@@ -63,8 +65,10 @@ case: a ringfilm.Case, or the path of a case file, in which keys of film and cyc
 
 Returns a dict in SI, angles in degrees from the middle of the gap: max_clearance, max_clearance_angle, open_area,
 contact_angle, mean_wall_force, share_in_points, moment_at_back, tangential_force, ..., contact_arcs as pairs,
-contact_points, point_forces as pairs of angle and force, and arrays around the ring: angle, bore, clearance,
-line_force, cumulative_force, moment. Raises InputError, ConvergenceError, TypeError.
+contact_points, point_forces as pairs of angle and force, pressure_orders as triples of order, amplitude over the mean
+and phase, and arrays around the ring: angle, bore, clearance, line_force, cumulative_force, moment, target_force,
+free_angle and free_radius of the free ring. With ring.free_shape also free_shape_smoothing, free_shape_orders,
+free_shape_residual, force_deviation and pressure_deviation. Raises InputError, ConvergenceError, TypeError.
 Source: docs/theory, eq-closure-complementarity.)");
 }
 

@@ -77,6 +77,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"cells-graded", kFull, kCase},
       {"accuracy-asked-for", kFull, kCase},
       {"conform-not-used", kFull, kCase},
+      {"free-shape-smoothed", kFull, kCase},
       {"properties-exact", kFull, kCase},
       {"beyond-property-fit", kFull, kOccurrences},
       {"bracketed-search", kFull, kOccurrences},

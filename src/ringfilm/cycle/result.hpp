@@ -174,7 +174,7 @@ struct UnrolledSample {
   double lifted_angle = 0;           ///< angle around the bore of these parts [degree]
   double max_clearance = 0;          ///< largest film thickness of all strips, each at its lowest place [m]
   double max_clearance_place = 0;    ///< where that is, from the middle of the gap [degree]
-  double gas_opening = 0;            ///< gap all around that gas passes like those parts, eq-face-flow; in no file [m]
+  double gas_opening = 0;        ///< gap all around that gas passes like these parts, eq-open-gas-path; in no file [m]
   double load_without_ends = 0;  ///< load carried likewise: the shares over the cycle are made of it; in no file [N]
   double friction_without_ends = 0;  ///< total friction likewise; in no file [N]
 };

@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/cycle/case/case_choices.hpp"
+#include "ringfilm/cycle/closure/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
 #include "ringfilm/models/contact/measured_flow.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
@@ -196,28 +197,13 @@ struct Coating {
   ContactModulus contact_modulus = ContactModulus::kCoating;  ///< whose modulus the contact spots feel
 };
 
-/// One term of a series around the bore, amplitude cos(order (angle - phase)).
-struct FourierTerm {
-  int order = 0;
-  double amplitude = 0;          ///< [unit of the key]
-  double phase_deg = 0;          ///< of a crest [degree]
-  std::optional<double> height;  ///< along the stroke, where the bore changes with it [m]
-};
-
-/// Deviation of the bore's radius on a grid, angles evenly spaced over one turn.
-struct BoreMap {
-  std::vector<double> height;                  ///< increasing [m]
-  double first_angle_deg = 0;                  ///< of each row [degree]
-  std::vector<std::vector<double>> deviation;  ///< a row of one height each [m]
-};
-
 /// The keys under `ring`.
 struct Ring {
   std::string name;               ///< for people; empty: its number
   double face_width = 0;          ///< b, along the cylinder's axis [m]
   double youngs_modulus = 203e9;  ///< E_1 [Pa]
   double poissons_ratio = 0.3;    ///< nu_1 [-]
-  // exactly one of: elastic_pressure | tangential_force | expander_force | (free_gap and radial_thickness)
+  // exactly one of: elastic_pressure | tangential_force | expander_force | (free_gap and radial_thickness) | free_shape
   std::optional<double> elastic_pressure;  ///< p_e, on the bore by the ring's own tension [Pa]
   std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
   /// Of an oil ring: tangential force of its expander, which its rails share; F_t = p_e n b B/2 [N].
@@ -241,8 +227,14 @@ struct Ring {
   RingGasPath gas_path;  ///< what the gas meets at the ring
   /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
   std::vector<FourierTerm> pressure_orders;
-  RingFace face;    ///< shape of the face across its width
-  Coating coating;  ///< absent unless its modulus is stated
+  std::optional<std::string> pressure_points;    ///< CSV of that pressure around the ring, as named
+  base::Shared<PressurePoints> pressure_around;  ///< of that file
+  int pressure_points_orders = 8;                ///< the highest order that is kept of it
+  std::optional<std::string> free_shape;         ///< CSV of the measured free ring, as named
+  base::Shared<FreeRing> free_ring;              ///< of that file
+  double free_shape_smoothing = 0;               ///< shortest wave around the ring that is kept of it [m]
+  RingFace face;                                 ///< shape of the face across its width
+  Coating coating;                               ///< absent unless its modulus is stated
 };
 
 /// The keys under `liner`.
@@ -254,13 +246,17 @@ struct Liner {
   double density = 7200;             ///< [kg/m3]
   double specific_heat = 490;        ///< [J/(kg K)]
   // out of roundness, for rings that bend: deviations of the radius that add up
-  std::vector<FourierTerm> distortion;          ///< of the cold bore [m]
-  std::vector<FourierTerm> thermal_distortion;  ///< by heat [m]
-  std::optional<std::string> distortion_map;    ///< CSV of the measured bore, as named
-  base::Shared<BoreMap> map;                    ///< of that file
-  int map_orders = 20;                          ///< the highest order that is kept of it
+  std::vector<FourierTerm> distortion;            ///< of the cold bore [m]
+  std::vector<FourierTerm> thermal_distortion;    ///< by heat [m]
+  std::optional<std::string> distortion_map;      ///< CSV of the measured bore, as named
+  base::Shared<BoreMap> map;                      ///< of that file
+  std::optional<std::string> dynamic_distortion;  ///< CSV of the part that changes over the cycle, as named
+  base::Shared<DynamicBore> dynamic;              ///< of that file
+  int map_orders = 20;                            ///< the highest order that is kept of both files
 
-  bool is_round() const { return distortion.empty() && thermal_distortion.empty() && !distortion_map; }
+  bool is_round() const {
+    return distortion.empty() && thermal_distortion.empty() && !distortion_map && !dynamic_distortion;
+  }
 };
 
 /// The keys under `conform`: the static closure of the ring in its bore.
@@ -550,7 +546,7 @@ struct Case {
   /// Is anything stated that only a ring that bends uses?
   bool has_closure() const {
     return bends() || problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
-           conform.gas_pressure > 0 || conform.height;
+           ring.pressure_points || ring.free_shape || conform.gas_pressure > 0 || conform.height;
   }
   /// Does the film of a pad enter out of gas, with a surface that moves that way?
   bool enters_out_of_gas(Direction direction) const {

@@ -161,6 +161,7 @@ void check_tension_range(const Case& c, Breaches& breaches) {
   if (p_e <= highest) return;
   const char* key = ring.tangential_force ? "ring.tangential_force"
                     : ring.expander_force ? "ring.expander_force"
+                    : ring.free_shape     ? "ring.free_shape"
                                           : "ring.free_gap";
   breaches.push_back({key,
                       std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
@@ -179,6 +180,7 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
   } else if (ring.free_gap) {
     ways.push_back({"ring.free_gap"});
   }
+  if (ring.free_shape) ways.push_back({"ring.free_shape", "ring.free_shape_smoothing"});
   std::vector<std::string> keys;
   for (const auto& way : ways) keys.push_back(way.front());
   return {ring.tangential_force ? "ring.tangential_force" : keys.back(),
@@ -188,18 +190,18 @@ RuleBreach tension_stated_twice(const Ring& ring, const std::string& remedy) {
 void check_tension(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
   const bool gap = ring.free_gap.has_value();  // the thickness alone is that of a ring that bends
-  const int stated =
-      (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (ring.expander_force ? 1 : 0) + (gap ? 1 : 0);
+  const int stated = (ring.elastic_pressure ? 1 : 0) + (ring.tangential_force ? 1 : 0) + (ring.expander_force ? 1 : 0) +
+                     (gap ? 1 : 0) + (ring.free_shape ? 1 : 0);
   const std::string ways =
-      "state one of ring.elastic_pressure, ring.tangential_force, ring.expander_force of an oil ring, or ring.free_gap "
-      "with ring.radial_thickness";
+      "state one of ring.elastic_pressure, ring.tangential_force, ring.expander_force of an oil ring, ring.free_gap "
+      "with ring.radial_thickness, or ring.free_shape";
   if (stated == 0) {
     breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
     breaches.push_back(tension_stated_twice(ring, ways));
   } else if (gap && !ring.radial_thickness) {
     breaches.push_back({"ring.radial_thickness", "ring.free_gap is stated without ring.radial_thickness", ways});
-  } else {
+  } else if (!ring.free_shape || shows_free_ring(c, breaches)) {
     check_tension_range(c, breaches);
   }
 }

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/closure/free_ring.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -62,15 +64,15 @@ void check_bore(const char* key, const std::vector<FourierTerm>& terms, const Ca
 /// Deviations of a map that small deflections about the closed ring may still follow, over the radius of the bore.
 constexpr double kLargestOfMap = 0.1;
 
-void check_map(const Case& c, Breaches& breaches) {
+void check_map(const char* key, const std::vector<std::vector<double>>& map, const Case& c, Breaches& breaches) {
   double most = 0;
-  for (const std::vector<double>& row : c.liner.map->deviation) {
+  for (const std::vector<double>& row : map) {
     for (const double deviation : row) most = std::max(most, std::abs(deviation));
   }
   if (most < kLargestOfMap * c.engine.bore / 2) return;
   breaches.push_back(
-      {"liner.distortion_map",
-       "liner.distortion_map deviates by " + in_mm(most) + " from a bore of the radius " + in_mm(c.engine.bore / 2) +
+      {key,
+       std::string(key) + " deviates by " + in_mm(most) + " from a bore of the radius " + in_mm(c.engine.bore / 2) +
            ", more than small deflections of a ring can follow",
        "the map has deviations of the radius, mostly below 0.1 mm, not the radius itself; check its unit"});
 }
@@ -135,7 +137,71 @@ void check_place(const Case& c, Breaches& breaches) {
   check_covered("liner.distortion_map", map, *c.conform.height, breaches);
 }
 
+/// Points of the pressure in place of its orders.
+void check_pressure_points(const Ring& ring, Breaches& breaches) {
+  if (!ring.pressure_points) return;
+  const char* key = "ring.pressure_points";
+  if (!ring.pressure_orders.empty() || ring.free_shape) {
+    breaches.push_back({key,
+                        std::string("the pressure of the ring is stated twice: ring.pressure_points and ") +
+                            (ring.free_shape ? "ring.free_shape" : "ring.pressure_orders"),
+                        "state one of them"});
+  }
+  const std::vector<double>& pressure = ring.pressure_around->pressure;
+  if (pressure.empty()) return;  // not read
+  double sum = 0;
+  for (const double one : pressure) sum += one;
+  if (!(sum > 0)) {
+    breaches.push_back({key, "the pressure of ring.pressure_points pulls the bore inwards all in all",
+                        "pressures that press on the bore are positive"});
+  }
+  const auto most = static_cast<int>((pressure.size() - 1) / 2);
+  if (ring.pressure_points_orders <= most) return;
+  breaches.push_back({"ring.pressure_points_orders",
+                      "ring.pressure_points_orders = " + std::to_string(ring.pressure_points_orders) +
+                          " is more than " + std::to_string(pressure.size()) + " points have",
+                      "take " + std::to_string(most) + " or fewer, or state more points"});
+}
+
+/// Orders of the pressure that a smoothing may leave; a line force of more would be noise.
+constexpr int kFewestOrders = 2, kMostOrders = 40;
+
 }  // namespace
+
+bool shows_free_ring(const Case& c, std::vector<RuleBreach>& breaches) {
+  const std::size_t before = breaches.size();
+  const Ring& ring = c.ring;
+  if (!ring.pressure_orders.empty()) {
+    breaches.push_back({"ring.pressure_orders",
+                        "the pressure of the ring is stated twice: ring.pressure_orders and ring.free_shape",
+                        "the free shape is that of one pressure; remove one of the two"});
+  }
+  if (!ring.radial_thickness) {
+    breaches.push_back({"ring.radial_thickness", "ring.free_shape is stated without ring.radial_thickness",
+                        "write, for example, radial_thickness = \"3.5 mm\" in [ring]", RuleBreach::By::kMissingKey});
+    return false;
+  }
+  if (!(ring.free_shape_smoothing > 0) || !(c.engine.bore > *ring.radial_thickness)) return false;  // refused elsewhere
+  const int orders = orders_of_free_ring(c);
+  if (orders < kFewestOrders || orders > kMostOrders) {
+    const double circumference = std::numbers::pi * (c.engine.bore - *ring.radial_thickness);
+    breaches.push_back({"ring.free_shape_smoothing",
+                        "ring.free_shape_smoothing = " + in_mm(ring.free_shape_smoothing) + " leaves " +
+                            std::to_string(orders) + " orders of the pressure",
+                        "state a length between " + in_mm(circumference / kMostOrders) + " and " +
+                            in_mm(circumference / kFewestOrders) +
+                            ": the shortest wave around the ring that is shape and not noise"});
+  }
+  if (breaches.size() > before || ring.free_ring->radius.empty()) return false;
+  try {
+    free_ring(c);
+  } catch (const InputError& error) {
+    for (const Fault& fault : error.faults()) {
+      breaches.push_back({"ring.free_shape", "ring.free_shape: " + fault.message, fault.remedy});
+    }
+  }
+  return breaches.size() == before;
+}
 
 void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   if (!(c.engine.bore > 0)) return;  // refused by its own range
@@ -143,10 +209,12 @@ void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   check_end_gap(c, breaches);
   check_bore("liner.distortion", c.liner.distortion, c, breaches);
   check_bore("liner.thermal_distortion", c.liner.thermal_distortion, c, breaches);
-  check_map(c, breaches);
+  if (c.liner.distortion_map) check_map("liner.distortion_map", c.liner.map->deviation, c, breaches);
+  if (c.liner.dynamic_distortion) check_map("liner.dynamic_distortion", c.liner.dynamic->deviation, c, breaches);
   check_heights("liner.distortion", c.liner.distortion, breaches);
   check_heights("liner.thermal_distortion", c.liner.thermal_distortion, breaches);
   check_place(c, breaches);
+  check_pressure_points(c.ring, breaches);
 }
 
 }  // namespace ringfilm::cycle

@@ -7,4 +7,7 @@ namespace ringfilm::cycle {
 /// left by its distortion, heights that are covered.
 void append_closure_breaches(const Case& c, std::vector<RuleBreach>& breaches);
 
+/// Rules of ring.free_shape, which must be stated. @returns whether its points were read and are a ring that closes
+bool shows_free_ring(const Case& c, std::vector<RuleBreach>& breaches);
+
 }  // namespace ringfilm::cycle

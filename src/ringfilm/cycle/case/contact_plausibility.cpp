@@ -45,7 +45,7 @@ void append_modulus_notes(const Case& c, std::vector<Note>& notes) {
     if (coating.youngs_modulus) append_modulus_note("ring.coating.youngs_modulus", *coating.youngs_modulus, notes);
     append_modulus_note("liner.youngs_modulus", c.liner.youngs_modulus, notes);
   }
-  if (!c.contact.composite_modulus || c.ring.free_gap) {
+  if (!c.contact.composite_modulus || c.ring.free_gap || c.ring.free_shape) {
     append_modulus_note("ring.youngs_modulus", c.ring.youngs_modulus, notes);
   }
 }

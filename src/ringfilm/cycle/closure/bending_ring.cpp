@@ -1,9 +1,11 @@
 #include "ringfilm/cycle/closure/bending_ring.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "ringfilm/cycle/closure/static_closure.hpp"
+#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 
 namespace ringfilm::cycle {
@@ -34,6 +36,21 @@ std::vector<double> heights_of_stroke(const Case& c) {
   return heights;
 }
 
+/// Two neighbours in a cycle, and how far from the first towards the second.
+struct Between {
+  std::size_t first, second;
+  double share;
+};
+
+Between sections_at(const std::vector<double>& angle, double crank_angle_deg) {
+  const std::size_t n = angle.size();
+  const auto above = std::upper_bound(angle.begin(), angle.end(), crank_angle_deg);
+  const std::size_t second = static_cast<std::size_t>(above - angle.begin()) % n, first = (second + n - 1) % n;
+  const auto from_first = [&](double to) { return std::fmod(to - angle[first] + kCycleDeg, kCycleDeg); };
+  const double step = n == 1 ? kCycleDeg : from_first(angle[second]);
+  return {first, second, from_first(crank_angle_deg) / step};
+}
+
 }  // namespace
 
 BendingRing::BendingRing(const Case& c, const film::CircumferentialGrid& around)
@@ -48,16 +65,43 @@ BendingRing::BendingRing(const Case& c, const film::CircumferentialGrid& around)
   }
   if (heights_.empty()) force_.push_back(elements_.force_of_shape(bore_at(0)));
   for (const double height : heights_) force_.push_back(elements_.force_of_shape(bore_at(height)));
+  append_dynamic_forces();
+}
+
+/// Each order once, whose shares in the sections add up.
+void BendingRing::append_dynamic_forces() {
+  for (const models::FourierSeries& section : dynamic_deviations(case_)) {
+    dynamic_.push_back(section.turned(case_.ring.gap_position_deg * pi / 180));
+    dynamic_force_.emplace_back(2 * elements_.phi().size(), 0.0);
+  }
+  const std::size_t n_orders = dynamic_.empty() ? 0 : dynamic_.front().orders().size();
+  for (std::size_t k = 0; k < n_orders; ++k) {
+    const int n = dynamic_.front().orders()[k].order;
+    for (const double phase : {0.0, pi / (2 * std::max(n, 1))}) {
+      const std::vector<double> unit = elements_.force_of_shape(models::FourierSeries({{n, 1, phase}}));
+      for (std::size_t i = 0; i < dynamic_.size(); ++i) {
+        const models::FourierOrder& one = dynamic_[i].orders()[k];
+        const double share = one.amplitude * (phase == 0 ? std::cos(n * one.phase) : std::sin(n * one.phase));
+        for (std::size_t j = 0; j < unit.size(); ++j) dynamic_force_[i][j] += share * unit[j];
+      }
+    }
+  }
 }
 
 models::FourierSeries BendingRing::bore_at(double below_tdc) const {
   return bore_deviation(case_, below_tdc).turned(case_.ring.gap_position_deg * pi / 180);
 }
 
-std::vector<double> BendingRing::bore_at_strips(double below_tdc) const {
+std::vector<double> BendingRing::bore_at_strips(double below_tdc, double crank_angle_deg) const {
   const models::FourierSeries bore = bore_at(below_tdc);
   std::vector<double> at;
   for (std::size_t j = 0; j < target_.size(); ++j) at.push_back(bore(elements_.phi()[j + first_node_]));
+  if (dynamic_.empty()) return at;
+  const Between now = sections_at(case_.liner.dynamic->crank_angle_deg, crank_angle_deg);
+  for (std::size_t j = 0; j < at.size(); ++j) {
+    const double phi = elements_.phi()[j + first_node_];
+    at[j] += (1 - now.share) * dynamic_[now.first](phi) + now.share * dynamic_[now.second](phi);
+  }
   return at;
 }
 
@@ -66,16 +110,22 @@ film::ElasticRing BendingRing::elastic_ring() const {
   return {first_node_, elements_.stiffness()};
 }
 
-void BendingRing::press(double below_tdc, film::Film2dInputs& inputs) const {
+void BendingRing::press(double below_tdc, double crank_angle_deg, film::Film2dInputs& inputs) const {
   inputs.strip_loads.clear();
   for (const double share : target_) inputs.strip_loads.push_back(inputs.strip.load + elastic_load_ * (share - 1));
   const auto above = std::upper_bound(heights_.begin(), heights_.end(), below_tdc);
   const auto next = static_cast<std::size_t>(above - heights_.begin());
   inputs.bore_force = force_[std::min(next, force_.size() - 1)];
-  if (next == 0 || next == heights_.size()) return;
-  const double share = (below_tdc - heights_[next - 1]) / (heights_[next] - heights_[next - 1]);
+  if (next > 0 && next < heights_.size()) {
+    const double share = (below_tdc - heights_[next - 1]) / (heights_[next] - heights_[next - 1]);
+    for (std::size_t i = 0; i < inputs.bore_force.size(); ++i) {
+      inputs.bore_force[i] = (1 - share) * force_[next - 1][i] + share * force_[next][i];
+    }
+  }
+  if (dynamic_.empty()) return;
+  const Between now = sections_at(case_.liner.dynamic->crank_angle_deg, crank_angle_deg);
   for (std::size_t i = 0; i < inputs.bore_force.size(); ++i) {
-    inputs.bore_force[i] = (1 - share) * force_[next - 1][i] + share * force_[next][i];
+    inputs.bore_force[i] += (1 - now.share) * dynamic_force_[now.first][i] + now.share * dynamic_force_[now.second][i];
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/closure/free_ring.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/models/ring.hpp"
 
@@ -52,13 +53,18 @@ Sections sections_of(const std::vector<FourierTerm>& terms) {
   return all;
 }
 
-Sections sections_of(const BoreMap& map, int last_order) {
-  Sections all{map.height, {}};
-  for (const std::vector<double>& row : map.deviation) {
+std::vector<FourierSeries> series_of(const std::vector<std::vector<double>>& rows, double first_angle_deg,
+                                     int last_order) {
+  std::vector<FourierSeries> all;
+  for (const std::vector<double>& row : rows) {
     const int last = std::min(last_order, static_cast<int>((row.size() - 1) / 2));
-    all.series.push_back(models::fourier_series(row, in_rad(map.first_angle_deg), last));
+    all.push_back(models::fourier_series(row, in_rad(first_angle_deg), last));
   }
   return all;
+}
+
+Sections sections_of(const BoreMap& map, int last_order) {
+  return {map.height, series_of(map.deviation, map.first_angle_deg, last_order)};
 }
 
 /// Straight between two sections.
@@ -85,6 +91,16 @@ void append_terms(const std::vector<FourierTerm>& terms, std::optional<double> h
   } else {
     append_scaled(series_of(terms, std::nullopt), 1, orders);
   }
+}
+
+/// Over their mean; what they have of order 1 is not in balance, and that of the projection takes its place.
+FourierSeries orders_of_points(const Ring& ring) {
+  const PressurePoints& points = *ring.pressure_around;
+  const FourierSeries all =
+      models::fourier_series(points.pressure, in_rad(points.first_angle_deg), ring.pressure_points_orders);
+  std::vector<FourierOrder> orders(all.orders().begin() + 2, all.orders().end());
+  for (FourierOrder& one : orders) one.amplitude /= all.orders().front().amplitude;
+  return FourierSeries(std::move(orders));
 }
 
 /// Where a ring of this length opens when it bends by -M_w/(E I), to first order along the tangent at the gap.
@@ -182,6 +198,11 @@ FourierSeries bore_deviation(const Case& c, std::optional<double> height) {
   return FourierSeries(std::move(orders));
 }
 
+std::vector<FourierSeries> dynamic_deviations(const Case& c) {
+  if (!c.liner.dynamic_distortion) return {};
+  return series_of(c.liner.dynamic->deviation, c.liner.dynamic->first_angle_deg, c.liner.map_orders);
+}
+
 std::vector<double> bore_heights(const Case& c) {
   std::set<double> heights;
   for (const auto* terms : {&c.liner.distortion, &c.liner.thermal_distortion}) {
@@ -189,16 +210,21 @@ std::vector<double> bore_heights(const Case& c) {
       if (term.height) heights.insert(*term.height);
     }
   }
-  if (c.liner.map->height.size() > 1) heights.insert(c.liner.map->height.begin(), c.liner.map->height.end());
+  if (c.liner.distortion_map && c.liner.map->height.size() > 1)
+    heights.insert(c.liner.map->height.begin(), c.liner.map->height.end());
   return {heights.begin(), heights.end()};
 }
 
 models::RingBeam ring_beam(const Case& c) {
-  const double F_t =
+  models::RingBeamSize size = beam_size(c);
+  if (c.ring.free_shape) {
+    const models::FreeShapeFit fit = free_ring(c);
+    size.tangential_force = fit.tangential_force;
+    return {size, fit.pressure_orders};
+  }
+  size.tangential_force =
       models::tangential_force_from_elastic_pressure(elastic_pressure(c), c.ring.face_width, c.engine.bore);
-  return {{c.engine.bore, c.ring.face_width, c.ring.radial_thickness.value(), c.ring.youngs_modulus, F_t,
-           c.ring.end_gap.value_or(0)},
-          series_of(c.ring.pressure_orders, std::nullopt)};
+  return {size, c.ring.pressure_points ? orders_of_points(c.ring) : series_of(c.ring.pressure_orders, std::nullopt)};
 }
 
 StaticClosure static_closure(const Case& whole) {
@@ -209,7 +235,9 @@ StaticClosure static_closure(const Case& whole) {
   models::RingClosure closure(models::RingAtWall(beam, bore, gas));
   const ClosureValues values = values_of(c, closure);
   std::vector<std::string> notes = closure_notes(c, bore, closure);
-  return {std::move(closure), values, std::move(notes)};
+  std::optional<models::FreeShapeFit> shape;
+  if (c.ring.free_shape) shape = free_ring(c);
+  return {std::move(closure), values, std::move(shape), std::move(notes)};
 }
 
 }  // namespace ringfilm::cycle

@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/cycle/result.hpp"
+#include "ringfilm/models/conformity/free_shape.hpp"
 #include "ringfilm/models/conformity/ring_closure.hpp"
 
 /// The ring of a case in its bore without film (docs/theory/conformity.md).
@@ -34,17 +36,22 @@ const std::vector<ClosureQuantity>& closure_quantities();  ///< in the order of 
 struct StaticClosure {
   models::RingClosure ring;  ///< angles from the middle of the gap [rad]
   ClosureValues values;
-  std::vector<std::string> notes;  ///< on models used outside their range
+  std::optional<models::FreeShapeFit> free_shape;  ///< where ring.free_shape is stated
+  std::vector<std::string> notes;                  ///< on models used outside their range
 };
 
 /// Deviation of the bore's radius around the bore, all its parts together [m over rad]. @param height along the stroke;
 /// without a meaning where the bore does not change [m]. Throws InputError where the bore is not known.
 models::FourierSeries bore_deviation(const Case& c, std::optional<double> height);
 
+/// What the cycle adds to it at each crank angle of liner.dynamic_distortion, all of the same orders; empty where that
+/// is not stated [m over rad].
+std::vector<models::FourierSeries> dynamic_deviations(const Case& c);
+
 /// Heights of the sections by which the bore is known, rising; empty where it does not change [m].
 std::vector<double> bore_heights(const Case& c);
 
-/// The ring as a beam.
+/// The ring as a beam; with the target pressure of its free shape, where that is stated.
 models::RingBeam ring_beam(const Case& c);
 
 /// Solves the contact of ring and bore. Of a pack the first ring. Throws InputError, ConvergenceError.

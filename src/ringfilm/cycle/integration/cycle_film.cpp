@@ -105,7 +105,7 @@ film::Film2dInputs film2d_inputs(const film::FilmInputs& inputs) {
 
 film::Film2dInputs CycleFilm::film2d_inputs(const RingConditions& at) const {
   film::Film2dInputs inputs = cycle::film2d_inputs(at.inputs);
-  if (ring_) ring_->press(at.below_tdc, inputs);
+  if (ring_) ring_->press(at.below_tdc, at.crank_angle_deg, inputs);
   return inputs;
 }
 

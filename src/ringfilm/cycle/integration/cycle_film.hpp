@@ -51,7 +51,7 @@ class CycleFilm {
   /// Radius of the bore at each strip over that of the round one; empty for a ring that does not bend, whose bore is
   /// taken as round [m].
   std::vector<double> bore_at_strips(const RingConditions& at) const {
-    return ring_ ? ring_->bore_at_strips(at.below_tdc) : std::vector<double>();
+    return ring_ ? ring_->bore_at_strips(at.below_tdc, at.crank_angle_deg) : std::vector<double>();
   }
 
   /// By how much the separation of a strip exceeds h_m: that of a ring that bends [m].

@@ -48,6 +48,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   RingConditions at;
   at.axis = turned ? Axis::kFromCrankcase : Axis::kFromChamber;
   at.piston_velocity = U;
+  at.crank_angle_deg = angle;
   at.below_tdc = setup.engine.crank.position(radians(angle));
   at.inputs.U = turned ? -U : U;
   film::EdgeState chamber{above}, crankcase{below};

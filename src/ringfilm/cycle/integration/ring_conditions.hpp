@@ -19,6 +19,7 @@ struct RingConditions {
   film::FilmInputs inputs;  ///< speed, edges, oil and load of its film
   Axis axis = Axis::kFromChamber;
   double piston_velocity = 0;   ///< positive towards TDC [m/s]
+  double crank_angle_deg = 0;   ///< within [0, 720) [degree]
   double below_tdc = 0;         ///< where the ring is on its stroke [m]
   double film_temperature = 0;  ///< [K]
   double oil_ahead = 0;         ///< on the liner ahead of an inlet that is not flooded; 0: flooded [kg/m2]

@@ -13,6 +13,7 @@
 #include "ringfilm/cycle/case/case_face.hpp"
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/closure/free_ring.hpp"
 #include "ringfilm/cycle/integration/contact_setup.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/integration/land_pressure.hpp"
@@ -89,12 +90,28 @@ void append_bore_note(const Case& c, std::vector<Note>& notes) {
     }
     return;
   }
-  if (c.liner.is_round() && c.ring.pressure_orders.empty() && !(c.conform.gas_pressure > 0)) return;
-  notes.push_back({"bore-taken-as-round",
-                   "liner.distortion, ring.pressure_orders and [conform] are not used: film and friction are those of "
-                   "a ring that fits a round bore with uniform pressure; film.dimension = \"unrolled\" with "
-                   "ring.conformity = \"beam\" computes the ring in this bore",
-                   1});
+  if (c.liner.is_round() && c.ring.pressure_orders.empty() && !c.ring.pressure_points && !c.ring.free_shape &&
+      !(c.conform.gas_pressure > 0))
+    return;
+  notes.push_back(
+      {"bore-taken-as-round",
+       "liner.distortion, the orders of the ring's pressure and [conform] are not used: film and friction are those of "
+       "a ring that fits a round bore with uniform pressure; film.dimension = \"unrolled\" with "
+       "ring.conformity = \"beam\" computes the ring in this bore",
+       1});
+}
+
+void append_free_shape_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.ring.free_shape) return;
+  const models::FreeShapeFit fit = free_ring(c);
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "ring.free_shape is smoothed over %.3g mm: its points lie %.3g um (rms) from the shape that is left, "
+                "and by that scatter the tangential force of %.4g N is known to %.2g %%, the pressure around the ring "
+                "to %.2g %% of its mean (one standard deviation)",
+                1e3 * c.ring.free_shape_smoothing, 1e6 * fit.residual, fit.tangential_force, 100 * fit.force_deviation,
+                100 * fit.pressure_deviation);
+  notes.push_back({"free-shape-smoothed", text, 1});
 }
 
 void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
@@ -131,6 +148,7 @@ Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
   const double p_e = elastic_pressure(c);
   append_tension_note(p_e, oil.notes);
   append_bore_note(c, oil.notes);
+  append_free_shape_note(c, oil.notes);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands));
   sort_notes(oil.notes);
   film::FactorLaws factors = factor_laws(c, roughness(c), oil.setup.thinning);
@@ -184,6 +202,9 @@ double elastic_pressure(const Case& c) {
   if (r.elastic_pressure) return *r.elastic_pressure;
   if (const auto& force = r.tangential_force ? r.tangential_force : r.expander_force) {
     return models::elastic_pressure_from_tangential_force(*force, r.rails * r.face_width, c.engine.bore);
+  }
+  if (r.free_shape) {
+    return models::elastic_pressure_from_tangential_force(free_ring(c).tangential_force, r.face_width, c.engine.bore);
   }
   return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
                                                 c.engine.bore);

@@ -47,10 +47,9 @@ std::optional<std::vector<CycleResult>> films(const Case& c, Observer* observer)
   return results;
 }
 
-/// Gap over the face that gas passes all around [m]. Where a ring that bends is lifted off, the gap is taken as free of
-/// oil.
-double gas_opening(const CycleResult& film, std::size_t k) {
-  if (!film.unrolled_samples.empty()) return film.unrolled_samples[k].gas_opening;
+/// Gap over the face that gas passes all around, eq-face-flow [m]; of a ring that bends eq-open-gas-path.
+double gas_opening(const Case& ring, const CycleResult& film, std::size_t k) {
+  if (ring.bends()) return film.unrolled_samples[k].gas_opening;
   return film.samples[k].gas_breakthrough > 0 ? film.samples[k].min_film_thickness : 0;
 }
 
@@ -60,7 +59,7 @@ void open_face(Case& ring, const CycleResult& film, bool is_first) {
   const double share = is_first ? 1 : 0.5;
   opening.resize(film.samples.size(), 0.0);
   for (std::size_t k = 0; k < opening.size(); ++k) {
-    opening[k] += share * (gas_opening(film, k) - opening[k]);
+    opening[k] += share * (gas_opening(ring, film, k) - opening[k]);
   }
 }
 

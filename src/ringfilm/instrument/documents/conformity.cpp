@@ -44,7 +44,17 @@ void append_arcs(const models::RingClosure& ring, io::Measurement& all) {
   for (const models::PointForce& one : ring.point_forces()) {
     add_row(forces, "", std::vector<double>{degrees(one.phi), one.force});
   }
-  for (io::MeasuredTable* table : {&arcs, &points, &forces}) {
+  io::MeasuredTable orders{kPressureOrders, "Orders of the target pressure", {}, {}, {}};
+  add_column(orders, "order", "periods around the ring", "n", "1", "1");
+  add_column(orders, "amplitude", "amplitude over the mean pressure", "alpha_n", "1", "1");
+  add_column(orders, "phase", "angle of a crest from the middle of the gap", "phi_n", "degree", "degree");
+  const models::FourierSeries& target = ring.ring().beam().target_force();
+  for (const models::FourierOrder& one : target.orders()) {
+    if (one.order < 2) continue;
+    const double mean = ring.ring().beam().size().tangential_force;
+    add_row(orders, "", std::vector<double>{1.0 * one.order, one.amplitude / mean, degrees(one.phase)});
+  }
+  for (io::MeasuredTable* table : {&arcs, &points, &forces, &orders}) {
     table->row_labels.clear();
     all.tables.push_back(std::move(*table));
   }
@@ -98,6 +108,26 @@ void append_curves(const models::RingClosure& ring, io::Measurement& all) {
   for (io::MeasuredCurve* curve : {&clearance, &shape, &force, &moment}) all.curves.push_back(std::move(*curve));
 }
 
+/// What was removed of a measured free shape, and how sure the pressure of the rest is.
+io::MeasuredGroup free_shape_group(const cycle::Case& c, const models::FreeShapeFit& fit) {
+  io::MeasuredGroup group{"Free shape", {}};
+  const auto add = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
+                       const char* display_unit, double value) {
+    group.values.push_back(value_of(name, long_name, symbol, unit, display_unit, value, ""));
+  };
+  add("free_shape_smoothing", "shortest wave around the ring that is kept", "lambda_s", "m", "mm",
+      c.ring.free_shape_smoothing);
+  add("free_shape_orders", "highest order of the target pressure", "N", "1", "1",
+      1.0 * fit.pressure_orders.orders().back().order);
+  add("free_shape_residual", "rms distance of the measured points from the smoothed shape", "d", "m", "um",
+      fit.residual);
+  add("force_deviation", "standard deviation of the tangential force by that scatter, over it", "s_F", "1", "%",
+      fit.force_deviation);
+  add("pressure_deviation", "the same of the target pressure, rms around the ring, over its mean", "s_w", "1", "%",
+      fit.pressure_deviation);
+  return group;
+}
+
 std::string exact(double value) { return fmt::format("{}", value + 0.0); }
 
 }  // namespace
@@ -110,7 +140,8 @@ io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::Static
   for (const cycle::InputFile& file : c.files) all.sources.push_back(file.role + ": " + file.path);
   const models::RingBeam& beam = closure.ring.ring().beam();
   all.statements = {
-      "static closure: thin curved beam, rigid wall without friction, small deflections about the closed ring",
+      "static closure: thin curved beam, rigid wall without friction, small deflections about the closed ring; what "
+      "the cycle adds to the bore is zero",
       "angles count from the middle of the gap in the direction of theta",
       fmt::format("target pressure: its mean and its orders, and {:.3g} % of order 1 that balance it on a ring with an "
                   "end gap of {:.4g} mm",
@@ -124,6 +155,7 @@ io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::Static
         value_of(one.name, one.long_name, one.symbol, one.unit, one.display_unit, closure.values.*one.value, ""));
   }
   all.groups.push_back(std::move(group));
+  if (closure.free_shape) all.groups.push_back(free_shape_group(c, *closure.free_shape));
   all.key_values = {"max_clearance", "open_area", "contact_angle"};
   append_arcs(closure.ring, all);
   append_curves(closure.ring, all);
@@ -132,12 +164,25 @@ io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::Static
 
 std::vector<ClosureColumn> closure_columns(const cycle::StaticClosure& closure) {
   const models::RingClosure& ring = closure.ring;
-  std::vector<ClosureColumn> columns = {{"angle", "degree", {}},       {"bore", "m", {}},
-                                        {"clearance", "m", {}},        {"line_force", "N/rad", {}},
-                                        {"cumulative_force", "N", {}}, {"moment", "N m", {}}};
+  std::vector<ClosureColumn> columns = {
+      {"angle", "degree", {}},       {"bore", "m", {}},     {"clearance", "m", {}},        {"line_force", "N/rad", {}},
+      {"cumulative_force", "N", {}}, {"moment", "N m", {}}, {"target_force", "N/rad", {}}, {"free_angle", "degree", {}},
+      {"free_radius", "m", {}}};
+  const models::RingBeam& beam = ring.ring().beam();
+  const std::vector<models::ShapePoint> free = models::free_shape(beam, places(ring));
+  std::size_t i = 0;
   for (const double phi : places(ring)) {
-    const double row[] = {degrees(phi),         ring.ring().bore()(phi), ring.clearance(phi),
-                          ring.line_force(phi), ring.force_up_to(phi),   ring.moment(phi)};
+    const models::ShapePoint& point = free[i++];
+    const double free_angle = std::fmod(degrees(std::atan2(point.y, point.x)) + 360, 360);
+    const double row[] = {degrees(phi),
+                          ring.ring().bore()(phi),
+                          ring.clearance(phi),
+                          ring.line_force(phi),
+                          ring.force_up_to(phi),
+                          ring.moment(phi),
+                          beam.target_force()(phi),
+                          free_angle,
+                          std::hypot(point.x, point.y)};
     for (std::size_t k = 0; k < columns.size(); ++k) columns[k].values.push_back(row[k]);
   }
   return columns;

@@ -17,15 +17,17 @@ struct ClosureColumn {
 };
 
 /// Angle, deviation of the bore, clearance, line force without point forces, force of the wall up to there, bending
-/// moment.
+/// moment; target force, and the running surface of the free ring in polar coordinates about the centre of the closed
+/// one.
 std::vector<ClosureColumn> closure_columns(const cycle::StaticClosure& closure);
 
 /// These columns as text, one row a place.
 std::string conformity_csv(const cycle::StaticClosure& closure);
 
-/// The names of the tables of contact_of_case's arcs and point forces.
+/// The names of the tables of conformity_of_case.
 inline constexpr const char* kContactArcs = "contact_arcs";
 inline constexpr const char* kContactPoints = "contact_points";
 inline constexpr const char* kPointForces = "point_forces";
+inline constexpr const char* kPressureOrders = "pressure_orders";
 
 }  // namespace ringfilm::instrument

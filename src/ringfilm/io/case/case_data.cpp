@@ -8,6 +8,7 @@
 #include "ringfilm/io/case/trace_file.hpp"
 #include "ringfilm/io/measurement/bore_map_file.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
+#include "ringfilm/io/measurement/free_shape_file.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
 #include "ringfilm/io/storage/shipped_pairs.hpp"
 
@@ -106,7 +107,30 @@ std::vector<DataFile> data_files(const Case& c, const Units& units) {
            return {bore.sha256, bore.notes};
          }});
   }
+  if (c.ring.pressure_points) {
+    files.push_back(
+        {"ring.pressure_points", *c.ring.pressure_points, [&units](const NamedFile& file, Case& to) -> ReadData {
+           PressurePointsFile points = read_pressure_points(file, units);
+           to.ring.pressure_around = std::move(points.points);
+           return {points.sha256, points.notes};
+         }});
+  }
+  if (c.ring.free_shape) {
+    files.push_back({"ring.free_shape", *c.ring.free_shape, [&units](const NamedFile& file, Case& to) -> ReadData {
+                       FreeShapeFile shape = read_free_shape(file, units);
+                       to.ring.free_ring = std::move(shape.ring);
+                       return {shape.sha256, shape.notes};
+                     }});
+  }
   if (c.problem == cycle::Problem::kClosure) return files;
+  if (c.liner.dynamic_distortion) {
+    files.push_back({"liner.dynamic_distortion", *c.liner.dynamic_distortion,
+                     [&units](const NamedFile& file, Case& to) -> ReadData {
+                       DynamicBoreFile bore = read_dynamic_bore(file, units);
+                       to.liner.dynamic = std::move(bore.dynamic);
+                       return {bore.sha256, bore.notes};
+                     }});
+  }
   append_gas_files(c.gas, units, files);
   append_land_file("ring.pressure_above", &cycle::Ring::pressure_above, c.ring, units, files);
   append_land_file("ring.pressure_below", &cycle::Ring::pressure_below, c.ring, units, files);

@@ -81,7 +81,8 @@ bool moves_files(const Field& field, const Case& c) {
   return !is_number &&
          (field.key.rfind("gas.", 0) == 0 || field.key.rfind("ring.pressure_", 0) == 0 ||
           field.key.rfind("ring.face.", 0) == 0 || field.key == kOil + "table" || field.key == "liner.distortion_map" ||
-          field.key == "contact.law" || field.key == "contact.model" || field.key == "contact.friction_pair");
+          field.key == "liner.dynamic_distortion" || field.key == "ring.free_shape" || field.key == "contact.law" ||
+          field.key == "contact.model" || field.key == "contact.friction_pair");
 }
 
 bool is_data_role(const std::string& role) { return role != "case" && role != "include" && role != kOil + "file"; }

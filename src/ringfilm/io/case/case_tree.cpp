@@ -25,7 +25,11 @@ const char* const kOilGrade = "lubricant.grade";
 using Ways = std::vector<std::vector<std::string>>;
 /// Of these a case states one way. The first key of a way decides.
 const std::vector<Ways> kWays = {
-    {{"ring.elastic_pressure"}, {"ring.tangential_force"}, {"ring.expander_force"}, {"ring.free_gap"}},
+    {{"ring.elastic_pressure"},
+     {"ring.tangential_force"},
+     {"ring.expander_force"},
+     {"ring.free_gap"},
+     {"ring.free_shape", "ring.free_shape_smoothing"}},
     {{"pad.separation", "pad.oscillation.amplitude", "pad.oscillation.period", "pad.oscillation.phase"},
      {"pad.load"},
      {"pad.separation_history"}},

@@ -61,19 +61,23 @@ std::vector<double> points(const cycle::UnrolledFields& fields, VtsShape shape) 
   return points;
 }
 
+/// @param n_across values of a strip: one for each node, or one for all
 std::vector<float> drawn_values(const cycle::UnrolledFields& fields, const cycle::UnrolledField& field,
-                                std::size_t angle) {
+                                std::size_t angle, std::size_t n_across) {
   const std::vector<float>& all = fields.*field.values;
-  const std::size_t n_nodes = fields.x.size() * fields.y.size();
-  if (all.size() != n_nodes * fields.crank_angle_deg.size()) {
-    throw InputError(
-        fmt::format("{} has {} values, not one for each of {} crank angles, {} strips and {} nodes", field.name,
-                    all.size(), fields.crank_angle_deg.size(), fields.y.size(), fields.x.size()),
-        "the result is damaged; run its case again");
+  const std::size_t n_values = n_across * fields.y.size();
+  if (all.size() != n_values * fields.crank_angle_deg.size()) {
+    throw InputError(fmt::format("{} has {} values, not one for each of {} crank angles, {} strips and {} nodes",
+                                 field.name, all.size(), fields.crank_angle_deg.size(), fields.y.size(), n_across),
+                     "the result is damaged; run its case again");
   }
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(angle * n_nodes);
-  std::vector<float> values(begin, begin + static_cast<std::ptrdiff_t>(n_nodes));
-  if (is_closed(fields)) values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(fields.x.size()));
+  const std::size_t repeats = fields.x.size() / n_across;
+  std::vector<float> values;
+  for (std::size_t k = 0; k < n_values; ++k) values.insert(values.end(), repeats, all[angle * n_values + k]);
+  if (is_closed(fields)) {
+    const std::vector<float> first(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(fields.x.size()));
+    values.insert(values.end(), first.begin(), first.end());
+  }
   return values;
 }
 
@@ -154,9 +158,14 @@ std::string vts_text(const cycle::UnrolledFields& fields, std::size_t angle, Vts
       "<Piece Extent=\"{0}\">\n"
       "<PointData Scalars=\"film_pressure\">\n",
       extent, fields.crank_angle_deg[angle]);
-  for (const cycle::UnrolledField& field : cycle::unrolled_fields()) {
+  const auto append = [&](const cycle::UnrolledField& field, std::size_t n_across) {
     text += fmt::format("<DataArray type=\"Float32\" Name=\"{}\" format=\"binary\">{}</DataArray>\n", field.name,
-                        inline_array(drawn_values(fields, field, angle)));
+                        inline_array(drawn_values(fields, field, angle, n_across)));
+  };
+  for (const cycle::UnrolledField& field : cycle::unrolled_fields()) append(field, fields.x.size());
+  // Of a ring that bends the bore and where it leaves it: each strip has one value, which all of its nodes repeat.
+  if (!fields.strip_bore_deviation.empty()) {
+    for (const cycle::UnrolledField& field : cycle::strip_fields()) append(field, 1);
   }
   text += fmt::format(
       "</PointData>\n"

@@ -14,7 +14,7 @@ enum class VtsShape {
 };
 
 /// One structured grid: x runs fastest, then y; a closed ring repeats its first strip at its end. Point data as the
-/// fields are named, Float32, SI; points Float64 [m].
+/// fields are named, Float32, SI, of a ring that bends those by strip, too; points Float64 [m].
 /// @param angle index of the crank angle. Throws InputError if a field has another size than [angle][y][x].
 std::string vts_text(const cycle::UnrolledFields& fields, std::size_t angle, VtsShape shape);
 

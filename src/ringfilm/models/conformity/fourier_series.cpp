@@ -33,6 +33,19 @@ double FourierSeries::derivative(double theta, int degree) const {
   return sum;
 }
 
+double FourierSeries::integral(double from, double to) const {
+  double sum = 0;
+  for (const FourierOrder& one : orders_) {
+    if (one.order == 0) {
+      sum += one.amplitude * (to - from);
+      continue;
+    }
+    const double n = one.order;
+    sum += one.amplitude / n * (std::sin(n * (to - one.phase)) - std::sin(n * (from - one.phase)));
+  }
+  return sum;
+}
+
 FourierSeries FourierSeries::turned(double angle) const {
   std::vector<FourierOrder> orders = orders_;
   for (FourierOrder& one : orders) one.phase -= angle;

@@ -20,6 +20,7 @@ class FourierSeries {
   double operator()(double theta) const;
   /// The derivative of that degree with respect to theta.
   double derivative(double theta, int degree) const;
+  double integral(double from, double to) const;
   /// The same over theta' = theta - angle.
   FourierSeries turned(double angle) const;
   /// The sum of the amplitudes' sizes: no value lies farther from zero.

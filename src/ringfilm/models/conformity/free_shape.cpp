@@ -1,10 +1,11 @@
 #include "ringfilm/models/conformity/free_shape.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+#include <string>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
@@ -14,55 +15,111 @@ namespace ringfilm::models {
 namespace {
 
 using std::numbers::pi;
-using ShapeRule = boost::math::quadrature::gauss<double, 7>;
 
-/// Integral of the target moment over phi [N m rad].
-double moment_between(const RingBeam& beam, double from, double to) {
-  return ShapeRule::integrate([&](double phi) { return beam.target_moment(phi); }, from, to);
+constexpr double kArc = 0.02;  // longest piece of a centroid that is taken as an arc [rad]
+/// Places along the ring follow from lengths, whose errors add up: they count a tenth of distances from it.
+constexpr double kWeightAlong = 0.1;
+
+/// A section of the free ring: its centroid and the direction of its normal.
+struct Section {
+  double x, y, direction;
+};
+
+/// By how much the free ring is turned against the closed one from its end to phi, the integral of its curvature [rad].
+double rotation(const RingBeam& beam, double phi) {
+  const double r = beam.centroid_radius();
+  const double force = beam.target_force().integral(beam.half_gap(), phi);
+  return (beam.target_moment_slope(phi) - r * force) / (beam.stiffness() * r);
 }
 
-/// Point after point from the back of the ring on. @param way 1 or -1
-void append_half(const RingBeam& beam, double step, std::size_t n_steps, std::vector<ShapePoint>& points) {
-  const double r = beam.centroid_radius(), softness = 1 / (beam.stiffness() * r);
-  constexpr int kParts = 4;  // of a step
-  double phi = pi, direction = pi;
-  ShapePoint at{-r, 0};
-  for (std::size_t i = 0; i < n_steps; ++i) {
-    for (int part = 0; part < kParts; ++part) {
-      const double next = phi + step / kParts, begin = phi, first = direction;
-      const auto along = [&](double s) { return first + (s - begin) - softness * moment_between(beam, begin, s); };
-      at.x += ShapeRule::integrate([&](double s) { return -r * std::sin(along(s)); }, begin, next);
-      at.y += ShapeRule::integrate([&](double s) { return r * std::cos(along(s)); }, begin, next);
-      direction = along(next);
-      phi = next;
-    }
-    points.push_back(at);
-  }
+/// The end of an arc of the centroid. @param step over it [rad]
+Section after_arc(const Section& from, double r, double step, double direction) {
+  const double half = (direction - from.direction) / 2, middle = from.direction + half;
+  const double chord = r * step * (std::abs(half) < 1e-8 ? 1 : std::sin(half) / half);
+  return {from.x - chord * std::sin(middle), from.y + chord * std::cos(middle), direction};
 }
 
-/// Direction of the ring's normal between neighbours, without jumps [rad].
-std::vector<double> directions(const std::vector<ShapePoint>& points) {
+ShapePoint on_surface(const Section& at, double half_thickness) {
+  return {at.x + half_thickness * std::cos(at.direction), at.y + half_thickness * std::sin(at.direction)};
+}
+
+/// These places and as many between them as arcs ask for. `kept` has where they are.
+std::vector<double> refined(const std::vector<double>& phi, std::vector<std::size_t>& kept) {
   std::vector<double> all;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const double raw = std::atan2(points[i + 1].y - points[i].y, points[i + 1].x - points[i].x) - pi / 2;
-    all.push_back(all.empty() ? raw : raw - 2 * pi * std::round((raw - all.back()) / (2 * pi)));
+  for (std::size_t i = 0; i < phi.size(); ++i) {
+    if (i > 0) {
+      const int pieces = std::max(1, static_cast<int>(std::ceil((phi[i] - phi[i - 1]) / kArc)));
+      for (int k = 1; k < pieces; ++k) all.push_back(phi[i - 1] + (phi[i] - phi[i - 1]) * k / pieces);
+    }
+    kept.push_back(all.size());
+    all.push_back(phi[i]);
   }
   return all;
 }
 
-void check_length(const RingBeamSize& size, const std::vector<ShapePoint>& points) {
-  double length = 0;
+/// What is measured of the shape itself: how long it is up to each point, and which way it looks there.
+struct MeasuredLine {
+  std::vector<double> length;     ///< along the running surface [m]
+  std::vector<double> direction;  ///< of the normal, without jumps [rad]
+};
+
+MeasuredLine measured_line(const std::vector<ShapePoint>& points) {
+  MeasuredLine line{{0}, {}};
+  std::vector<double> chords, of_chords;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    length += std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y);
+    const double dx = points[i + 1].x - points[i].x, dy = points[i + 1].y - points[i].y;
+    chords.push_back(std::hypot(dx, dy));
+    const double raw = std::atan2(dy, dx) - pi / 2;
+    of_chords.push_back(of_chords.empty() ? raw : raw - 2 * pi * std::round((raw - of_chords.back()) / (2 * pi)));
   }
-  const double expected = pi * (size.bore - size.radial_thickness) - size.end_gap;
+  // An arc is longer than its chord by the square of its turn, that between the chords beside it.
+  for (std::size_t i = 0; i < chords.size(); ++i) {
+    const std::size_t low = std::max<std::size_t>(i, 1) - 1, high = std::min(i + 1, chords.size() - 1);
+    const double turn = (of_chords[high] - of_chords[low]) / static_cast<double>(high - low);
+    line.length.push_back(line.length.back() + chords[i] * (1 + turn * turn / 24));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t last = of_chords.size() - 1, k = std::clamp<std::size_t>(i, 1, last);
+    // Chords look as their middles do; in between and beyond them the direction is continued straight.
+    const double from = (line.length[k - 1] + line.length[k]) / 2, to = (line.length[k] + line.length[k + 1]) / 2;
+    const double share = (line.length[i] - from) / (to - from);
+    line.direction.push_back(of_chords[k - 1] + share * (of_chords[k] - of_chords[k - 1]));
+  }
+  return line;
+}
+
+/// Where the points are on the ring: lengths of its centroid, half of which lies on either side of the back [rad].
+std::vector<double> places_of(const RingBeamSize& size, const std::vector<ShapePoint>& points) {
+  const double r = (size.bore - size.radial_thickness) / 2;
+  const MeasuredLine line = measured_line(points);
+  std::vector<double> length;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    length.push_back(line.length[i] - size.radial_thickness / 2 * (line.direction[i] - line.direction.front()));
+  }
+  std::vector<double> phi;
+  for (const double one : length) phi.push_back(pi + (one - length.back() / 2) / r);
+  return phi;
+}
+
+void check_points(const RingBeamSize& size, const std::vector<ShapePoint>& points, int last_order) {
+  const auto needed = static_cast<std::size_t>(kPointsOfWave * std::max(last_order, kPointsOfWave));
+  if (points.size() >= needed) return;
+  throw InputError("the free shape has " + std::to_string(points.size()) + " points, fewer than the " +
+                       std::to_string(needed) + " that order " + std::to_string(last_order) + " of its pressure needs",
+                   "measure more points from end to end of the ring, or smooth over a longer length than " +
+                       number_text(1e3 * pi * (size.bore - size.radial_thickness) / last_order) + " mm");
+}
+
+void check_length(const RingBeamSize& size, const std::vector<double>& phi) {
   constexpr double kMost = 2e-3;
-  if (points.size() >= 16 && std::abs(length - expected) <= kMost * expected) return;
-  throw InputError("the free shape does not close: its " + number_text(static_cast<double>(points.size())) +
-                       " points are " + number_text(length * 1e3) + " mm long, the centroid of the closed ring " +
-                       number_text(expected * 1e3) + " mm",
-                   "give 16 evenly spaced points of the centroid or more, from end to end of the ring, and the end gap "
-                   "of the closed ring");
+  const double r = (size.bore - size.radial_thickness) / 2, length = r * (phi.back() - phi.front());
+  const double expected = 2 * pi * r - size.end_gap;
+  const bool rises = std::is_sorted(phi.begin(), phi.end());
+  if (rises && std::abs(length - expected) <= kMost * expected) return;
+  throw InputError("the free shape does not close: its centroid is " + number_text(length * 1e3) +
+                       " mm long, that of the closed ring " + number_text(expected * 1e3) + " mm",
+                   "give points of the running surface from one end of the ring to the other, in the sense of the "
+                   "angle, and the end gap of the closed ring");
 }
 
 RingBeam unit_beam(RingBeamSize size, const FourierSeries& orders) {
@@ -70,104 +127,223 @@ RingBeam unit_beam(RingBeamSize size, const FourierSeries& orders) {
   return {size, orders};
 }
 
-/// Rotation from the first place on by each unknown of the fit: 1 N of mean pressure, then of the orders.
-std::vector<std::vector<double>> rotations(const RingBeamSize& size, const std::vector<double>& places,
-                                           int last_order) {
-  const auto rotation = [&](const RingBeam& beam) {
+/// Target, place and direction of a ring that is nearest to points.
+class NearestShape {
+ public:
+  NearestShape(const RingBeamSize& size, const std::vector<ShapePoint>& points, int last_order)
+      : points_(points),
+        r_((size.bore - size.radial_thickness) / 2),
+        half_thickness_(size.radial_thickness / 2),
+        phi_(places_of(size, points)) {
+    check_length(size, phi_);
+    fine_ = refined(phi_, kept_);
+    append_turns(unit_beam(size, {}), nullptr);
+    for (int n = 2; n <= last_order; ++n) {
+      for (const double phase : {0.0, pi / (2 * n)}) {
+        append_turns(unit_beam(size, FourierSeries({{n, 1, phase}})), &turns_.front());
+      }
+    }
+    place_roughly();
+  }
+
+  /// By Gauss and Newton. @returns whether nothing changes any more
+  bool solve() {
+    constexpr int kMostSteps = 40;
+    for (int step = 0; step < kMostSteps; ++step) {
+      linearise();
+      const std::vector<double> change = linear_solution(A_, b_);
+      double moved = 0;
+      for (std::size_t k = 0; k < change.size(); ++k) {
+        unknowns_[k] += scale_[k] * change[k];
+        moved = std::max(moved, std::abs(change[k]) / std::sqrt(static_cast<double>(points_.size())));
+      }
+      if (!std::isfinite(moved)) return false;
+      if (moved < 1e-12) break;  // [m]
+    }
+    linearise();
+    return residual() < 1e-3;  // [m]; more is another shape
+  }
+
+  /// Force of the mean pressure, then of the orders' cosines and sines [N].
+  double force(std::size_t k) const { return unknowns_[kRigid + k]; }
+  double residual() const { return std::sqrt(sum_ / static_cast<double>(points_.size())); }
+
+  /// Standard deviations of these forces.
+  std::vector<double> deviations() const {
+    const auto left = static_cast<double>(points_.size()) - static_cast<double>(unknowns_.size());
+    const double variance = left > 0 ? sum_ / left : std::numeric_limits<double>::infinity();
     std::vector<double> all;
-    double sum = 0, before = places.front();
-    for (const double phi : places) {
-      sum -= moment_between(beam, before, phi) / (beam.stiffness() * beam.centroid_radius());
-      before = phi;
-      all.push_back(sum);
+    for (std::size_t k = kRigid; k < unknowns_.size(); ++k) {
+      std::vector<double> unit(unknowns_.size(), 0.0);
+      unit[k] = 1;
+      all.push_back(scale_[k] * std::sqrt(variance * linear_solution(A_, unit)[k]));
     }
     return all;
-  };
-  std::vector<std::vector<double>> columns{std::vector<double>(places.size(), 1.0), rotation(unit_beam(size, {}))};
-  for (int n = 2; n <= last_order; ++n) {
-    for (const double phase : {0.0, pi / (2 * n)}) {
-      std::vector<double> column = rotation(unit_beam(size, FourierSeries({{n, 1, phase}})));
-      for (std::size_t i = 0; i < column.size(); ++i) column[i] -= columns[1][i];
-      columns.push_back(std::move(column));
-    }
   }
-  return columns;
-}
 
-/// Shares of the columns whose sum is nearest to y.
-std::vector<double> least_squares(const std::vector<std::vector<double>>& columns, const std::vector<double>& y) {
-  const std::size_t n = columns.size();
-  std::vector<double> scale;
-  for (const auto& column : columns) {
-    double sum = 0;
-    for (const double value : column) sum += value * value;
-    scale.push_back(1 / std::sqrt(sum));
+ private:
+  static constexpr std::size_t kRigid = 3;  ///< of the unknowns: the first point of the centroid, and the direction
+
+  void append_turns(const RingBeam& beam, const std::vector<double>* mean) {
+    std::vector<double> turns;
+    for (std::size_t i = 0; i < fine_.size(); ++i) {
+      turns.push_back(rotation(beam, fine_[i]) - (mean ? (*mean)[i] : 0));
+    }
+    turns_.push_back(std::move(turns));
   }
-  std::vector<std::vector<double>> A(n, std::vector<double>(n, 0));
-  std::vector<double> b(n, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < y.size(); ++k) b[i] += scale[i] * columns[i][k] * y[k];
-    for (std::size_t j = 0; j < n; ++j) {
-      for (std::size_t k = 0; k < y.size(); ++k) A[i][j] += scale[i] * scale[j] * columns[i][k] * columns[j][k];
+
+  /// As a closed ring about the mean of the points, turned as the quarters lie.
+  void place_roughly() {
+    const std::size_t n = points_.size();
+    const ShapePoint &low = points_[n / 4], &high = points_[n - 1 - n / 4];
+    unknowns_.assign(kRigid + turns_.size(), 0.0);
+    const double direction =
+        std::atan2(high.y - low.y, high.x - low.x) - (phi_[n / 4] + phi_[n - 1 - n / 4]) / 2 + 3 * pi / 2;
+    unknowns_[2] = direction;
+    double x = 0, y = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      x += (points_[i].x - r_ * std::cos(direction + phi_[i])) / static_cast<double>(n);
+      y += (points_[i].y - r_ * std::sin(direction + phi_[i])) / static_cast<double>(n);
+    }
+    unknowns_[0] = x + r_ * std::cos(direction + phi_.front());
+    unknowns_[1] = y + r_ * std::sin(direction + phi_.front());
+  }
+
+  double direction_at(std::size_t i) const {
+    double direction = unknowns_[2] + fine_[i];
+    for (std::size_t k = 0; k < turns_.size(); ++k) direction += unknowns_[kRigid + k] * turns_[k][i];
+    return direction;
+  }
+
+  /// Distances of the points, what each unknown changes of them, and the normal equations of both.
+  void linearise() {
+    const std::size_t n = unknowns_.size();
+    std::vector<std::vector<double>> rows;
+    std::vector<double> missed;
+    std::vector<double> moved_x(n - 2, 0.0), moved_y(n - 2, 0.0);  // of the centroid, by direction and forces
+    Section at{unknowns_[0], unknowns_[1], direction_at(0)};
+    sum_ = 0;
+    for (std::size_t i = 0, next = 0; i < fine_.size(); ++i) {
+      if (i > 0) {
+        const double step = fine_[i] - fine_[i - 1];
+        const Section to = after_arc(at, r_, step, direction_at(i));
+        const double half = r_ * step / 2, c_0 = half * std::cos(at.direction), s_0 = half * std::sin(at.direction);
+        const double c_1 = half * std::cos(to.direction), s_1 = half * std::sin(to.direction);
+        for (std::size_t k = 0; k + 2 < n; ++k) {
+          const double before = turn(k, i - 1), after = turn(k, i);
+          moved_x[k] -= before * c_0 + after * c_1;
+          moved_y[k] -= before * s_0 + after * s_1;
+        }
+        at = to;
+      }
+      if (i != kept_[next]) continue;
+      const ShapePoint on = on_surface(at, half_thickness_), &point = points_[next++];
+      const double c = std::cos(at.direction), s = std::sin(at.direction);
+      const double off = (point.x - on.x) * c + (point.y - on.y) * s,
+                   along = (point.y - on.y) * c - (point.x - on.x) * s;
+      sum_ += off * off;
+      std::vector<double> normal{c, s}, tangent{-kWeightAlong * s, kWeightAlong * c};
+      for (std::size_t k = 0; k + 2 < n; ++k) {
+        normal.push_back(moved_x[k] * c + moved_y[k] * s);
+        tangent.push_back(kWeightAlong * (moved_y[k] * c - moved_x[k] * s + half_thickness_ * turn(k, i)));
+      }
+      rows.push_back(std::move(normal));
+      rows.push_back(std::move(tangent));
+      missed.push_back(off);
+      missed.push_back(kWeightAlong * along);
+      if (next == kept_.size()) break;
+    }
+    sum_up(rows, missed);
+  }
+
+  /// Of the direction of all, then of each force.
+  double turn(std::size_t k, std::size_t i) const { return k == 0 ? 1 : turns_[k - 1][i]; }
+
+  void sum_up(const std::vector<std::vector<double>>& rows, const std::vector<double>& missed) {
+    const std::size_t n = unknowns_.size();
+    scale_.assign(n, 0.0);
+    for (const std::vector<double>& row : rows) {
+      for (std::size_t k = 0; k < n; ++k) scale_[k] += row[k] * row[k];
+    }
+    for (double& scale : scale_) scale = 1 / std::sqrt(scale);
+    A_.assign(n, std::vector<double>(n, 0.0));
+    b_.assign(n, 0.0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t k = 0; k < n; ++k) {
+        const double value = scale_[k] * rows[i][k];
+        b_[k] += value * missed[i];
+        for (std::size_t l = 0; l <= k; ++l) A_[k][l] += value * scale_[l] * rows[i][l];
+      }
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      for (std::size_t l = 0; l < k; ++l) A_[l][k] = A_[k][l];
     }
   }
-  std::vector<double> shares = linear_solution(std::move(A), std::move(b));
-  for (std::size_t i = 0; i < n; ++i) shares[i] *= scale[i];
-  return shares;
-}
+
+  const std::vector<ShapePoint>& points_;
+  double r_, half_thickness_;
+  std::vector<double> phi_;                 ///< of the points [rad]
+  std::vector<double> fine_;                ///< of arcs between them, too [rad]
+  std::vector<std::size_t> kept_;           ///< which of these the points are
+  std::vector<std::vector<double>> turns_;  ///< by each unit of force, at the places of arcs [rad/N]
+  std::vector<double> unknowns_, scale_, b_;
+  std::vector<std::vector<double>> A_;
+  double sum_ = 0;  ///< of the squares of the distances [m2]
+};
 
 }  // namespace
 
-std::vector<ShapePoint> free_shape(const RingBeam& beam, int n_points) {
-  const std::size_t n_steps = static_cast<std::size_t>(std::max(2, n_points)) - 1;
-  const double step = 2 * (pi - beam.half_gap()) / static_cast<double>(n_steps);
-  // From the back both ways: half a step first where no point is opposite the gap.
-  const bool has_back = n_steps % 2 == 0;
-  const std::size_t half = has_back ? n_steps / 2 : n_steps;
-  const double width = has_back ? step : step / 2;
-  std::vector<ShapePoint> forwards, backwards;
-  append_half(beam, width, half, forwards);
-  append_half(beam, -width, half, backwards);
+std::vector<ShapePoint> free_shape(const RingBeam& beam, const std::vector<double>& phi) {
+  std::vector<double> places = phi;
+  const auto at_back = std::lower_bound(places.begin(), places.end(), pi);
+  const auto back = static_cast<std::size_t>(at_back - places.begin());
+  places.insert(at_back, pi);
+  std::vector<std::size_t> kept;
+  const std::vector<double> fine = refined(places, kept);
+  const double r = beam.centroid_radius(), turned = rotation(beam, pi);
+  const auto direction = [&](double place) { return place + rotation(beam, place) - turned; };
+  std::vector<Section> sections{{0, 0, direction(fine.front())}};
+  for (std::size_t i = 1; i < fine.size(); ++i) {
+    sections.push_back(after_arc(sections.back(), r, fine[i] - fine[i - 1], direction(fine[i])));
+  }
+  const Section& opposite = sections[kept[back]];
   std::vector<ShapePoint> points;
-  const std::size_t every = has_back ? 1 : 2;
-  for (std::size_t i = backwards.size(); i > 0; i -= std::min(i, every)) points.push_back(backwards[i - 1]);
-  if (has_back) points.push_back({-beam.centroid_radius(), 0});
-  for (std::size_t i = 0; i < forwards.size(); i += every) points.push_back(forwards[i]);
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    if (i == back) continue;
+    Section at = sections[kept[i]];
+    at.x -= opposite.x + r;
+    at.y -= opposite.y;
+    points.push_back(on_surface(at, beam.size().radial_thickness / 2));
+  }
   return points;
 }
 
 FreeShapeFit target_of_free_shape(const RingBeamSize& size, const std::vector<ShapePoint>& points, int last_order) {
-  check_length(size, points);
-  const RingBeam beam = unit_beam(size, {});
-  const double step = 2 * (pi - beam.half_gap()) / static_cast<double>(points.size() - 1);
-  std::vector<double> places, turned = directions(points);
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    places.push_back(beam.half_gap() + (static_cast<double>(i) + 0.5) * step);
-    turned[i] -= places.back();
-  }
-  const auto columns = rotations(size, places, last_order);
-  const std::vector<double> shares = least_squares(columns, turned);
+  check_points(size, points, last_order);
+  NearestShape nearest(size, points, last_order);
+  const bool is_found = nearest.solve();
   FreeShapeFit fit;
-  fit.tangential_force = shares[1];
-  if (!(fit.tangential_force > 0)) {
-    throw InputError(
-        "the free shape presses inwards: its tangential force is " + number_text(fit.tangential_force) + " N",
-        "list the points from one end of the ring to the other in the sense of the angle");
+  fit.tangential_force = nearest.force(0);
+  if (!is_found || !(fit.tangential_force > 0)) {
+    throw InputError("the free shape is not that of a ring that presses outwards all in all: its tangential force is " +
+                         number_text(fit.tangential_force) + " N, and its points are " +
+                         number_text(1e6 * nearest.residual()) + " um (rms) from the shape of this force",
+                     "list the points of the running surface from one end of the ring to the other in the sense of the "
+                     "angle; check their unit");
   }
+  fit.residual = nearest.residual();
+  const std::vector<double> deviation = nearest.deviations();
+  fit.force_deviation = deviation.front() / fit.tangential_force;
   std::vector<FourierOrder> orders;
+  double variance = 0;
   for (int n = 2; n <= last_order; ++n) {
-    const std::size_t k = 2 * static_cast<std::size_t>(n) - 2;
-    const double cosine = shares[k] / shares[1], sine = shares[k + 1] / shares[1];
+    const std::size_t k = 2 * static_cast<std::size_t>(n) - 3;
+    const double cosine = nearest.force(k) / fit.tangential_force, sine = nearest.force(k + 1) / fit.tangential_force;
     orders.push_back({n, std::hypot(cosine, sine), std::atan2(sine, cosine) / n});
+    variance += (deviation[k] * deviation[k] + deviation[k + 1] * deviation[k + 1]) / 2;
   }
+  fit.pressure_deviation = std::sqrt(variance) / fit.tangential_force;
   fit.pressure_orders = FourierSeries(std::move(orders));
-  double sum = 0;
-  for (std::size_t i = 0; i < turned.size(); ++i) {
-    double miss = turned[i];
-    for (std::size_t k = 0; k < columns.size(); ++k) miss -= shares[k] * columns[k][i];
-    sum += miss * miss;
-  }
-  fit.residual = std::sqrt(sum / static_cast<double>(turned.size()));
   return fit;
 }
 

@@ -5,29 +5,38 @@
 
 namespace ringfilm::models {
 
-/// A point of the centroid of the free ring [m]. The point opposite the gap is where the closed ring has it, at
-/// (-r, 0); the gap is on the side of positive x.
+/// A point of the running surface of a free ring [m].
 struct ShapePoint {
   double x = 0;
   double y = 0;
 };
 
-/// The free ring that presses on a round bore as the beam does: points evenly spaced along it, from end to end.
-/// Large deflections: the curvature of eq-closure-free-shape is integrated. @param n_points 2 or more
-std::vector<ShapePoint> free_shape(const RingBeam& beam, int n_points);
+/// The free ring that presses on a round bore as the beam does: its running surface, half a thickness outside of the
+/// centroid, whose curvature is that of eq-closure-free-shape. Deflections may be large. The point opposite the gap is
+/// where the closed ring has it, at (-bore/2, 0); the gap is on the side of positive x.
+/// @param phi places on the ring, rising [rad]
+std::vector<ShapePoint> free_shape(const RingBeam& beam, const std::vector<double>& phi);
 
-/// What a measured free shape presses with.
+/// The target pressure of a measured free ring, eq-closure-measured-shape.
 struct FreeShapeFit {
   double tangential_force = 0;    ///< F_t [N]
   FourierSeries pressure_orders;  ///< relative to its mean
-  double residual = 0;            ///< rms of what is removed: direction of the ring against that of the fit [rad]
+  double residual = 0;            ///< rms distance of the points from the shape of this target: what is removed [m]
+  /// Standard deviation of F_t, and of the orders of the pressure together as their rms around the ring, where the
+  /// points scatter about that shape independently of each other; relative to F_t [-].
+  double force_deviation = 0;
+  double pressure_deviation = 0;
 };
 
-/// The target pressure of a free ring by least squares of the direction of its tangent, orders 2 to `last_order`: what
-/// is finer is removed. A line force needs the fourth derivative of the shape, which noise would decide.
-/// @param size its tangential force is not used @param points evenly spaced along the centroid from end to end, in the
-/// sense of the angle; anywhere and turned anyhow
-/// Throws InputError where the points do not make a ring of this size that closes, or press inwards.
+/// The fewest points that a shape may have for each wave of its highest order: noise is averaged over them.
+inline constexpr int kPointsOfWave = 4;
+
+/// The target of orders 2 to `last_order` whose free ring is nearest to the points, by least squares of their
+/// distances. What is finer is removed: a line force needs the fourth derivative of the shape, which noise would
+/// decide.
+/// @param size its tangential force is not used @param points of the running surface from end to end, in the sense of
+/// the angle; anywhere and turned anyhow
+/// Throws InputError where the points do not make a ring of this size that closes, are too few, or press inwards.
 FreeShapeFit target_of_free_shape(const RingBeamSize& size, const std::vector<ShapePoint>& points, int last_order);
 
 }  // namespace ringfilm::models

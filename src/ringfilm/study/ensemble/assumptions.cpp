@@ -141,6 +141,7 @@ std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) 
   if (ring.elastic_pressure) return scaled("ring.elastic_pressure", *ring.elastic_pressure, kMPa);
   if (ring.tangential_force) return scaled("ring.tangential_force", *ring.tangential_force, kNewton);
   if (ring.expander_force) return scaled("ring.expander_force", *ring.expander_force, kNewton);
+  if (ring.free_shape) return {};
   return scaled("ring.free_gap", ring.free_gap.value(), kMm);
 }
 
@@ -417,10 +418,15 @@ Assumption smooth_gap_flow(const Case& c) {
 
 Assumption conformity(const Case& c) {
   if (c.bends()) {
-    return assumption("round-bore",
-                      "the ring follows the bore as a thin beam with free ends; dynamic deformation and twist are zero",
-                      "where it cannot follow, the film is full of oil up to its edges, as elsewhere",
-                      other_choices("ring.conformity", c));
+    return assumption(
+        "round-bore",
+        std::string("the ring follows the bore as a thin beam with free ends; ") +
+            (c.liner.dynamic_distortion ? "the cycle deforms the bore as liner.dynamic_distortion states; "
+                                          "twist is zero"
+                                        : "dynamic deformation (liner.dynamic_distortion is not stated) "
+                                          "and twist are zero"),
+        "where it cannot follow, the film is full of oil up to its edges, as elsewhere",
+        other_choices("ring.conformity", c));
   }
   Assumption round = assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
                                 "a ring follows smooth distortions of low order; what it cannot follow opens gaps; "

@@ -30,8 +30,12 @@ constexpr When kBends{[](const Case& c) {
 constexpr When kCloses{
     [](const Case& c) { return c.has_closure(); },
     "a bore or a ring is stated for ringfilm conform, as with liner.distortion, or ring.conformity = \"beam\""};
-constexpr When kDistortionMap{[](const Case& c) { return c.liner.distortion_map.has_value(); },
-                              "liner.distortion_map is stated"};
+constexpr When kDistortionMap{
+    [](const Case& c) { return c.liner.distortion_map.has_value() || c.liner.dynamic_distortion.has_value(); },
+    "liner.distortion_map or liner.dynamic_distortion is stated"};
+constexpr When kPressurePoints{[](const Case& c) { return c.ring.pressure_points.has_value(); },
+                               "ring.pressure_points is stated"};
+constexpr When kFreeShape{[](const Case& c) { return c.ring.free_shape.has_value(); }, "ring.free_shape is stated"};
 using TermPlace = FourierTermsKind::Place;
 constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
                            "film.supply = \"film-on-liner\""};
@@ -59,19 +63,18 @@ void append_ring_fields(std::vector<Field>& fields) {
                 Range{0, 0.5, false, true}, Need::kDefault, kFourModuli, {"Poisson's ratio of the ring, nu_1", "0.3"}),
           field("ring.elastic_pressure", OptionalNumberKind{member<&Case::ring, &Ring::elastic_pressure>},
                 {"Pa", "MPa"}, above(0, 1e8), Need::kOptional, {},
-                {"pressure of the ring on the bore by its own tension, p_e; one of the three ways to state it",
+                {"pressure of the ring on the bore by its own tension, p_e; one of the four ways to state it",
                  "\"0.20 MPa\""}),
           field("ring.tangential_force", OptionalNumberKind{member<&Case::ring, &Ring::tangential_force>}, {"N", "N"},
                 above(0, 1e5), Need::kOptional, {},
-                {"force that closes the ring at its gap, F_t = p_e b B/2; one of the three ways", "\"10.7 N\""}),
-          field(
-              "ring.free_gap", OptionalNumberKind{member<&Case::ring, &Ring::free_gap>}, kLength, above(0, 1),
-              Need::kOptional, {},
-              {"gap of the free ring less that of the closed one, s; with ring.radial_thickness one of the three ways",
-               "\"10.5 mm\""}),
+                {"force that closes the ring at its gap, F_t = p_e b B/2; one of the four ways", "\"10.7 N\""}),
+          field("ring.free_gap", OptionalNumberKind{member<&Case::ring, &Ring::free_gap>}, kLength, above(0, 1),
+                Need::kOptional, {},
+                {"gap of the free ring less that of the closed one, s; with ring.radial_thickness one of the four ways",
+                 "\"10.5 mm\""}),
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
                 above(0, 0.2), Need::kOptional, kBends,
-                {"radial thickness of the ring, t; with ring.free_gap one of the three ways; for gas_path, "
+                {"radial thickness of the ring, t; with ring.free_gap one of the four ways; for gas_path, "
                  "ring.conformity "
                  "and ringfilm conform",
                  "\"3.5 mm\""}),
@@ -113,6 +116,24 @@ void append_ring_fields(std::vector<Field>& fields) {
                  "relative to its mean, "
                  "angles from the gap's middle; if omitted, uniform pressure",
                  "[{ order = 2, amplitude = 0.25, phase = \"0 degree\" }]"}),
+          field("ring.pressure_points", OptionalFileKind{member<&Case::ring, &Ring::pressure_points>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"for ringfilm conform and ring.conformity: in place of orders a CSV of that pressure, angle "
+                 "[degree],pressure [bar], whole turns of evenly spaced angles from the gap's middle; relative to its "
+                 "mean",
+                 "\"pressure.csv\""}),
+          field("ring.pressure_points_orders", CountKind{member<&Case::ring, &Ring::pressure_points_orders>},
+                kPlainNumber, between(2, 40), Need::kDefault, kPressurePoints,
+                {"highest order of the pressure that is kept of its points; what is finer is removed", "8"}),
+          field("ring.free_shape", OptionalFileKind{member<&Case::ring, &Ring::free_shape>}, kNoUnit, {},
+                Need::kOptional, {},
+                {"CSV of the running surface of the free ring, angle [degree],radius [mm] from end to end about any "
+                 "centre: tension and pressure around the ring; with ring.radial_thickness one of the four ways",
+                 "\"free_ring.csv\""}),
+          field(
+              "ring.free_shape_smoothing", NumberKind{member<&Case::ring, &Ring::free_shape_smoothing>}, kLength,
+              above(0, 1), Need::kRequired, kFreeShape,
+              {"shortest wave around the ring that is kept of its free shape; what is finer is removed", "\"30 mm\""}),
           field(
               "ring.face.form", choice<&Case::ring, &Ring::face, &RingFace::form>({"polynomial", "parabola", "points"}),
               kNoUnit, {}, Need::kRequired, {},
@@ -211,9 +232,15 @@ void append_ring_fields(std::vector<Field>& fields) {
                  "[degree],deviation [um] of the "
                  "radius, whole turns of evenly spaced angles; adds to the orders",
                  "\"bore.csv\""}),
+          field("liner.dynamic_distortion", OptionalFileKind{member<&Case::liner, &Liner::dynamic_distortion>}, kNoUnit,
+                {}, Need::kOptional, {},
+                {"for ring.conformity: CSV of what the cycle adds to the radius of the bore at the place of the ring, "
+                 "crank_angle [degree],angle [degree],deviation [um], whole turns over the whole cycle; if omitted, "
+                 "zero",
+                 "\"dynamic.csv\""}),
           field("liner.distortion_map_orders", CountKind{member<&Case::liner, &Liner::map_orders>}, kPlainNumber,
                 between(1, 60), Need::kDefault, kDistortionMap,
-                {"highest order of the bore that is kept of the map; what is finer is removed", "20"}),
+                {"highest order of the bore that is kept of the maps; what is finer is removed", "20"}),
           field("conform.gas_pressure", NumberKind{member<&Case::conform, &Conform::gas_pressure>}, {"Pa", "bar"},
                 between(0, 1e8), Need::kDefault, kCloses,
                 {"for ringfilm conform: gas pressure behind the ring above that in front of it", "\"3 bar\""}),

@@ -1,6 +1,8 @@
 // The page of a measurement: what an instrument gave, what became of it, and what a case takes from it.
 import { element } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { boreFigure } from './bore_figure.js';
+import { DrawingView } from './drawing_view.js';
 import { MapView } from './map_view.js';
 import { curveFigure, withoutPoints } from './measurement_figures.js';
 import { fragmentBlock, groupTable, numbersTable, shownNumber } from './measurement_tables.js';
@@ -11,6 +13,7 @@ const kKinds = {
   surface: 'A measured surface and its roughness',
   pair: 'Two measured surfaces and their contact',
   face: 'A measured ring face and its shape',
+  conformity: 'A ring in its bore',
   contact: 'Contact law of a measured pair',
   'contact-of-case': 'Contact law of a case',
   'friction-band': 'Friction by contact law',
@@ -108,7 +111,8 @@ function figureViews(measurement, context) {
       if (figure.long) view.node.classList.add('long');
       return view;
     });
-  return { maps, curves };
+  const bore = boreFigure(measurement);
+  return { maps, curves, drawings: bore ? [new DrawingView(bore, context)] : [] };
 }
 
 function provenanceTable(provenance) {
@@ -121,13 +125,14 @@ function provenanceTable(provenance) {
 
 function buildPage(measurement) {
   const context = { group: null, besidePaper: false, stem: measurement.title, subtitle: measurement.title };
-  const { maps, curves } = figureViews(measurement, context);
+  const { maps, curves, drawings } = figureViews(measurement, context);
   const empty = measurement.maps
     .filter((map) => map.empty)
     .map((map) => `${map.title}: no point was measured.`);
   const missing = [...empty, ...withoutPoints(measurement.curves)];
   const hasErrors = measurement.groups.some((group) => group.values.some((value) => value.error > 0));
   const parts = [
+    ['bore', 'Ring and bore', drawings.length > 0, () => drawings.map((view) => view.node)],
     ['maps', 'Height maps', maps.length > 0, () => maps.map((view) => view.node)],
     [
       'curves',
@@ -202,7 +207,7 @@ function buildPage(measurement) {
     ),
     ...parts.map(([id, label, , content]) => section(id, label, content())),
   );
-  const views = [...maps, ...curves];
+  const views = [...drawings, ...maps, ...curves];
   views.forEach((view) => view.start());
   window.addEventListener('beforeprint', () => {
     document.querySelectorAll('details.fold').forEach((fold) => {
