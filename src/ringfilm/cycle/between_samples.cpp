@@ -39,9 +39,9 @@ BetweenSamples::Slope BetweenSamples::secant(std::size_t k) const {
 BetweenSamples::Slope BetweenSamples::parabola(std::size_t first, double at) const {
   const std::size_t second = after(first);
   const double x_1 = length_[first], x_2 = x_1 + length_[second];
-  return {{first, second, after(second)},
-          {(2 * at - x_1 - x_2) / (x_1 * x_2), (2 * at - x_2) / (x_1 * (x_1 - x_2)),
-           (2 * at - x_1) / (x_2 * (x_2 - x_1))}};
+  return {
+      {first, second, after(second)},
+      {(2 * at - x_1 - x_2) / (x_1 * x_2), (2 * at - x_2) / (x_1 * (x_1 - x_2)), (2 * at - x_1) / (x_2 * (x_2 - x_1))}};
 }
 
 void BetweenSamples::lay_slopes() {

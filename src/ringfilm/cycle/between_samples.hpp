@@ -98,8 +98,8 @@ class BetweenSamples {
   void lay_slopes();
   void lay_weights();
 
-  double cycle_;               ///< length of the cycle [degree]
-  std::vector<double> angle_;  ///< [degree]
+  double cycle_;                               ///< length of the cycle [degree]
+  std::vector<double> angle_;                  ///< [degree]
   std::vector<double> length_;                 ///< of the step from sample k to the next one [degree]
   std::vector<Slope> slope_from_, slope_to_;   ///< at the begin and at the end of that step
   std::array<std::vector<double>, 4> weight_;  ///< [degree]

@@ -98,7 +98,8 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.mean_power_loss = curves.mean([](const Sample& s) { return s.power_loss; });
   v.energy_per_cycle = v.mean_power_loss * duration;
   v.fmep = v.energy_per_cycle / swept_volume(setup.input.engine);
-  v.mean_boundary_power = curves.mean([](const Sample& s) { return s.boundary_friction * std::abs(s.piston_velocity); });
+  v.mean_boundary_power =
+      curves.mean([](const Sample& s) { return s.boundary_friction * std::abs(s.piston_velocity); });
   v.mean_viscous_power = curves.mean([](const Sample& s) { return s.viscous_friction * std::abs(s.piston_velocity); });
   v.archard_wear_load = curves.mean([](const Sample& s) { return s.archard_wear_load_rate; }) * duration;
 

@@ -26,8 +26,8 @@ struct CarriedGap {
 /// on less.
 inline constexpr double kMostExcess = 0.25;
 
-/// A cavity moves on with what its node holds, theta h there (eq-carried-gap): by the gap of the face it would hold more
-/// or less than passes, by half a cell of the slope of the face. A full node fills the face.
+/// A cavity moves on with what its node holds, theta h there (eq-carried-gap): by the gap of the face it would hold
+/// more or less than passes, by half a cell of the slope of the face. A full node fills the face.
 template <class Real>
 RINGFILM_INLINE CarriedGap<Real> carried_gap(Real theta, Real at_node, Real at_face) {
   const Real most = Real(kMostExcess) * at_face, excess = max(min(at_node - at_face, most), -most);
@@ -126,12 +126,13 @@ struct Motion {
   }
 };
 
-/// @param h mean height of the oil that the wall carries through the face  @param upstream gap at the node upstream, with
-/// what `h` has beyond the gap of the face  @param conductance of the mean of h^3
+/// @param h mean height of the oil that the wall carries through the face  @param upstream gap at the node upstream,
+/// with what `h` has beyond the gap of the face  @param conductance of the mean of h^3
 /// @param third a third of the slope of `conductance` in h
 template <class Real, bool kFilmContent, Terms kTerms>
-RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion, Real h, [[maybe_unused]] Real upstream,
-                                Real conductance, Real third, const Node<Real>& left, const Node<Real>& right) {
+RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion, Real h,
+                                [[maybe_unused]] Real upstream, Real conductance, Real third, const Node<Real>& left,
+                                const Node<Real>& right) {
   const Real K = left.K + right.K;
   const Real rho = left.rho + right.rho;
   const Real dp = right.p - left.p;

@@ -60,7 +60,8 @@ TEST(BetweenSamples, ParabolasOfStrokesAreExact) {
 TEST(BetweenSamples, AKinkAtADeadCentreIsItsOwnPeak) {
   const std::vector<double> angles = unequal_angles();
   const BetweenSamples between(angles);
-  const std::vector<double> v = values(angles, [](double angle) { return std::abs(std::cos(angle * std::numbers::pi / 360)); });
+  const std::vector<double> v =
+      values(angles, [](double angle) { return std::abs(std::cos(angle * std::numbers::pi / 360)); });
   const auto peak = between.largest_near(0, of(v));
   EXPECT_EQ(peak.value, 1);
   EXPECT_EQ(peak.angle_deg, 0);

@@ -95,8 +95,8 @@ class Film2dBalance {
     }
     if constexpr (kTerms == Terms::kAll) {
       const Real beyond = Real::load(b_.carried + place), carried = h + beyond;
-      Flux flux = film::flux(motion_, carried, upstream + beyond, conductance * cubed.value,
-                             conductance * cubed.square, left, right);
+      Flux flux = film::flux(motion_, carried, upstream + beyond, conductance * cubed.value, conductance * cubed.square,
+                             left, right);
       const auto is_steady = Real(0) >= Real(b_.rate);
       if (i == 0) limit_inlet(motion_.quarter_U, carried, Real(b_.left_supply), is_steady, left, right, flux);
       if (i == shape_.n_across - 2)

@@ -80,8 +80,8 @@ struct LaneBlock {
   alignas(64) Lanes p_cavitation;          ///< [Pa]
   alignas(64) Lanes scale, inverse_scale;  ///< of pressures [Pa], [1/Pa]
   alignas(64) Lanes content_scale;         ///< by which z of a cavity is its film content; stays from step to step [Pa]
-  alignas(64) Lanes inverse_content_scale;  ///< [1/Pa]
-  alignas(64) Lanes load;                   ///< [N/m]
+  alignas(64) Lanes inverse_content_scale;      ///< [1/Pa]
+  alignas(64) Lanes load;                       ///< [N/m]
   alignas(64) Lanes left_supply, right_supply;  ///< four times that of the edges, or kUnlimited [kg/m2]
   alignas(64) Lanes movable;                    ///< 1: h_m is unknown; 0: it is given
   alignas(64) Lanes start_h;                    ///< h_m that weighs the multiplier [m]

@@ -263,8 +263,10 @@ double PointRelaxation::sweep_mass_conserving() {
       const CarriedGap<double> now = passed(out_of, i);
       const double lack = kept * (1 - theta[i]) + full * (1 - now.gap), slope = kept + full * now.slope;
       const double missing = (p_c - balanced) / work_.compliance_[i];
-      if (slope > 0) film_content = std::clamp(theta[i] - (missing - lack) / slope, 0.0, 1.0);
-      else film_content = theta[i];
+      if (slope > 0)
+        film_content = std::clamp(theta[i] - (missing - lack) / slope, 0.0, 1.0);
+      else
+        film_content = theta[i];
     }
     largest_theta = std::max(std::abs(film_content - theta[i]), largest_theta);
     theta[i] = film_content;

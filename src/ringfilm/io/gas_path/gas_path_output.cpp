@@ -13,7 +13,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
-#include "ringfilm/io/result/result_file_notes.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 

@@ -7,7 +7,6 @@
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/result/result_file_contact.hpp"
-#include "ringfilm/io/result/result_file_notes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_unrolled.hpp"
 

@@ -77,4 +77,16 @@ inline std::size_t place_in(std::size_t i, const std::vector<std::size_t>& lengt
   return place;
 }
 
+/// The notes, as result files and files of the gas have them.
+/// @param of_input those of reading the case @param of_result those on the result
+template <class File, class Texts, class Notes>
+void exchange_notes(File& file, Texts& of_input, Notes& of_result) {
+  file.texts("input_note", text("input_note_message", "note on the input files of the case"), of_input);
+  file.rows("note", of_result);
+  file.column("note", text("note_topic", "stable word for the note"), of_result, &cycle::Note::topic);
+  file.column("note", text("note_message", "what the user must know about this result"), of_result,
+              &cycle::Note::message);
+  file.column("note", count("note_count", "crank steps or evaluations concerned"), of_result, &cycle::Note::count);
+}
+
 }  // namespace ringfilm::io
