@@ -412,7 +412,7 @@ void bind_results(py::module_& module) {
                              "where it is worst, else of the first, list of scenarios from 0)}.")
       .def_property_readonly(
           "accuracy", &accuracy,
-          R"(How accurate the values are, estimated by integrating a sample of the scenarios again; None without a sample.
+          R"(How accurate the values are: an estimate of a sample of the scenarios; None without a sample.
 
 A dict: scenarios (from 0, that were compared), asked (accuracies asked for [%]), coverage (share of the sampled values
 within the accuracy asked for; None where none is), relative_error ({value: 95 % quantile of its relative error}).
