@@ -100,7 +100,7 @@ for (const [name, expected] of Object.entries(kFigures)) {
 test('the accuracy of the sample is reported', async () => {
   const { page, faults } = await opened('study_uncertainty.html');
   const text = await page.textContent('section#accuracy');
-  assert.match(text, /Estimated on 2 of \d+ scenarios.*1 more were not solved/);
+  assert.match(text, /Estimated on 2 of \d+ scenarios.*Not solved: 1 more\./);
   assert.match(text, /97\.5 % of their 80 values are within the 0\.5 % asked for/);
   const rows = await page.locator('section#accuracy tbody tr').allTextContents();
   assert.equal(rows.length, 2);

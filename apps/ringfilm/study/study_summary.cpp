@@ -161,9 +161,9 @@ class Summary {
     if (!rows_.error) return;
     const study::SampledError& error = *rows_.error;
     const std::uint64_t n = error.scenarios.size() + error.n_unsolved;
-    text_ += fmt::format("\naccuracy, estimated by integrating {} of {} scenarios again on a finer grid{}\n", n,
-                         plan_.size(),
-                         error.n_unsolved > 0 ? fmt::format(", of which {} were not solved", error.n_unsolved) : "");
+    text_ +=
+        fmt::format("\naccuracy, estimated by integrating {} of {} scenarios again on a finer grid{}\n", n,
+                    plan_.size(), error.n_unsolved > 0 ? fmt::format(", {} of them not solved", error.n_unsolved) : "");
     if (const auto coverage = error.coverage()) {
       text_ += fmt::format("  {:.1f} % of their {} values are within the {:.3g} % asked for\n", 100 * *coverage,
                            error.n_values, fmt::join(error.asked, " or "));

@@ -507,7 +507,7 @@ export function accuracySection(model) {
       'p',
       {},
       `Estimated on ${count(error.count)} of ${count(model.scenarios)} scenarios, which were integrated again with \
-twice the cells and half the steps.${error.unsolved ? ` ${count(error.unsolved)} more were not solved.` : ''}${
+twice the cells and half the steps.${error.unsolved ? ` Not solved: ${count(error.unsolved)} more.` : ''}${
         error.coverage === null
           ? ''
           : ` ${number(100 * error.coverage, 3)} % of their ${count(error.values)} values are within the \
