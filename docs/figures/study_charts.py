@@ -168,7 +168,73 @@ def study_map():
     return picture
 
 
+def accuracy_study(solver, sample):
+    """64 speeds, loads and cavitation models of the new ring; `solver` are lines of its case."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder)
+        base = f"{STUDIES}/bases/fired_new_ring.toml"
+        (path / "case.toml").write_text(f'include = ["{base}"]\n[solver]\n{solver}', encoding="utf-8")
+        text = f"""kind = "uncertainty"
+[[base]]
+case = "case.toml"
+[[factor]]
+key = "operating.speed"
+range = ["1000 rpm", "6000 rpm"]
+[[factor]]
+key = "gas.peak_pressure"
+range = ["30 bar", "90 bar"]
+[[factor]]
+key = "film.cavitation"
+values = ["reynolds-exit", "mass-conserving"]
+[plan]
+method = "sobol"
+scenarios = 64
+[accuracy]
+sample = {sample}
+"""
+        (path / "study.toml").write_text(text, encoding="utf-8")
+        return ringfilm.Study.read(str(path / "study.toml")).run()
+
+
+def study_accuracy():
+    """The error that a study estimates on 16 of its scenarios, against the true one of all."""
+    picture = Picture("Estimated and true 95 % quantile of the relative error of all values of a study", 400)
+    fine = 'cells = 1024\ncell_lengths = "by-gap"\ncrank_step = "0.5 degree"\ntime_scheme = "bdf2"\nstep_error = 1e-6\n'
+    finest = accuracy_study(fine, 0)
+    ends = (1e-3, 100)
+    ticks = [1e-3, 1e-2, 1e-1, 1, 10, 100]
+    panel = Panel(picture, LEFT, 44, 300, 300, ends, ends, "xy")
+    panel.title("relative error of each value, 95 % quantile")
+    panel.y_axis("estimated on 16 scenarios [%]", ticks)
+    panel.x_axis("of all 64 scenarios, against 1024 cells [%]", ticks)
+    panel.frame()
+    panel.curve(ends, ends, Style(GREY, width=1))
+    for k, (asked, colour) in enumerate((("5 %", ORANGE), ("0.5 %", BLUE))):
+        study_ = accuracy_study(f'accuracy = "{asked}"\n', 16)
+        estimate = study_.accuracy["relative_error"]
+        true = {name: _true_error(name, study_, finest) for name in estimate}
+        shown = [
+            name for name in estimate if ends[0] < true[name] < ends[1] and ends[0] < 100 * estimate[name] < ends[1]
+        ]
+        panel.points([true[name] for name in shown], [100 * estimate[name] for name in shown], colour, 3)
+        within = 100 * study_.accuracy["coverage"]
+        picture.circle(430, 80 + 46 * k, 4, fill=colour, stroke=colour)
+        picture.text(444, 84 + 46 * k, f"accuracy asked for: {asked}")
+        picture.text(444, 102 + 46 * k, f"coverage on the sample: {within:.0f} %", size=12, colour=GREY)
+    picture.text(444, 192, "line: estimate and truth are equal", size=12, colour=GREY)
+    return picture
+
+
+def _true_error(name, study_, finest):
+    """95 % quantile [%] over all scenarios."""
+    exact = finest["mean_absolute_oil_flow" if name == "net_oil_flow" else name]
+    errors = numpy.abs(study_[name] - finest[name]) / numpy.where(exact == 0, numpy.nan, numpy.abs(exact))
+    errors = errors[numpy.isfinite(errors)]
+    return 100 * numpy.quantile(errors, 0.95, method="median_unbiased") if len(errors) else numpy.nan
+
+
 PICTURES = {
+    "study-accuracy": study_accuracy,
     "plan-points": plan_points,
     "study-band": study_band,
     "study-indices": study_indices,

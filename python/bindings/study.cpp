@@ -14,6 +14,7 @@
 #include "ringfilm/io/study/study_result.hpp"
 #include "ringfilm/study/design/idle_factors.hpp"
 #include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/sampled_error.hpp"
 #include "ringfilm/study/scenario_note.hpp"
 #include "ringfilm/study/statistics/kept_curves.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
@@ -50,6 +51,7 @@ struct StudyResultObject {
     std::vector<std::uint32_t> scenarios;  ///< that carry it
   };
   std::map<std::pair<std::size_t, std::string>, Note> notes = {};  ///< on single results, by rank and topic
+  std::optional<study::SampledError> error = {};                   ///< of its values, where the study estimates it
 };
 
 std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity, std::size_t base, bool sample_only) {
@@ -159,7 +161,7 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
   all.run([&] { study::run_scenarios(plan, {n_there, plan.size()}, finished, options); });
 }
 
-StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
+StudyResultObject computed(const StudyObject& self, int threads, const py::object& progress) {
   StudyResultObject result{self.loaded, {}, {}, {}};
   result.values.resize(self.loaded->plan.values().quantities.size());
   compute(result, threads, progress);
@@ -176,6 +178,36 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
     compute(result, threads, progress);
   }
   return result;
+}
+
+StudyResultObject run(const StudyObject& self, int threads, const py::object& progress) {
+  StudyResultObject result = computed(self, threads, progress);
+  const auto own = [&result](std::uint64_t i) {
+    std::vector<double> row;
+    for (const std::vector<double>& values : result.values) row.push_back(values[i]);
+    return row;
+  };
+  study::BatchOptions options;
+  options.threads = threads;
+  Interruptible all;
+  options.pulse = [&all] { all.pulse(); };
+  all.run([&] { result.error = study::sampled_error(result.loaded->plan, own, {}, options); });
+  return result;
+}
+
+py::object accuracy(const StudyResultObject& self) {
+  if (!self.error) return py::none();
+  const study::SampledError& error = *self.error;
+  const auto& quantities = self.loaded->plan.values().quantities;
+  py::dict quantiles, reported;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (error.quantiles[i]) quantiles[py::str(quantities[i].name)] = *error.quantiles[i];
+  }
+  reported["scenarios"] = error.scenarios;
+  reported["asked"] = error.asked;
+  reported["coverage"] = error.coverage();
+  reported["relative_error"] = quantiles;
+  return reported;
 }
 
 py::dict notes_by_topic(const StudyResultObject& self) {
@@ -273,6 +305,9 @@ py::dict study_dataset(const py::object& object) {
     py::dict attributes;
     attributes["units"] = quantities[q].unit;
     attributes["long_name"] = quantities[q].long_name;
+    if (self.error && self.error->quantiles[q]) {
+      attributes["relative_error_95_percent"] = *self.error->quantiles[q];
+    }
     variables[py::str(quantities[q].name)] = py::make_tuple(scenario, view(self.values[q], object), attributes);
   }
   const Plan& plan = self.loaded->plan;
@@ -374,6 +409,13 @@ void bind_results(py::module_& module) {
       .def_property_readonly("notes", &notes_by_topic,
                              "The notes on single results, the most serious first, {topic: (message of the scenario "
                              "where it is worst, else of the first, list of scenarios from 0)}.")
+      .def_property_readonly(
+          "accuracy", &accuracy,
+          R"(How accurate the values are: an estimate of a sample of the scenarios; None without a sample.
+
+A dict: scenarios (from 0, that were compared), asked (accuracies asked for [%]), coverage (share of the sampled values
+within the accuracy asked for; None where none is), relative_error ({value: 95 % quantile of its relative error}).
+Source: docs/theory/error-estimate.md, eq-sampled-error.)")
       .def_property_readonly("plan_notes", &plan_notes,
                              "Notes on the plan, among them the factors that change no value, a list of str.")
       .def(

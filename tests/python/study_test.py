@@ -63,6 +63,15 @@ def test_the_values_are_those_of_the_program(study, folder, run_program):
     assert result.unsolved == {}
 
 
+def test_the_accuracy_is_estimated_on_a_sample(study, folder):
+    assert study.run().accuracy is None  # its cells are stated
+    (folder / "study.toml").write_text(STUDY + "[accuracy]\nsample = 3\n")
+    accuracy = ringfilm.Study.read("study.toml").run().accuracy
+    assert len(accuracy["scenarios"]) == 3 and accuracy["asked"] == [] and accuracy["coverage"] is None
+    assert 0 < accuracy["relative_error"]["fmep"] < 0.1
+    assert "min_film_thickness_angle" not in accuracy["relative_error"]
+
+
 def test_statistics_are_those_of_numpy(study):
     result = study.run()
     reported = result.statistics("fmep")

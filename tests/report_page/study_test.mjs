@@ -97,6 +97,19 @@ for (const [name, expected] of Object.entries(kFigures)) {
   }
 }
 
+test('the accuracy of the sample is reported', async () => {
+  const { page, faults } = await opened('study_uncertainty.html');
+  const text = await page.textContent('section#accuracy');
+  assert.match(text, /Estimated on 2 of \d+ scenarios.*Not solved: 1 more\./);
+  assert.match(text, /97\.5 % of their 80 values are within the 0\.5 % asked for/);
+  const rows = await page.locator('section#accuracy tbody tr').allTextContents();
+  assert.equal(rows.length, 2);
+  assert.match(rows[0], /0\.21/);
+  assert.match(rows[1], /4\.6/);
+  assert.deepEqual(faults, []);
+  await page.context().close();
+});
+
 test('another value is picked with the keyboard', async () => {
   const { page, faults } = await opened('study_uncertainty.html');
   const before = await page.textContent('#tornado figcaption');

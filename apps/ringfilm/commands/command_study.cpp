@@ -22,6 +22,7 @@
 #include "ringfilm/io/study/study_result.hpp"
 #include "ringfilm/report/study_page.hpp"
 #include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/sampled_error.hpp"
 #include "ringfilm/study/statistics/kept_curves.hpp"
 #include "ringfilm/study/statistics/stopping_rule.hpp"
 #include "ringfilm/study/study_run.hpp"
@@ -240,9 +241,27 @@ std::vector<io::ShardReader> compute_part(const StudyOptions& options, Loaded& s
   return rows;
 }
 
+/// Integrates a sample of the scenarios again, which shows how accurate the rows are.
+std::optional<study::SampledError> estimated_error(const StudyOptions& options, const io::StudyRows& rows) {
+  const StopRequest stop;
+  StudyProgress progress("accuracy", 0, study::sample_size(rows.plan));
+  study::BatchOptions batch;
+  batch.threads = options.threads;
+  batch.pulse = [&] {
+    if (stop.is_made()) {
+      throw FailedChecks(fmt::format("stopped: all scenarios are kept; to continue: {}", resume_command(options)));
+    }
+  };
+  return study::sampled_error(
+      rows.plan, [&rows](std::uint64_t i) { return rows.row(i); },
+      [&progress](int done, int) { progress.show(static_cast<std::uint64_t>(done), 0); }, batch);
+}
+
 /// Writes results and summary of a study of which all rows are there.
-void write_results(const StudyFiles& files, const Loaded& study, std::vector<io::ShardReader> shards) {
-  const io::StudyRows rows{study.file, study.plan, std::move(shards)};
+void write_results(const StudyOptions& options, const StudyFiles& files, const Loaded& study,
+                   std::vector<io::ShardReader> shards) {
+  io::StudyRows rows{study.file, study.plan, std::move(shards)};
+  rows.error = estimated_error(options, rows);
   io::write_study_result(files.result(), rows);
   io::write_study_csv(files.table(), rows);
   io::write_atomically(files.page(), report::study_page(rows, io::Units(), io::this_program()));
@@ -373,7 +392,7 @@ void run_study(const StudyOptions& options) {
   if (is_there) shards.emplace_back(finished);
   study.take_points_of(shards.front());
   try {
-    write_results(files, study, std::move(shards));
+    write_results(options, files, study, std::move(shards));
   } catch (const OutputError& error) {
     throw OutputError(
         fmt::format("{}\nall scenarios are kept; free disk space, then: {}", error.what(), resume_command(options)));
@@ -389,7 +408,7 @@ void merge_study(const StudyOptions& options) {
   io::check_can_write(files.result(), io::Sink::kFile);
   io::check_can_write(files.table(), io::Sink::kFile);
   io::check_can_write(files.page(), io::Sink::kFile);
-  write_results(files, study, std::move(shards));
+  write_results(options, files, study, std::move(shards));
 }
 
 std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t usual) {

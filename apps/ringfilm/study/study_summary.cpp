@@ -29,6 +29,7 @@ class Summary {
       append_base(b);
       print_notes(b);
     }
+    append_error();
     append_unsolved();
     return text_;
   }
@@ -153,6 +154,36 @@ class Summary {
         text += fmt::format("    {:<36} no effect known: too few solved\n", plan_.study().factors[j].name);
     }
     return text;
+  }
+
+  /// How accurate the values are, as far as it was estimated.
+  void append_error() {
+    if (!rows_.error) return;
+    const study::SampledError& error = *rows_.error;
+    const std::uint64_t n = error.scenarios.size() + error.n_unsolved;
+    text_ +=
+        fmt::format("\naccuracy, estimated by integrating {} of {} scenarios again on a finer grid{}\n", n,
+                    plan_.size(), error.n_unsolved > 0 ? fmt::format(", {} of them not solved", error.n_unsolved) : "");
+    if (const auto coverage = error.coverage()) {
+      text_ += fmt::format("  {:.1f} % of their {} values are within the {:.3g} % asked for\n", 100 * *coverage,
+                           error.n_values, fmt::join(error.asked, " or "));
+    }
+    if (error.scenarios.empty()) return;
+    text_ += "  relative error, 95 % quantile:";
+    const auto& quantities = plan_.values().quantities;
+    std::optional<std::size_t> worst;
+    const char* between = " ";
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+      if (!error.quantiles[i]) continue;
+      if (!worst || *error.quantiles[i] > *error.quantiles[*worst]) worst = i;
+      if (std::ranges::find(plan_.values().main, quantities[i].name) == plan_.values().main.end()) continue;
+      text_ +=
+          fmt::format("{}{} {:.2g} %", std::exchange(between, ", "), quantities[i].name, 100 * *error.quantiles[i]);
+    }
+    if (worst) {
+      text_ += fmt::format("; the largest {} {:.2g} %", quantities[*worst].name, 100 * *error.quantiles[*worst]);
+    }
+    text_ += "\n";
   }
 
   void append_unsolved() {

@@ -82,6 +82,17 @@ struct OutputSelection {
   SourceMark quantities_mark, crank_step_mark;
 };
 
+/// How accurate the values of a study are, and on how many of its scenarios that is estimated.
+struct Accuracy {
+  /// Of films across the face between edges of oil in bases that state neither an accuracy nor cells and steps;
+  /// nothing: they are computed with the cells and steps that a case has without these keys [%].
+  std::optional<double> asked = 0.5;
+  /// Scenarios that are integrated again on a finer grid; nothing: kUsualSample where an accuracy is asked for.
+  std::optional<std::uint64_t> sample;
+  static constexpr std::uint64_t kUsualSample = 16;
+  static constexpr std::uint64_t kLargestSample = 10'000;
+};
+
 struct Study {
   std::string title;
   StudyKind kind = StudyKind::kUncertainty;
@@ -93,6 +104,7 @@ struct Study {
   std::vector<Correlation> correlations;
   Sampling sampling;
   OutputSelection keep;
+  Accuracy accuracy;
 };
 
 }  // namespace ringfilm::study

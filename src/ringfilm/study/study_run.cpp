@@ -93,17 +93,23 @@ class Collector {
   Clock::time_point last_ = Clock::now();
 };
 
+/// Which cases are run, by numbers from `range`.
+struct Cases {
+  ScenarioRange range;
+  std::function<cycle::Case(std::uint64_t)> at;  ///< throws InputError where there is none
+};
+
+/// Takes the rows as they end, never two at a time.
+using Put = std::function<void(std::uint64_t, ScenarioRow)>;
+
 /// Ring packs and their gas: each scenario by itself, several at a time.
-void run_one_by_one(const Plan& plan, const ScenarioRange& range,
-                    const std::function<void(std::uint64_t, ScenarioRow)>& put, const BatchOptions& options) {
+void run_one_by_one(const Plan& plan, const Cases& cases, const Put& put, const BatchOptions& options) {
   std::mutex mutex;
-  std::atomic<std::uint64_t> next = range.first;
+  std::atomic<std::uint64_t> next = cases.range.first;
   std::atomic<bool> has_ended = false;
   const auto row = [&](std::uint64_t i) {
     try {
-      cycle::Case one = scenario_case(plan.study(), plan.point(i));
-      ask_for_kept(plan.study().keep, one);
-      return pack_row(one, plan.study(), plan.values());
+      return pack_row(cases.at(i), plan.study(), plan.values());
     } catch (const InputError& refusal) {
       return unsolved_row(reason_of(refusal), plan);
     } catch (const ConvergenceError& stop) {
@@ -112,7 +118,7 @@ void run_one_by_one(const Plan& plan, const ScenarioRange& range,
   };
   const auto work = [&](int) {
     try {
-      for (std::uint64_t i = next++; i < range.end && !has_ended; i = next++) {
+      for (std::uint64_t i = next++; i < cases.range.end && !has_ended; i = next++) {
         if (options.pulse) options.pulse();
         ScenarioRow one = row(i);
         const std::lock_guard lock(mutex);
@@ -124,6 +130,32 @@ void run_one_by_one(const Plan& plan, const ScenarioRange& range,
     }
   };
   on_threads(n_threads(options.threads), work);
+}
+
+/// Single films, in the lanes of a batch.
+void run_in_lanes(const Plan& plan, const Cases& cases, const OutputSelection& keep, const Put& put,
+                  const BatchOptions& options) {
+  std::map<std::size_t, std::uint64_t> number_of;  // of the cases on their way, by their place in the batch
+  std::size_t n_given = 0;
+  std::uint64_t next = cases.range.first;
+  const auto source = [&]() -> std::optional<cycle::Case> {
+    while (next < cases.range.end) {
+      const std::uint64_t i = next++;
+      try {
+        cycle::Case one = cases.at(i);
+        number_of[n_given++] = i;
+        return one;
+      } catch (const InputError& refusal) {
+        put(i, unsolved_row(reason_of(refusal), plan));
+      }
+    }
+    return std::nullopt;
+  };
+  const auto ended = [&](Ending ending) {
+    const std::uint64_t i = number_of.extract(ending.index).mapped();
+    put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), plan));
+  };
+  simulate_cases(source, ended, options);
 }
 
 }  // namespace
@@ -145,42 +177,60 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
   StudyRunOptions in_blocks = options;
   in_blocks.most_rows = rows_in_block(plan.study(), options.most_rows);
   Collector collector(range.first, finished, in_blocks);
-  std::map<std::size_t, std::uint64_t> scenario_of;  // of the cases on their way, by their place in the batch
-  std::size_t n_given = 0;
-  std::uint64_t next = range.first;
+  const bool is_film = is_one_film(plan.study(), plan.study().bases.front().input);
+  const auto scenario = [&](std::uint64_t i) {
+    cycle::Case one = scenario_case(plan.study(), plan.point(i));
+    ask_for_kept(keep, one);
+    return one;
+  };
   const auto put = [&](std::uint64_t i, ScenarioRow row) {
     row.base = plan.base_of(i);
     collector.put(i, std::move(row));
   };
-  const auto source = [&]() -> std::optional<cycle::Case> {
-    while (next < range.end) {
-      const std::uint64_t i = next++;
-      try {
-        cycle::Case one = scenario_case(plan.study(), plan.point(i));
-        ask_for_kept(keep, one);
-        scenario_of[n_given++] = i;
-        return one;
-      } catch (const InputError& refusal) {
-        put(i, unsolved_row(reason_of(refusal), plan));
-      }
-    }
-    return std::nullopt;
-  };
-  const auto ended = [&](Ending ending) {
-    const std::uint64_t i = scenario_of.extract(ending.index).mapped();
-    put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), plan));
-  };
   try {
-    if (is_one_film(plan.study(), plan.study().bases.front().input)) {
-      simulate_cases(source, ended, options.batch);
+    if (is_film) {
+      run_in_lanes(plan, {range, scenario}, keep, put, options.batch);
     } else {
-      run_one_by_one(plan, range, put, options.batch);
+      run_one_by_one(plan, {range, scenario}, put, options.batch);
     }
     collector.hand_over();
   } catch (const Stopped&) {
     // What was handed over is kept.
   }
   return collector.next();
+}
+
+std::vector<std::vector<double>> values_of_changed(const Plan& plan, const std::vector<std::uint64_t>& scenarios,
+                                                   const std::function<cycle::Case(const cycle::Case&)>& change,
+                                                   const Progress& progress, const BatchOptions& options) {
+  const bool is_film = is_one_film(plan.study(), plan.study().bases.front().input);
+  const auto changed = [&](std::uint64_t k) {
+    cycle::Case one = scenario_case(plan.study(), plan.point(scenarios[k]));
+    ask_for_kept(plan.study().keep, one);  // on which the steps of a case with an accuracy depend
+    if (is_film) {
+      one = change(one);
+      ask_for_kept({}, one);
+      return one;
+    }
+    std::vector<cycle::Case> rings = std::move(one.rings);
+    one = change(one);
+    for (cycle::Case& ring : rings) ring = change(ring);
+    one.rings = std::move(rings);
+    return one;
+  };
+  std::vector<std::vector<double>> values(scenarios.size());
+  int n_ended = 0;
+  const auto put = [&](std::uint64_t k, ScenarioRow row) {
+    values[k] = std::move(row.values);
+    if (progress) progress(++n_ended, static_cast<int>(scenarios.size()));
+  };
+  const Cases cases{{0, scenarios.size()}, changed};
+  if (is_film) {
+    run_in_lanes(plan, cases, {}, put, options);
+  } else {
+    run_one_by_one(plan, cases, put, options);
+  }
+  return values;
 }
 
 }  // namespace ringfilm::study

@@ -61,4 +61,11 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
                             const std::function<Continuation(const ScenarioBlock&)>& finished,
                             const StudyRunOptions& options = {});
 
+/// Values of some scenarios whose cases are changed before they are run, in the order of `scenarios`; all NaN of one
+/// that cannot be made into a case, or be solved.
+/// @param change of the case of one film with the output that the study requires, or of each ring of a pack
+std::vector<std::vector<double>> values_of_changed(const Plan& plan, const std::vector<std::uint64_t>& scenarios,
+                                                   const std::function<cycle::Case(const cycle::Case&)>& change,
+                                                   const Progress& progress = {}, const BatchOptions& options = {});
+
 }  // namespace ringfilm::study

@@ -88,7 +88,11 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
   io::ShardWriter(folder / "rows", header).append(block);
   std::vector<io::ShardReader> shards;
   shards.emplace_back(folder / "rows");
-  const io::StudyRows rows{file, plan, std::move(shards)};
+  io::StudyRows rows{file, plan, std::move(shards)};
+  rows.error = study::SampledError{{0, 2}, 1, {}, {0.5}, 80, 78};
+  rows.error->quantiles.resize(quantities.size());
+  rows.error->quantiles[*cycle::cycle_quantity_index("fmep")] = 0.0021;
+  rows.error->quantiles[*cycle::cycle_quantity_index("mean_friction_coefficient")] = 0.0456;
   return report::study_page(rows, io::Units(), {"ringfilm 0.0.0", "abc", "g++", ""});
 }
 

@@ -32,10 +32,10 @@ class StudyReader : DocumentReader {
 
   StudyFile read() {
     const TomlValue root = read_document("study");
-    StudyTable table(
-        root, "a study",
-        {"title", "kind", "compute", "seed", "base", "factor", "measured", "correlation", "plan", "point", "keep"},
-        faults_);
+    StudyTable table(root, "a study",
+                     {"title", "kind", "compute", "seed", "base", "factor", "measured", "correlation", "plan", "point",
+                      "keep", "accuracy"},
+                     faults_);
     study_.title = table.text("title").value_or(stem());
     study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
     study_.compute =
@@ -55,6 +55,7 @@ class StudyReader : DocumentReader {
     read_plan(table);
     read_points(table);
     read_keep(table);
+    read_accuracy(table);
     if (faults_.empty()) read_files_of_factors();
     if (!faults_.empty()) throw InputError(faults_);
     return {std::move(study_), std::move(files_)};
@@ -353,6 +354,21 @@ class StudyReader : DocumentReader {
       } catch (const UnitError& problem) {
         table.refuse(step->mark, fmt::format("crank_step = {} {}", step->as_written(), problem.what()), problem.remedy);
       }
+    }
+  }
+
+  void read_accuracy(StudyTable& root) {
+    const TomlValue* value = root.find("accuracy");
+    if (value == nullptr) return;
+    StudyTable table(*value, "[accuracy]", {"sample"}, faults_);
+    study_.accuracy.sample = table.count("sample");
+    const TomlValue* sample = table.find("sample");
+    if (sample == nullptr) return;
+    if (study_.compute == Compute::kGas) {
+      table.refuse(sample->key_mark, "accuracy.sample is about films, and compute = \"gas\" has none", "leave it out");
+    } else if (study_.accuracy.sample > study::Accuracy::kLargestSample) {
+      table.refuse(sample->mark, fmt::format("accuracy.sample = {} is out of range", sample->as_written()),
+                   fmt::format("allowed is 0 to {}; 16 are usual", study::Accuracy::kLargestSample));
     }
   }
 

@@ -83,6 +83,33 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
   if (!notes.empty()) file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, notes);
 }
 
+/// The estimate of the numerical error, of the values themselves in their attributes.
+void write_error(ResultFileWriter& file, const StudyRows& rows) {
+  if (!rows.error) return;
+  const study::SampledError& error = *rows.error;
+  std::vector<double> scenarios;
+  for (const std::uint64_t i : error.scenarios) scenarios.push_back(static_cast<double>(i));
+  if (!scenarios.empty()) {
+    file.numbers({"accuracy_sample"},
+                 {"accuracy_scenario", "1", "", "scenario that was integrated again on a finer grid", "", ""},
+                 scenarios);
+  }
+  if (!error.asked.empty()) {
+    file.numbers({"accuracy_asked"}, {"accuracy_asked", "%", "%", "accuracy asked for", "", ""}, error.asked);
+  }
+  if (const auto coverage = error.coverage()) {
+    file.scalar({"accuracy_coverage", "1", "", "share of the sampled values within the accuracy asked for", "",
+                 "eq-sampled-error"},
+                *coverage);
+    file.scalar({"accuracy_values", "1", "", "sampled values of which that is the share", "", ""},
+                static_cast<double>(error.n_values));
+  }
+  const auto& quantities = rows.plan.values().quantities;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (error.quantiles[i]) file.describe(quantities[i].name, "relative_error_95_percent", *error.quantiles[i]);
+  }
+}
+
 /// Writes all that goes over scenarios, a block at a time.
 class BlockWriter {
  public:
@@ -352,6 +379,7 @@ void write_study_result(const std::string& path, const StudyRows& rows) {
   if (keep.curves != study::Curves::kNone) write_axes(file, rows);
   BlockWriter blocks(file, rows, notes);
   blocks.define();
+  write_error(file, rows);
   blocks.write();
   if (keep.curves == study::Curves::kQuantiles) write_bands(file, rows);
   if (!rows.plan.study().sampling.points.empty()) write_points(file, rows);

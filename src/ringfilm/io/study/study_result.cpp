@@ -68,6 +68,14 @@ std::vector<double> StudyRows::values(std::size_t i, const study::ScenarioRange&
   return all;
 }
 
+std::vector<double> StudyRows::row(std::uint64_t scenario) const {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < plan.values().quantities.size(); ++i) {
+    all.push_back(values(i, {scenario, scenario + 1}).front());
+  }
+  return all;
+}
+
 std::vector<float> StudyRows::curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
                                     const study::ScenarioRange& range) const {
   std::vector<float> all(n_angles * range.size());

@@ -9,6 +9,7 @@
 #include "ringfilm/io/storage/shard_file.hpp"
 #include "ringfilm/io/study/study_file.hpp"
 #include "ringfilm/study/design/plan.hpp"
+#include "ringfilm/study/sampled_error.hpp"
 #include "ringfilm/study/scenario_note.hpp"
 
 namespace ringfilm::io {
@@ -20,9 +21,10 @@ class StudyRows {
   StudyRows(const StudyFile& from, const study::Plan& of, std::vector<ShardReader> with)
       : file(from), plan(of), shards(std::move(with)) {}
 
-  const StudyFile& file;            ///< what was asked for
-  const study::Plan& plan;          ///< which scenario has which numbers
-  std::vector<ShardReader> shards;  ///< in the order of their scenarios, without a gap
+  const StudyFile& file;                                    ///< what was asked for
+  const study::Plan& plan;                                  ///< which scenario has which numbers
+  std::vector<ShardReader> shards;                          ///< in the order of their scenarios, without a gap
+  std::optional<study::SampledError> error = std::nullopt;  ///< of its values, where it was estimated
 
   /// Names of the film::FilmKernels with which they were computed: "avx2", "avx2, avx512".
   std::string kernels() const;
@@ -34,7 +36,8 @@ class StudyRows {
   /// not solved.
   std::vector<float> curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
                            const study::ScenarioRange& range) const;
-  std::vector<ShardReader::Unsolved> unsolved() const;  ///< of all scenarios, in their order
+  std::vector<double> row(std::uint64_t scenario) const;  ///< all values of a scenario
+  std::vector<ShardReader::Unsolved> unsolved() const;    ///< of all scenarios, in their order
   std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;  ///< of a range
   std::uint64_t n_unsolved() const;                                                      ///< how many
 

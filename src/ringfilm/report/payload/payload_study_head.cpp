@@ -158,6 +158,25 @@ ordered_json scenario_notes_object(const io::StudyRows& rows) {
   return reported;
 }
 
+/// null where no error was estimated.
+ordered_json error_object(const io::StudyRows& rows) {
+  if (!rows.error) return nullptr;
+  const study::SampledError& error = *rows.error;
+  constexpr int kDigits = 3;
+  const auto& quantities = rows.plan.values().quantities;
+  ordered_json quantiles = ordered_json::object();
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    if (error.quantiles[i]) quantiles[quantities[i].name] = rounded(*error.quantiles[i], kDigits);
+  }
+  const auto coverage = error.coverage();
+  return {{"count", error.scenarios.size()},
+          {"unsolved", error.n_unsolved},
+          {"asked", exact_list(error.asked)},
+          {"values", error.n_values},
+          {"coverage", coverage ? rounded(*coverage, kDigits + 1) : ordered_json(nullptr)},
+          {"quantiles", std::move(quantiles)}};
+}
+
 }  // namespace
 
 ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const io::Provenance& provenance) {
@@ -192,6 +211,7 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
           {"unsolved", unsolved_object(rows)},
           {"notes", rows.notes()},
           {"scenario_notes", scenario_notes_object(rows)},
+          {"error", error_object(rows)},
           {"bases", std::move(bases)},
           {"factors", std::move(factors)},
           {"correlations", std::move(correlations)},

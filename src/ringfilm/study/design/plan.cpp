@@ -307,8 +307,10 @@ std::string Plan::digest_text() const {
   if (study_.compute == Compute::kGas) text.append("gas alone\n");
   if (sampling.method == Method::kLatinHypercube) text.append("points " + std::to_string(sampling.scenarios) + "\n");
   if (sampling.method == Method::kMorris) text.append("levels " + std::to_string(sampling.levels) + "\n");
-  for (const Base& base : study_.bases)
-    text.append("base \"").append(base.name).append("\"\n").append(study::digest_text(base.input));
+  for (const Base& base : study_.bases) {
+    const cycle::Case input = with_accuracy_of_study(base.input, study_);
+    text.append("base \"").append(base.name).append("\"\n").append(study::digest_text(input));
+  }
   for (const Factor& factor : study_.factors) {
     text.append("factor \"").append(factor.name).append("\" ").append(std::to_string(static_cast<int>(factor.how)));
     text.append(" ").append(text_of(factor.variation)).append("\n");

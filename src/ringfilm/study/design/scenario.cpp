@@ -1,6 +1,7 @@
 #include "ringfilm/study/design/scenario.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -12,6 +13,11 @@ namespace ringfilm::study {
 namespace {
 
 using namespace cycle;
+
+/// What solver.accuracy chooses.
+constexpr std::array kResolutionKeys = {"solver.cells",       "solver.cell_lengths",
+                                        "solver.crank_step",  "solver.crank_step_control",
+                                        "solver.time_scheme", "solver.step_error"};
 
 struct EntryOf {
   Entry operator()(const NumberKind&) const { return Entry::kAnyNumber; }
@@ -230,6 +236,22 @@ std::vector<RuleBreach> rules_broken(const Case& c, Compute compute) {
   return all;
 }
 
+/// Are cells or steps stated, in a file or by a value that is not the usual one?
+bool states_resolution(const Case& c) {
+  const auto is_stated = [&c](const char* key) { return c.stated.contains(key); };
+  const Solver &solver = c.solver, usual;
+  return std::any_of(kResolutionKeys.begin(), kResolutionKeys.end(), is_stated) || solver.cells != usual.cells ||
+         solver.cell_lengths != usual.cell_lengths || solver.crank_step_deg != usual.crank_step_deg ||
+         solver.crank_step_control != usual.crank_step_control || solver.time_scheme != usual.time_scheme ||
+         solver.step_error != usual.step_error;
+}
+
+/// Is it a film of the kind whose accuracy was measured?
+bool has_known_accuracy(const Case& c) {
+  return c.problem == Problem::kCycle && !c.is_unrolled() && !c.film.has_gas_edge() &&
+         c.solver.method == cycle::Method::kCoupledNewton;
+}
+
 /// What a pack has beside its rings is that of the first.
 void take_first_ring(Case& pack) {
   Case all = pack.rings.front();
@@ -333,6 +355,7 @@ Case scenario_case(const Study& study, const Point& point) {
       }
     }
   }
+  c = with_accuracy_of_study(std::move(c), study);
   // Rules presume that every number is within its range.
   if (faults.empty()) {
     for (const RuleBreach& breach : rules_broken(c, study.compute)) {
@@ -342,6 +365,24 @@ Case scenario_case(const Study& study, const Point& point) {
   if (!faults.empty()) throw InputError(faults);
   if (c.is_pack()) take_first_ring(c);
   return c;
+}
+
+Case with_accuracy_of_study(Case c, const Study& study) {
+  if (study.compute == Compute::kGas || !study.accuracy.asked) return c;
+  const auto takes_it = [](const Case& one) {
+    return !one.solver.accuracy && !states_resolution(one) && has_known_accuracy(one);
+  };
+  if (!c.is_pack()) {
+    if (takes_it(c)) c.solver.accuracy = study.accuracy.asked;
+  } else if (std::all_of(c.rings.begin(), c.rings.end(), takes_it)) {
+    for (Case& ring : c.rings) ring.solver.accuracy = study.accuracy.asked;
+  }
+  return c;
+}
+
+std::optional<double> accuracy_asked(const Study& study, std::size_t base) {
+  const Case c = with_accuracy_of_study(study.bases.at(base).input, study);
+  return c.is_pack() ? c.rings.front().solver.accuracy : c.solver.accuracy;
 }
 
 void check_scenarios(const Plan& plan) {

@@ -21,11 +21,19 @@ bool is_file(const cycle::Field& field);
 /// with the choice, in Study::readings.
 bool decides_reading(const cycle::Field& field);
 
-/// The base of a point with the numbers of its factors put in, choices first, then numbers set, scaled and added to.
+/// The base of a point with the numbers of its factors put in, choices first, then numbers set, scaled and added to,
+/// and with_accuracy_of_study.
 /// Throws InputError with all that is wrong: a number out of the range of its key, a base without a number to scale or
 /// to add to, and the rules that join keys (cycle::broken_rules, of the gas alone broken_gas_rules, of a pack
 /// broken_pack_rules).
 cycle::Case scenario_case(const Study& study, const Point& point);
+
+/// The case with the accuracy that the study asks of it: its own, or that of the study where it states neither an
+/// accuracy nor cells and steps and the error of such films is known (docs/theory/film.md, "accuracy").
+cycle::Case with_accuracy_of_study(cycle::Case c, const Study& study);
+
+/// What solver.accuracy asks of a scenario of that base, or nothing [%].
+std::optional<double> accuracy_asked(const Study& study, std::size_t base);
 
 /// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
 /// stated twice over, a number to scale that is not there. To be asked before anything is run; a plan of which some

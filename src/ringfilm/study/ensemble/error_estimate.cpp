@@ -244,6 +244,11 @@ std::vector<Case> other_grids(const Case& stated) {
           on_grid(c, cells, double_step_deg)};
 }
 
+Case finer_grid(const Case& stated) {
+  const Case c = cycle::with_accuracy(stated);
+  return on_grid(c, 2 * c.solver.cells, c.solver.crank_step_deg / 2);
+}
+
 ErrorEstimate error_estimate(const Case& stated, const CycleResult& result, std::span<const Ending> others) {
   const Case c = cycle::with_accuracy(stated);
   const std::vector<Case> grids = other_grids(c);

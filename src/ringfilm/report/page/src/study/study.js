@@ -11,6 +11,7 @@ import { StudyModel } from './study_model.js';
 import { convergenceFigure, histogramFigure } from './study_spread.js';
 import { stribeckFigure } from './study_stribeck.js';
 import {
+  accuracySection,
   differencesTable,
   firstScreen,
   indicesTable,
@@ -260,6 +261,7 @@ legend hides that base.'
   (order[model.kind] ?? order.uncertainty).forEach((name) => makers[name]());
   const rest = [
     ['values', 'Cycle values', any ? statisticsSection(model, context) : null],
+    ['accuracy', 'Accuracy', accuracySection(model)],
     ['notes', 'Notes', notesSection(model)],
     ['varied', 'What varied', variedSection(model)],
     ['unsolved', 'Not solved', unsolvedSection(model)],

@@ -21,6 +21,8 @@ const kKinds = {
 /** The values on the first screen. */
 const kCards = ['fmep', 'mean_power_loss', 'min_film_thickness'];
 const kNotesShown = 4;
+/** Values beside the main ones whose errors are the largest. */
+const kOtherErrors = 6;
 
 /** Of a study without one of them the values that it has instead. */
 function cards(model) {
@@ -93,7 +95,7 @@ function byWeight(scenarioNotes) {
 export function firstScreen(model) {
   const failed = model.unsolved.count;
   const notes = model.notes.map((note) => element('li', {}, sentence(note)));
-  const [first] = byWeight(model.scenario_notes);
+  const [first] = byWeight(model.scenario_notes.filter((note) => note.topic !== 'accuracy-asked-for'));
   if (first) {
     const others = model.scenario_notes.length - 1;
     notes.unshift(
@@ -479,6 +481,45 @@ cycle measures that, the first one with it. The result file lists all scenarios.
         sentence(n.message),
         { text: code(n.topic) },
         right(`${n.is_worst ? 'worst: ' : 'first: '}${n.scenario}`),
+      ]),
+      { folds: true },
+    ),
+  );
+}
+
+/** How accurate the values are, as far as it was estimated on a sample. */
+export function accuracySection(model) {
+  const error = model.error;
+  if (!error || error.count === 0) return null;
+  const names = Object.keys(error.quantiles);
+  const main = new Set(model.main_values);
+  const ordered = [
+    ...names.filter((name) => main.has(name)),
+    ...names
+      .filter((name) => !main.has(name))
+      .sort((a, b) => error.quantiles[b] - error.quantiles[a])
+      .slice(0, kOtherErrors),
+  ];
+  return section(
+    'accuracy',
+    'Numerical accuracy',
+    element(
+      'p',
+      {},
+      `Estimated on ${count(error.count)} of ${count(model.scenarios)} scenarios, which were integrated again with \
+twice the cells and half the steps.${error.unsolved ? ` Not solved: ${count(error.unsolved)} more.` : ''}${
+        error.coverage === null
+          ? ''
+          : ` ${number(100 * error.coverage, 3)} % of their ${count(error.values)} values are within the \
+${error.asked.join(' or ')} % asked for.`
+      } The main values come first, then the largest errors of others; the result file has all.`,
+    ),
+    table(
+      'Relative error',
+      ['quantity', right('95 % quantile of the relative error [%]')],
+      ordered.map((name) => [
+        model.quantity.get(name).long_name,
+        right(number(100 * error.quantiles[name], 2)),
       ]),
       { folds: true },
     ),

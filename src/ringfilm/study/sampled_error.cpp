@@ -1,0 +1,125 @@
+#include "ringfilm/study/sampled_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/ensemble/error_estimate.hpp"
+#include "ringfilm/study/statistics/statistics.hpp"
+#include "ringfilm/study/study_run.hpp"
+
+namespace ringfilm::study {
+namespace {
+
+using Rows = std::vector<std::vector<double>>;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+/// 2^p / (2^p - 1) of the lowest order of the schemes, p = 1; eq-sampled-error.
+constexpr double kBeyondFiner = 2;
+/// Keeps the draw apart from those of the plan, which have the same seed.
+constexpr std::uint64_t kStream = 0x5a;
+
+bool is_solved(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+/// To what the error of a value is relative. The net flow may vanish although both flows are there.
+double scale_of(const StudyValues& values, std::size_t i, const std::vector<double>& finer) {
+  const auto both_flows = values.index("mean_absolute_oil_flow");
+  return std::abs(values.quantities[i].name == "net_oil_flow" && both_flows ? finer[*both_flows] : finer[i]);
+}
+
+/// Nothing (NaN) of a value that is absent.
+double relative_error(double own, double finer, double scale) {
+  if (std::isnan(own) || std::isnan(finer) || (own == 0 && finer == 0)) return kNone;
+  return kBeyondFiner * std::abs(own - finer) / scale;
+}
+
+}  // namespace
+
+std::optional<double> SampledError::coverage() const {
+  if (n_values == 0) return std::nullopt;
+  return static_cast<double>(n_within) / static_cast<double>(n_values);
+}
+
+std::uint64_t sample_size(const Plan& plan) {
+  const Study& study = plan.study();
+  if (study.compute == Compute::kGas) return 0;
+  bool is_asked = false;
+  for (std::size_t base = 0; base < study.bases.size(); ++base) {
+    is_asked = is_asked || accuracy_asked(study, base).has_value();
+  }
+  const std::uint64_t usual = is_asked ? Accuracy::kUsualSample : 0;
+  return std::min(study.accuracy.sample.value_or(usual), plan.size());
+}
+
+std::vector<std::uint64_t> sampled_scenarios(const Plan& plan) {
+  const std::uint64_t n = sample_size(plan);
+  std::vector<std::uint64_t> scenarios;
+  for (std::uint64_t k = 0; k < n; ++k) {
+    // Drawn, so that no factor of a grid is met at one of its levels alone.
+    const ScenarioRange part = shard_range(plan.size(), k + 1, n);
+    scenarios.push_back(part.first + hash(plan.study().seed, kStream, k) % part.size());
+  }
+  return scenarios;
+}
+
+SampledError compared(const StudyValues& values, const std::vector<std::uint64_t>& scenarios, const Rows& own,
+                      const Rows& finer, const std::vector<std::optional<double>>& asked) {
+  SampledError error;
+  std::vector<std::size_t> used;  // places in the sample
+  std::set<double> all_asked;
+  for (std::size_t k = 0; k < scenarios.size(); ++k) {
+    if (!is_solved(own[k]) || !is_solved(finer[k])) continue;
+    used.push_back(k);
+    error.scenarios.push_back(scenarios[k]);
+    if (asked[k]) all_asked.insert(*asked[k]);
+  }
+  error.n_unsolved = scenarios.size() - used.size();
+  error.asked.assign(all_asked.begin(), all_asked.end());
+  error.quantiles.resize(values.quantities.size());
+  for (std::size_t i = 0; i < values.quantities.size(); ++i) {
+    if (values.quantities[i].unit == "degree") continue;
+    const bool is_moved = std::any_of(used.begin(), used.end(), [&](std::size_t k) {
+      return std::isfinite(own[k][i]) && std::isfinite(finer[k][i]) && own[k][i] != finer[k][i];
+    });
+    if (!is_moved) continue;
+    std::vector<double> errors;
+    for (const std::size_t k : used) {
+      const double one = relative_error(own[k][i], finer[k][i], scale_of(values, i, finer[k]));
+      if (std::isnan(one)) continue;
+      errors.push_back(one);
+      if (!asked[k]) continue;
+      constexpr double kPercent = 100;
+      ++error.n_values;
+      error.n_within += kPercent * one <= *asked[k] ? 1 : 0;
+    }
+    std::sort(errors.begin(), errors.end());
+    if (!errors.empty()) error.quantiles[i] = quantile_of(errors, kErrorShare).value;
+  }
+  return error;
+}
+
+std::optional<SampledError> sampled_error(const Plan& plan,
+                                          const std::function<std::vector<double>(std::uint64_t)>& own,
+                                          const Progress& progress, const BatchOptions& options) {
+  const std::vector<std::uint64_t> scenarios = sampled_scenarios(plan);
+  if (scenarios.empty()) return std::nullopt;
+  std::vector<std::optional<double>> asked;
+  Rows own_values;
+  for (const std::uint64_t i : scenarios) {
+    own_values.push_back(own(i));
+    asked.push_back(accuracy_asked(plan.study(), plan.base_of(i)));
+    try {
+      asked.back() = scenario_case(plan.study(), plan.point(i)).solver.accuracy;
+    } catch (const InputError&) {  // a row without values, which is not compared
+    }
+  }
+  return compared(plan.values(), scenarios, own_values,
+                  values_of_changed(plan, scenarios, finer_grid, progress, options), asked);
+}
+
+}  // namespace ringfilm::study
