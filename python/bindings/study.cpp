@@ -195,8 +195,8 @@ StudyResultObject run(const StudyObject& self, int threads, const py::object& pr
   return result;
 }
 
-py::object accuracy(const StudyResultObject& self) {
-  if (!self.error) return py::none();
+std::optional<py::dict> accuracy(const StudyResultObject& self) {
+  if (!self.error) return std::nullopt;
   const study::SampledError& error = *self.error;
   const auto& quantities = self.loaded->plan.values().quantities;
   py::dict quantiles, reported;
@@ -204,6 +204,7 @@ py::object accuracy(const StudyResultObject& self) {
     if (error.quantiles[i]) quantiles[py::str(quantities[i].name)] = *error.quantiles[i];
   }
   reported["scenarios"] = error.scenarios;
+  reported["unsolved"] = error.n_unsolved;
   reported["asked"] = error.asked;
   reported["coverage"] = error.coverage();
   reported["relative_error"] = quantiles;
@@ -413,7 +414,7 @@ void bind_results(py::module_& module) {
           "accuracy", &accuracy,
           R"(How accurate the values are: an estimate of a sample of the scenarios; None without a sample.
 
-A dict: scenarios (from 0, that were compared), asked (accuracies asked for [%]), coverage (share of the sampled values
+A dict: scenarios (from 0, that were compared), unsolved (how many others were drawn), asked (accuracies asked for [%]), coverage (share of the sampled values
 within the accuracy asked for; None where none is), relative_error ({value: 95 % quantile of its relative error}).
 Source: docs/theory/error-estimate.md, eq-sampled-error.)")
       .def_property_readonly("plan_notes", &plan_notes,

@@ -12,6 +12,8 @@ namespace {
 constexpr double kStrokeDeg = 180;
 /// Angles closer than this are the same [degree].
 constexpr double kSameAngle = 1e-9;
+/// Of neighbouring steps that a parabola joins.
+constexpr double kMostUnequal = 8;
 
 }  // namespace
 
@@ -21,11 +23,11 @@ BetweenSamples::BetweenSamples(std::vector<double> crank_angle_deg)
   for (std::size_t k = 0; k < size(); ++k) {
     length_.push_back(k + 1 < size() ? angle_[k + 1] - angle_[k] : angle_[0] + cycle_ - angle_[k]);
   }
-  lay_slopes();
-  lay_weights();
+  set_slopes();
+  set_weights();
 }
 
-/// Is no dead centre within the step after sample k?
+/// Whether the step after sample k holds no dead centre.
 bool BetweenSamples::is_smooth(std::size_t k) const {
   const double next = kStrokeDeg * (std::floor((angle_[k] + kSameAngle) / kStrokeDeg) + 1);
   return angle_[k] + length_[k] < next + kSameAngle;
@@ -44,12 +46,14 @@ BetweenSamples::Slope BetweenSamples::parabola(std::size_t first, double at) con
       {(2 * at - x_1 - x_2) / (x_1 * x_2), (2 * at - x_2) / (x_1 * (x_1 - x_2)), (2 * at - x_1) / (x_2 * (x_2 - x_1))}};
 }
 
-void BetweenSamples::lay_slopes() {
-  // Does a parabola go through the ends of step k and of the one after it?
+void BetweenSamples::set_slopes() {
+  // Does a parabola go through the ends of step k and of the one after it? Of very unequal steps the shorter one shows
+  // the iteration's rounding.
   const auto joins_next = [this](std::size_t k) {
-    const double end = angle_[k] + length_[k];
+    const double end = angle_[k] + length_[k], next = length_[after(k)];
     const bool at_dead_centre = std::abs(std::remainder(end, kStrokeDeg)) < kSameAngle;
-    return size() > 2 && is_smooth(k) && is_smooth(after(k)) && !at_dead_centre;
+    const bool is_alike = std::max(length_[k], next) <= kMostUnequal * std::min(length_[k], next);
+    return size() > 2 && is_alike && is_smooth(k) && is_smooth(after(k)) && !at_dead_centre;
   };
   slope_from_.reserve(size());
   slope_to_.reserve(size());
@@ -70,7 +74,7 @@ void BetweenSamples::lay_slopes() {
 }
 
 /// The integral of a cubic over its step: that of the straight line, and the difference of its slopes.
-void BetweenSamples::lay_weights() {
+void BetweenSamples::set_weights() {
   for (std::vector<double>& of_stroke : weight_) of_stroke.assign(size(), 0.0);
   for (std::size_t k = 0; k < size(); ++k) {
     const double middle = std::fmod(angle_[k] + 0.5 * length_[k], cycle_);

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -74,6 +76,8 @@ class BetweenSamples {
       return weight[0] * value(sample[0]) + weight[1] * value(sample[1]) + weight[2] * value(sample[2]);
     }
   };
+  /// Of a cubic at an end of its step, in rises over the step and the one beyond it: up to 3 a cubic is monotone.
+  static constexpr double kMostSlope = 3;
   /// Over one step, by the share of the step that has passed.
   struct Cubic {
     double c_0, c_1, c_2, c_3;
@@ -84,9 +88,18 @@ class BetweenSamples {
   std::size_t after(std::size_t k) const { return k + 1 == size() ? 0 : k + 1; }
   template <class Value>
   Cubic cubic(std::size_t k, const Value& value) const {
-    const double a = value(k), b = value(after(k));
-    const double from = length_[k] * slope_from_[k].of(value), to = length_[k] * slope_to_[k].of(value);
-    return {a, from, 3 * (b - a) - 2 * from - to, 2 * (a - b) + from + to};
+    const std::size_t next = after(k);
+    const double a = value(k), b = value(next), rise = b - a, length = length_[k];
+    // Next to a jump the slope of the parabola would overshoot on the side without the jump.
+    const double rise_before = (a - value(before(k))) * length / length_[before(k)];
+    const double rise_after = (value(after(next)) - b) * length / length_[next];
+    const double from = limited(length * slope_from_[k].of(value), rise, rise_after);
+    const double to = limited(length * slope_to_[k].of(value), rise, rise_before);
+    return {a, from, 3 * rise - 2 * from - to, -2 * rise + from + to};
+  }
+  static double limited(double slope, double rise, double rise_beyond) {
+    const double most = kMostSlope * std::max(std::abs(rise), std::abs(rise_beyond));
+    return std::clamp(slope, -most, most);
   }
   Place highest(std::size_t k, const Cubic& cubic) const;
   static double share_below_zero(const Cubic& cubic);
@@ -95,8 +108,8 @@ class BetweenSamples {
   bool is_smooth(std::size_t k) const;
   Slope parabola(std::size_t first, double at) const;
   Slope secant(std::size_t k) const;
-  void lay_slopes();
-  void lay_weights();
+  void set_slopes();
+  void set_weights();
 
   double cycle_;                               ///< length of the cycle [degree]
   std::vector<double> angle_;                  ///< [degree]

@@ -54,7 +54,8 @@ std::vector<double> pressures(const Case& c, const std::vector<double>& h) {
 /// By shift of the separation and scale of the pressure, eq-law-band.
 std::vector<double> deviation_of_table(const Case& c, const std::vector<double>& h) {
   const ContactLawTable& table = *c.contact.law;
-  const double shift = table.shift_deviation.value_or(0), scale = table.factor_deviation.value_or(0);
+  const double shift = table.shift_deviation.value_or(0),
+               scale = table.factor_deviation.value_or(0) / c.contact.law_factor;
   const double covariance = table.shift_factor_correlation.value_or(0) * shift * scale;
   std::vector<double> deviation(h.size(), kUnknown);
   if (!table.shift_deviation && !table.factor_deviation) return deviation;

@@ -173,7 +173,7 @@ CycleValues no_cycle_values() {
   return v;
 }
 
-StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base) {
+StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base, double archard_wear_load) {
   const double stroke = setup.engine.crank.stroke();
   const double bin = stroke / kStrokeBins;
   StrokeProfile profile;
@@ -193,6 +193,11 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
       const double share = first == last ? 1.0 : std::max(overlap, 0.0) / (high - low);
       profile.archard_wear_load_density[i] += work * share / bin;
     }
+  }
+  double sum = 0;
+  for (const double density : profile.archard_wear_load_density) sum += density * bin;
+  if (sum > 0) {
+    for (double& density : profile.archard_wear_load_density) density *= archard_wear_load / sum;
   }
   return profile;
 }

@@ -17,7 +17,8 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base);
 CycleValues no_cycle_values();
 
 /// Contact work along the stroke from the same samples, shared out over the liner that each crank step sweeps.
-StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base);
+/// @param archard_wear_load the value of the cycle, which is that of the whole stroke [N m]
+StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base, double archard_wear_load);
 
 /// Adds the oil on the liner to what the samples give.
 void add_liner_oil(const Setup& setup, const LinerOil& oil, CycleValues& values, StrokeProfile& profile);

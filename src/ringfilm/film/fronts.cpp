@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace ringfilm::film {
 namespace {
-
-/// Cells beyond its last node within which a film ends.
-constexpr double kFarthest = 1.5;
 
 /// How many cells beyond its last node a film ends, by the pressures above p_c at its last three nodes, all of one
 /// spacing: where the parabola through them has its lowest point if it touches p_c there, as at a rupture; where it
@@ -22,22 +18,6 @@ double cells_beyond(double last, double before, double third, double lowest_poin
   // Cells are too coarse to resolve a slope of less than half of what the bend makes in one of them.
   const double share = std::clamp(root / bend - 0.5, 0.0, 1.0);
   return lowest_point + share * (crossing - lowest_point);
-}
-
-/// How many cells beyond its last node a film ends that ends level, by the balance of mass of its last two nodes: what
-/// they gain or lose, the bend of the pressure, goes on as a straight line up to where the slope of the pressure is 0.
-/// @param first, second slopes of the last two cells between nodes, falling outwards, and `last` that to a node at p_c
-/// Nothing where the pressure does not bend that way.
-/// @param spacing, next lengths of these two cells; all in lengths of the cell that holds the end
-std::optional<double> level_end(double first, double second, double last, double spacing, double next) {
-  const double bend = 2 * (first - last) / (1 + spacing), bend_before = 2 * (second - first) / (spacing + next);
-  const double at_face = 0.5 * (bend + bend_before), growth = (bend - bend_before) / spacing;
-  const double root = at_face * at_face + 2 * growth * first;
-  const double straight = root > 0 ? at_face + std::sqrt(root) : 0;
-  if (straight <= 0 && bend <= 0) return std::nullopt;
-  // Where a straight line has no such place, the bend of the last node alone.
-  const double from_face = straight > 0 ? 2 * first / straight : first / bend;
-  return std::clamp(from_face - 0.5 * spacing, 0.0, kFarthest);
 }
 
 }  // namespace
@@ -61,10 +41,13 @@ double front_position(const FilmGrid& grid, const double* p, double p_c, int i, 
     const double next = (grid.x[before] - grid.x[third]) / cell;
     const double first = (above(before) - last) / spacing, second = (above(third) - above(before)) / next;
     const double half_bend = (second - first) / (spacing + next), slope = first - half_bend * spacing;
-    const std::optional<double> level = level_end(first, second, last, spacing, next);
-    if (ends_level && level) return grid.x[i] + *level * cell;
+    // By the balance of mass of node i.
+    const double source = 2 * (first - last) / (spacing + 1);
+    constexpr double kFarthest = 1.5;
+    const double rupture = source > 0 ? std::min(first / source - 0.5 * spacing, kFarthest) : kFarthest;
+    if (ends_level && source > 0) return grid.x[i] + std::max(rupture, 0.0) * cell;
     const double before_1 = last + slope + half_bend, before_2 = last + 2 * slope + 4 * half_bend;
-    return grid.x[i] + cells_beyond(last, before_1, before_2, level.value_or(kFarthest)) * cell;
+    return grid.x[i] + cells_beyond(last, before_1, before_2, rupture) * cell;
   }
   const double fall = above(before) - last;
   const double straight = fall > 0 ? last / fall * spacing : 1.0;

@@ -19,6 +19,8 @@ using Rows = std::vector<std::vector<double>>;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// 2^p / (2^p - 1) of the lowest order of the schemes, p = 1; eq-sampled-error.
 constexpr double kBeyondFiner = 2;
+/// Of the largest value of a sample, below which a value is nothing: that of boundary friction where films are full.
+constexpr double kLeastShare = 1e-6;
 /// Keeps the draw apart from those of the plan, which have the same seed.
 constexpr std::uint64_t kStream = 0x5a;
 
@@ -32,9 +34,10 @@ double scale_of(const StudyValues& values, std::size_t i, const std::vector<doub
   return std::abs(values.quantities[i].name == "net_oil_flow" && both_flows ? finer[*both_flows] : finer[i]);
 }
 
-/// Nothing (NaN) of a value that is absent.
-double relative_error(double own, double finer, double scale) {
-  if (std::isnan(own) || std::isnan(finer) || (own == 0 && finer == 0)) return kNone;
+/// Nothing (NaN) of a value that is absent, or so small that it is nothing next to those of other scenarios.
+double relative_error(double own, double finer, double scale, double nothing) {
+  if (std::isnan(own) || std::isnan(finer) || std::max(std::abs(own), std::abs(finer)) <= nothing) return kNone;
+  if (scale == 0) return kNone;
   return kBeyondFiner * std::abs(own - finer) / scale;
 }
 
@@ -87,9 +90,11 @@ SampledError compared(const StudyValues& values, const std::vector<std::uint64_t
       return std::isfinite(own[k][i]) && std::isfinite(finer[k][i]) && own[k][i] != finer[k][i];
     });
     if (!is_moved) continue;
+    double largest = 0;
+    for (const std::size_t k : used) largest = std::max(largest, std::isnan(finer[k][i]) ? 0 : std::abs(finer[k][i]));
     std::vector<double> errors;
     for (const std::size_t k : used) {
-      const double one = relative_error(own[k][i], finer[k][i], scale_of(values, i, finer[k]));
+      const double one = relative_error(own[k][i], finer[k][i], scale_of(values, i, finer[k]), kLeastShare * largest);
       if (std::isnan(one)) continue;
       errors.push_back(one);
       if (!asked[k]) continue;

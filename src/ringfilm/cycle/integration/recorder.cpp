@@ -159,7 +159,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
     }
     std::rotate(all.begin(), all.end() - 1, all.end());  // 0 degree ends the cycle
     result.values = cycle_values(setup_, all);
-    result.stroke = stroke_profile(setup_, all);
+    result.stroke = stroke_profile(setup_, all, result.values.archard_wear_load);
   }
   if (result.complete && integration.liner_oil() != nullptr) {
     add_liner_oil(setup_, *integration.liner_oil(), result.values, result.stroke);

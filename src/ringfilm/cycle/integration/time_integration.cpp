@@ -160,7 +160,7 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
     content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
     total += film_.weight(i) * to.mass_per_area[i];
   }
-  const double share = is_second_order() ? kContentShareOfBdf2 : kContentShare;
+  const double share = step_.is_second_order ? kContentShareOfBdf2 : kContentShare;
   const double of_content = total > 0 ? content / total / share : 0;  // 0: all of the oil lies next to gas
   const double error =
       prediction.error_share * std::max(weight_of_film(to) * film, of_content) / setup_.input.solver.step_error;
@@ -185,14 +185,15 @@ bool TimeIntegration::remember_two_films() {
 }
 
 /// By how much a change of the film counts more than by itself, eq-error-weight: friction of asperities follows it with
-/// a high power. Of second order alone, whose steps are long enough.
+/// a high power. Of steps of second order alone, which are long enough.
 double TimeIntegration::weight_of_film(const film::FilmState& to) const {
   const models::AsperityContact* contact = problem().contact;
-  if (!is_second_order() || contact == nullptr || to.h_m <= 0) return 1;
+  if (!step_.is_second_order || contact == nullptr || to.h_m <= 0) return 1;
   double pressure, slope, highest, unused;
   contact->pressure(to.h_m, pressure, slope);
   contact->pressure(std::min(to.h_m, thinnest_), highest, unused);
-  return highest > 0 ? 1 + kWeightOfContact * std::abs(slope) * to.h_m / highest : 1;
+  const double felt = std::max(highest, kFeltPressure * step_.at.inputs.mean_pressure(problem().grid));
+  return 1 + kWeightOfContact * std::abs(slope) * to.h_m / felt;
 }
 
 HeatBefore TimeIntegration::heat_of_state(const RingConditions& at) const {

@@ -105,6 +105,8 @@ class TimeIntegration {
   /// Of the pressure of asperities in eq-error-weight: over the same engines 225 steps with 2 were as good as 240
   /// without weight, and fewer values were far off.
   static constexpr double kWeightOfContact = 2;
+  /// Of the mean pressure of the load: asperities that press less do not count [-].
+  static constexpr double kFeltPressure = 1e-3;
 
   /// A film at `crank_angle_deg`, solved from the current instant without advancing the integration, in up to 64 steps.
   /// Throws ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the integration.

@@ -31,7 +31,7 @@ bool has_mass(const Case& c) {
 }
 
 bool has_tension(const Ring& ring) {
-  return ring.face_width > 0 && (ring.elastic_pressure || ring.tangential_force || ring.free_gap);
+  return ring.face_width > 0 && (ring.elastic_pressure || ring.tangential_force || ring.free_gap || ring.free_shape);
 }
 
 gas_path::Ring gas_ring(const Case& c) {

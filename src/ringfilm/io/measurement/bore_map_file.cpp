@@ -132,7 +132,7 @@ class BoreRows {
   void check_section(std::size_t first, std::size_t n, Sections& all) {
     if (n < kFewestAngles) {
       refuse(first, "angle", fmt::format("a section of the bore has {} angles", n),
-             fmt::format("{} evenly spaced angles over one turn or more are required", kFewestAngles));
+             fmt::format("{} evenly spaced angles over one turn are required", kFewestAngles));
       return;
     }
     if (!all.deviation.empty() && n != all.deviation.front().size()) {
@@ -183,7 +183,7 @@ void check_turn(const CsvFile& csv, const std::vector<double>& angle, std::vecto
   }
   if (n >= kFewestAngles) return;
   faults.push_back({csv.cell_mark(0, *csv.find("angle")), fmt::format("the pressure has {} angles", n),
-                    fmt::format("{} evenly spaced angles over one turn or more are required", kFewestAngles)});
+                    fmt::format("{} evenly spaced angles over one turn are required", kFewestAngles)});
 }
 
 }  // namespace

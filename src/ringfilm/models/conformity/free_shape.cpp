@@ -146,9 +146,10 @@ class NearestShape {
     place_roughly();
   }
 
-  /// By Gauss and Newton. @returns whether nothing changes any more
+  /// By Gauss and Newton. @returns whether nothing changes any more, at a shape of this ring
   bool solve() {
     constexpr int kMostSteps = 40;
+    bool is_at_rest = false;
     for (int step = 0; step < kMostSteps; ++step) {
       linearise();
       const std::vector<double> change = linear_solution(A_, b_);
@@ -158,10 +159,11 @@ class NearestShape {
         moved = std::max(moved, std::abs(change[k]) / std::sqrt(static_cast<double>(points_.size())));
       }
       if (!std::isfinite(moved)) return false;
-      if (moved < 1e-12) break;  // [m]
+      is_at_rest = moved < 1e-12;  // [m]
+      if (is_at_rest) break;
     }
     linearise();
-    return residual() < 1e-3;  // [m]; more is another shape
+    return is_at_rest && residual() < 1e-3;  // [m]; more is another shape
   }
 
   /// Force of the mean pressure, then of the orders' cosines and sines [N].

@@ -15,9 +15,9 @@ namespace {
 using namespace cycle;
 
 /// What solver.accuracy chooses.
-constexpr std::array kResolutionKeys = {"solver.cells",       "solver.cell_lengths",
-                                        "solver.crank_step",  "solver.crank_step_control",
-                                        "solver.time_scheme", "solver.step_error"};
+constexpr std::array kResolutionKeys = {
+    "solver.cells",       "solver.cell_lengths", "solver.crank_step", "solver.crank_step_control",
+    "solver.time_scheme", "solver.step_error",   "solver.tolerance"};
 
 struct EntryOf {
   Entry operator()(const NumberKind&) const { return Entry::kAnyNumber; }
@@ -241,9 +241,9 @@ bool states_resolution(const Case& c) {
   const auto is_stated = [&c](const char* key) { return c.stated.contains(key); };
   const Solver &solver = c.solver, usual;
   return std::any_of(kResolutionKeys.begin(), kResolutionKeys.end(), is_stated) || solver.cells != usual.cells ||
-         solver.cell_lengths != usual.cell_lengths || solver.crank_step_deg != usual.crank_step_deg ||
-         solver.crank_step_control != usual.crank_step_control || solver.time_scheme != usual.time_scheme ||
-         solver.step_error != usual.step_error;
+         solver.tolerance != usual.tolerance || solver.cell_lengths != usual.cell_lengths ||
+         solver.crank_step_deg != usual.crank_step_deg || solver.crank_step_control != usual.crank_step_control ||
+         solver.time_scheme != usual.time_scheme || solver.step_error != usual.step_error;
 }
 
 /// Is it a film of the kind whose accuracy was measured?

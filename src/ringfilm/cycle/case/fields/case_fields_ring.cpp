@@ -63,18 +63,19 @@ void append_ring_fields(std::vector<Field>& fields) {
                 Range{0, 0.5, false, true}, Need::kDefault, kFourModuli, {"Poisson's ratio of the ring, nu_1", "0.3"}),
           field("ring.elastic_pressure", OptionalNumberKind{member<&Case::ring, &Ring::elastic_pressure>},
                 {"Pa", "MPa"}, above(0, 1e8), Need::kOptional, {},
-                {"pressure of the ring on the bore by its own tension, p_e; one of the four ways to state it",
+                {"pressure of the ring on the bore by its own tension, p_e; one of the ways to state it",
                  "\"0.20 MPa\""}),
           field("ring.tangential_force", OptionalNumberKind{member<&Case::ring, &Ring::tangential_force>}, {"N", "N"},
                 above(0, 1e5), Need::kOptional, {},
-                {"force that closes the ring at its gap, F_t = p_e b B/2; one of the four ways", "\"10.7 N\""}),
+                {"force that closes the ring at its gap, F_t = p_e b B/2; one of the ways to state it", "\"10.7 N\""}),
           field("ring.free_gap", OptionalNumberKind{member<&Case::ring, &Ring::free_gap>}, kLength, above(0, 1),
                 Need::kOptional, {},
-                {"gap of the free ring less that of the closed one, s; with ring.radial_thickness one of the four ways",
+                {"gap of the free ring less that of the closed one, s; with ring.radial_thickness one of the ways to "
+                 "state it",
                  "\"10.5 mm\""}),
           field("ring.radial_thickness", OptionalNumberKind{member<&Case::ring, &Ring::radial_thickness>}, kLength,
                 above(0, 0.2), Need::kOptional, kBends,
-                {"radial thickness of the ring, t; with ring.free_gap one of the four ways; for gas_path, "
+                {"radial thickness of the ring, t; with ring.free_gap one of the ways to state it; for gas_path, "
                  "ring.conformity "
                  "and ringfilm conform",
                  "\"3.5 mm\""}),
@@ -119,7 +120,7 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("ring.pressure_points", OptionalFileKind{member<&Case::ring, &Ring::pressure_points>}, kNoUnit, {},
                 Need::kOptional, {},
                 {"for ringfilm conform and ring.conformity: in place of orders a CSV of that pressure, angle "
-                 "[degree],pressure [bar], whole turns of evenly spaced angles from the gap's middle; relative to its "
+                 "[degree],pressure [bar], one turn of evenly spaced angles from the gap's middle; relative to its "
                  "mean",
                  "\"pressure.csv\""}),
           field("ring.pressure_points_orders", CountKind{member<&Case::ring, &Ring::pressure_points_orders>},
@@ -128,7 +129,7 @@ void append_ring_fields(std::vector<Field>& fields) {
           field("ring.free_shape", OptionalFileKind{member<&Case::ring, &Ring::free_shape>}, kNoUnit, {},
                 Need::kOptional, {},
                 {"CSV of the running surface of the free ring, angle [degree],radius [mm] from end to end about any "
-                 "centre: tension and pressure around the ring; with ring.radial_thickness one of the four ways",
+                 "centre: tension and pressure around the ring; with ring.radial_thickness one of the ways to state it",
                  "\"free_ring.csv\""}),
           field(
               "ring.free_shape_smoothing", NumberKind{member<&Case::ring, &Ring::free_shape_smoothing>}, kLength,

@@ -82,6 +82,29 @@ TEST(BetweenSamples, MeansAreOfFourthOrder) {
   EXPECT_GT(error(18 * 4) / error(36 * 4), 12);
 }
 
+// The parabola through the second sample falls steeply on, where the film has come to rest.
+TEST(BetweenSamples, CurvesDoNotOvershootNextToAJump) {
+  std::vector<double> angles;
+  for (int k = 0; k < 72; ++k) angles.push_back(10 * k);
+  std::vector<double> film(72, 6.0);
+  film[6] = film[7] = 0.3;
+  film[8] = 0.35;
+  const BetweenSamples between(angles);
+  const auto lowest = between.largest_near(6, [&](std::size_t k) { return -film[k]; });
+  EXPECT_GT(-lowest.value, 0.27);
+  EXPECT_LE(-lowest.value, 0.3);
+}
+
+TEST(BetweenSamples, VeryUnequalStepsAreNotJoined) {
+  std::vector<double> angles;
+  for (int k = 0; k < 72; ++k) angles.push_back(10 * k);
+  angles.insert(angles.begin() + 7, 60.1);  // after 60
+  std::vector<double> v(angles.size(), 1.0);
+  v[7] = 1 + 1e-4;
+  // The noise of the sample next to it counts by the length of its steps, not by the slope that it makes.
+  EXPECT_NEAR(BetweenSamples(angles).mean(of(v)), 1 + 1e-4 * 0.5 * 10 / 720, 2e-7);
+}
+
 TEST(BetweenSamples, StepsThatHoldADeadCentreAreStraight) {
   const BetweenSamples between({100, 300, 500, 700});
   const std::vector<double> v = {1, 3, 2, 5};

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "styles_case.hpp"
+#include "../styles_case.hpp"
 
 namespace ringfilm::cycle {
 namespace {
