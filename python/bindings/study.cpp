@@ -414,8 +414,9 @@ void bind_results(py::module_& module) {
           "accuracy", &accuracy,
           R"(How accurate the values are: an estimate of a sample of the scenarios; None without a sample.
 
-A dict: scenarios (from 0, that were compared), unsolved (how many others were drawn), asked (accuracies asked for [%]), coverage (share of the sampled values
-within the accuracy asked for; None where none is), relative_error ({value: 95 % quantile of its relative error}).
+A dict: scenarios (from 0, that were compared), unsolved (how many others were drawn), asked (accuracies asked for [%]),
+coverage (share of the sampled values within the accuracy asked for; None where none is), relative_error ({value: 95 %
+quantile of its relative error}).
 Source: docs/theory/error-estimate.md, eq-sampled-error.)")
       .def_property_readonly("plan_notes", &plan_notes,
                              "Notes on the plan, among them the factors that change no value, a list of str.")
