@@ -157,6 +157,11 @@ class Summary {
   }
 
   /// How accurate the values are, as far as it was estimated.
+  static std::string percent(double share) {
+    constexpr double kWhole = 0.1;  // from there on without digits behind the point
+    return share < kWhole ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.0f}", 100 * share);
+  }
+
   void append_error() {
     if (!rows_.error) return;
     const study::SampledError& error = *rows_.error;
@@ -167,6 +172,8 @@ class Summary {
     if (const auto coverage = error.coverage()) {
       text_ += fmt::format("  {:.1f} % of their {} values are within the {:.3g} % asked for\n", 100 * *coverage,
                            error.n_values, fmt::join(error.asked, " or "));
+    } else {
+      text_ += "  no accuracy was asked for (solver.accuracy), so that there is no coverage\n";
     }
     if (error.scenarios.empty()) return;
     text_ += "  relative error, 95 % quantile:";
@@ -177,11 +184,10 @@ class Summary {
       if (!error.quantiles[i]) continue;
       if (!worst || *error.quantiles[i] > *error.quantiles[*worst]) worst = i;
       if (std::ranges::find(plan_.values().main, quantities[i].name) == plan_.values().main.end()) continue;
-      text_ +=
-          fmt::format("{}{} {:.2g} %", std::exchange(between, ", "), quantities[i].name, 100 * *error.quantiles[i]);
+      text_ += fmt::format("{}{} {} %", std::exchange(between, ", "), quantities[i].name, percent(*error.quantiles[i]));
     }
     if (worst) {
-      text_ += fmt::format("; the largest {} {:.2g} %", quantities[*worst].name, 100 * *error.quantiles[*worst]);
+      text_ += fmt::format("; the largest {} {} %", quantities[*worst].name, percent(*error.quantiles[*worst]));
     }
     text_ += "\n";
   }

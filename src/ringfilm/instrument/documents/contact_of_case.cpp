@@ -133,6 +133,10 @@ io::Measurement contact_of_case(const cycle::Case& whole, const std::vector<doub
     throw InputError("a pad has no asperity contact", "name the case of a ring");
   }
   const cycle::Case& c = whole.rings.empty() ? whole : whole.rings.front();
+  if (!(roughness(c) > 0)) {
+    throw InputError("the case states no contact: contact.roughness is missing, with the keys of contact.model",
+                     "state [contact], as ringfilm new does");
+  }
   io::Measurement all;
   all.kind = "contact-of-case";
   all.title = "Contact law of " + (c.title.empty() ? std::string("a case") : c.title);
