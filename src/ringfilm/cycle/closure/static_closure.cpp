@@ -115,6 +115,17 @@ double first_order_free_gap(const models::RingBeam& beam) {
   return sum / beam.stiffness();
 }
 
+/// How much of the circumference the target pressure pulls on [degree], by its values at each.
+int degrees_of_pull(const models::RingBeam& beam) {
+  int count = 0;
+  for (int k = 0; k < 360; ++k) {
+    const double phi = in_rad(k + 0.5);
+    const bool is_gap = phi < beam.half_gap() || phi > 2 * pi - beam.half_gap();
+    count += !is_gap && beam.target_force()(phi) < 0 ? 1 : 0;
+  }
+  return count;
+}
+
 std::vector<std::string> closure_notes(const Case& c, const FourierSeries& bore, const models::RingClosure& ring) {
   constexpr double kSmall = 0.01;
   std::vector<std::string> notes;
@@ -127,6 +138,19 @@ std::vector<std::string> closure_notes(const Case& c, const FourierSeries& bore,
   if (thickness > 0.2) {
     notes.push_back("the ring is " + number_text(100 * thickness) +
                     " % of its radius thick: the theory of thin curved beams is less accurate from 20 % on");
+  }
+  const models::RingBeam& beam = ring.ring().beam();
+  const int pulling = degrees_of_pull(beam);
+  if (pulling > 0) {
+    notes.push_back("the target pressure of the ring is negative over " + std::to_string(pulling) +
+                    " degree of its circumference: there its own tension pulls on the bore; are the amplitudes of "
+                    "ring.pressure_orders relative to the mean?");
+  }
+  constexpr double kWideGap = 0.05;
+  const double open = beam.half_gap() / pi;
+  if (open > kWideGap) {
+    notes.push_back("the end gap is " + number_text(100 * open) +
+                    " % of the circumference: is the unit of ring.end_gap right?");
   }
   return notes;
 }

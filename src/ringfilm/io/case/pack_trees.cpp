@@ -94,9 +94,8 @@ PackTrees pack_trees(CaseTree tree) {
   }
   if (n != rings.size()) {
     pack.faults.push_back({rings.rbegin()->second.entries.begin()->second.value.key_mark,
-                           "ring " + number(n) + " is stated, but not every ring before it: there are " +
-                               number(rings.size()) + " in all",
-                           "rings count from 1, the one next to the chamber, without a gap"});
+                           "ring " + number(n) + " is stated, but there are " + number(rings.size()) + " rings",
+                           "rings count from 1, the one next to the chamber"});
     return pack;
   }
   if (single != nullptr) {
