@@ -1,5 +1,6 @@
 // The drawing of the ring in its bore, without a browser: node bore_test.mjs PAGE_FOLDER
 import assert from 'node:assert/strict';
+import test from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -9,9 +10,6 @@ const { boreSvg, enlargement, hasBore } = await import(
 const { boreFigure } = await import(
   pathToFileURL(join(process.argv[2], 'src', 'measurement/bore_figure.js')).href
 );
-
-const tests = [];
-const test = (name, run) => tests.push({ name, run });
 
 // A bore of order 2, 10 um; the ring 2 um away from it, lifted off on the first quarter.
 const kStrips = 90;
@@ -120,15 +118,3 @@ test('a static closure is drawn with what of the ring is apart from the bore', (
     null,
   );
 });
-
-let failed = 0;
-for (const { name, run } of tests) {
-  try {
-    run();
-    console.log(`ok: ${name}`);
-  } catch (error) {
-    failed += 1;
-    console.log(`FAILED: ${name}\n${error.stack}`);
-  }
-}
-process.exit(failed ? 1 : 0);

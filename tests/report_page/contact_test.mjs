@@ -1,14 +1,12 @@
 // The figures of the contact law, without a browser: node contact_test.mjs PAGE_FOLDER
 import assert from 'node:assert/strict';
+import test from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const { contactPressureFigure, flowFactorFigure, realAreaFigure } = await import(
   pathToFileURL(join(process.argv[2], 'src', 'cycle/contact_figures.js')).href
 );
-
-const tests = [];
-const test = (name, run) => tests.push({ name, run });
 
 const law = (label, pressure, deviation) => ({
   name: label,
@@ -82,15 +80,3 @@ test('without contact nothing is drawn', () => {
     assert.equal(figure(page(null)), null);
   }
 });
-
-let failed = 0;
-for (const { name, run } of tests) {
-  try {
-    run();
-    console.log(`ok: ${name}`);
-  } catch (error) {
-    failed += 1;
-    console.log(`FAILED: ${name}\n${error.stack}`);
-  }
-}
-process.exit(failed ? 1 : 0);

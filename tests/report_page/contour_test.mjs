@@ -1,5 +1,6 @@
 // Contours of maps, without a browser: node contour_test.mjs PAGE_FOLDER
 import assert from 'node:assert/strict';
+import test from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -7,8 +8,6 @@ const { contourLines, filledBands, labelPlace } = await import(
   pathToFileURL(join(process.argv[2], 'src', 'plot/contour.js')).href
 );
 
-const tests = [];
-const test = (name, run) => tests.push({ name, run });
 const xs = [0, 10, 40, 50, 100];
 const ys = [0, 30, 35, 60];
 const plane = (i, j) => xs[i] + 2 * ys[j];
@@ -85,15 +84,3 @@ test('a label lies on its line, upright, and not on a short one', () => {
     null,
   );
 });
-
-let failed = 0;
-for (const { name, run } of tests) {
-  try {
-    run();
-    console.log(`ok      ${name}`);
-  } catch (error) {
-    failed++;
-    console.log(`FAILED  ${name}\n        ${error.stack.replace(/\n/g, '\n        ')}`);
-  }
-}
-process.exit(failed ? 1 : 0);

@@ -1,6 +1,7 @@
 // What the page states about a cycle: usual ranges, the section, the thinnest film, kinks. Without a browser
 // usage: node cycle_test.mjs SOURCE_FOLDER_OF_THE_PAGE
 import assert from 'node:assert/strict';
+import test from 'node:test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -12,9 +13,6 @@ const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_dra
 const usual = await load('cycle/usual.js');
 const { Model } = await load('model.js');
 const { logarithmic } = await load('plot/scales.js');
-
-const tests = [];
-const test = (name, run) => tests.push({ name, run });
 
 test('usual ranges are those that the manual argues', () => {
   const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
@@ -135,15 +133,3 @@ test('settings of the ledger are words, with and without an entry in the list', 
   assert.equal(settingWords('ring.some_new_key = "1 mm"'), 'some new key: 1 mm');
   assert.equal(settingWords('not a setting'), 'not a setting');
 });
-
-let failed = 0;
-for (const { name, run } of tests) {
-  try {
-    run();
-    console.log(`ok      ${name}`);
-  } catch (error) {
-    failed++;
-    console.log(`FAILED  ${name}\n        ${error.stack.replace(/\n/g, '\n        ')}`);
-  }
-}
-process.exit(failed ? 1 : 0);

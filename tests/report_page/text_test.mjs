@@ -1,6 +1,7 @@
 // What the page makes of numbers, angles, titles and gaps, without a browser
 // usage: node text_test.mjs SOURCE_FOLDER_OF_THE_PAGE
 import assert from 'node:assert/strict';
+import test from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -39,9 +40,6 @@ const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('cycle/u
 const { fieldMaps, stripMaps } = await load('cycle/around_figures.js');
 const { lengthUnit } = await load('plot/map_figure.js');
 const { curveFigure, withoutPoints } = await load('measurement/measurement_figures.js');
-
-const tests = [];
-const test = (name, run) => tests.push({ name, run });
 
 test('numbers carry four significant digits and a true minus sign', () => {
   assert.equal(number(0.61732), '0.6173');
@@ -566,15 +564,3 @@ test('a drawing escapes texts and survives curves without a number', () => {
   assert.ok(svg.includes('a &lt; b') && svg.includes('&lt;script&gt;') && !svg.includes('<script>'));
   assert.ok(!svg.includes('NaN') && !svg.includes('Infinity'));
 });
-
-let failed = 0;
-for (const { name, run } of tests) {
-  try {
-    run();
-    console.log(`ok      ${name}`);
-  } catch (error) {
-    failed++;
-    console.log(`FAILED  ${name}\n        ${error.stack.replace(/\n/g, '\n        ')}`);
-  }
-}
-process.exit(failed ? 1 : 0);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
@@ -31,6 +33,21 @@ struct Sections {
   double first_angle_deg = 0;
   std::vector<std::vector<double>> deviation;  ///< [m]
 };
+
+/// An angle of one turn that is not where evenly spaced angles lie [degree].
+struct UnevenAngle {
+  std::size_t place;
+  double even;  ///< the angle that belongs there
+};
+
+std::optional<UnevenAngle> first_uneven(std::span<const double> angle, double first_angle) {
+  const double step = 360.0 / static_cast<double>(angle.size());
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    const double even = first_angle + static_cast<double>(i) * step;
+    if (!(std::abs(angle[i] - even) <= kSameAngle + 1e-3 * step)) return UnevenAngle{i, even};
+  }
+  return std::nullopt;
+}
 
 /// The rows of a map, section after section.
 class BoreRows {
@@ -142,19 +159,14 @@ class BoreRows {
       return;
     }
     if (all.deviation.empty()) all.first_angle_deg = angle_[first];
-    const double step = 360.0 / static_cast<double>(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const double even = all.first_angle_deg + static_cast<double>(i) * step;
-      if (std::abs(angle_[first + i] - even) <= kSameAngle + 1e-3 * step) continue;
-      refuse(
-          first + i, "angle",
-          fmt::format("angle = {:.6g} degree, where {} angles over one turn from {:.6g} degree on have {:.6g} degree",
-                      angle_[first + i], n, all.first_angle_deg, even),
-          fmt::format("angles rise evenly over one whole turn without holes, and are the same at every {}; are they "
-                      "degrees?",
-                      by_.noun));
-      return;
-    }
+    const auto uneven = first_uneven({angle_.data() + first, n}, all.first_angle_deg);
+    if (!uneven) return;
+    refuse(first + uneven->place, "angle",
+           fmt::format("angle = {:.6g} degree, where {} angles over one turn from {:.6g} degree on have {:.6g} degree",
+                       angle_[first + uneven->place], n, all.first_angle_deg, uneven->even),
+           fmt::format("angles rise evenly over one whole turn without holes, and are the same at every {}; are they "
+                       "degrees?",
+                       by_.noun));
   }
 
   void refuse(std::size_t row, const char* column, const std::string& message, const std::string& remedy) {
@@ -171,19 +183,17 @@ class BoreRows {
 /// Angles of one turn, evenly spaced.
 void check_turn(const CsvFile& csv, const std::vector<double>& angle, std::vector<Fault>& faults) {
   const std::size_t n = angle.size();
-  const double step = 360.0 / static_cast<double>(n);
-  for (std::size_t i = 0; i < n && n >= kFewestAngles; ++i) {
-    const double even = angle.front() + static_cast<double>(i) * step;
-    if (std::abs(angle[i] - even) <= kSameAngle + 1e-3 * step) continue;
-    faults.push_back(
-        {csv.cell_mark(i, *csv.find("angle")),
-         fmt::format("angle = {:.6g} degree, where {} angles over one turn have {:.6g} degree", angle[i], n, even),
-         "angles rise evenly over one whole turn, each of them once; are they degrees?"});
+  if (n < kFewestAngles) {
+    faults.push_back({csv.cell_mark(0, *csv.find("angle")), fmt::format("the pressure has {} angles", n),
+                      fmt::format("{} evenly spaced angles over one turn are required", kFewestAngles)});
     return;
   }
-  if (n >= kFewestAngles) return;
-  faults.push_back({csv.cell_mark(0, *csv.find("angle")), fmt::format("the pressure has {} angles", n),
-                    fmt::format("{} evenly spaced angles over one turn are required", kFewestAngles)});
+  const auto uneven = first_uneven(angle, angle.front());
+  if (!uneven) return;
+  faults.push_back({csv.cell_mark(uneven->place, *csv.find("angle")),
+                    fmt::format("angle = {:.6g} degree, where {} angles over one turn have {:.6g} degree",
+                                angle[uneven->place], n, uneven->even),
+                    "angles rise evenly over one whole turn, each of them once; are they degrees?"});
 }
 
 }  // namespace
