@@ -1,20 +1,25 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../tests/scenarios/usual_engine.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
+#include "ringfilm/film/kernels/kernels.hpp"
 
-// usage: scenario_accuracy [--quick] [scenarios] [first seed]
+// usage: scenario_accuracy [--quick] [--json FILE] [scenarios] [first seed]
 // How near the values of a cycle come to those of much finer cells and steps, and what it costs: a work-precision table
-// over random engines, of one thread of the batched engine.
+// over random engines, of one thread of the batched engine. The file has what docs/figures/performance_charts.py draws.
 namespace {
 
 using namespace ringfilm;
@@ -62,6 +67,15 @@ Outcome integrate(const std::vector<cycle::Case>& engines, const cycle::Solver& 
 
 bool is_angle(const std::string& name) { return name.ends_with("_angle"); }
 
+cycle::Solver fixed_steps(int cells, double crank_step_deg, cycle::TimeScheme scheme) {
+  cycle::Solver solver;
+  solver.cells = cells;
+  solver.crank_step_deg = crank_step_deg;
+  solver.crank_step_control = cycle::StepControl::kFixed;
+  solver.time_scheme = scheme;
+  return solver;
+}
+
 /// Differences from the finest, relative to it; of the net flow to the mean of its modulus.
 std::vector<double> errors(const Outcome& outcome, const Outcome& finest, const cycle::CycleQuantity& quantity) {
   std::vector<double> list;
@@ -76,81 +90,163 @@ std::vector<double> errors(const Outcome& outcome, const Outcome& finest, const 
   return list;
 }
 
-struct Way {
-  std::string name;
-  cycle::Solver solver;
-};
+double quantile_95(const std::vector<double>& sorted) { return sorted[sorted.size() * 95 / 100]; }
 
-std::vector<Way> ways() {
-  cycle::Solver fixed;
-  fixed.crank_step_control = cycle::StepControl::kFixed;
-  std::vector<Way> list = {{"200 cells, fixed 1 degree, Euler", fixed}, {"200 cells, adaptive, Euler", {}}};
-  cycle::Solver second;
-  second.time_scheme = cycle::TimeScheme::kBdf2;
-  list.push_back({"200 cells, adaptive, BDF2", second});
-  second.cell_lengths = cycle::CellLengths::kByGap;
-  list.push_back({"the same, cells by gap", second});
-  for (const double accuracy : kLimits) {
-    cycle::Solver solver;
-    solver.accuracy = 100 * accuracy;
-    char name[32];
-    std::snprintf(name, sizeof name, "accuracy %.3g %%", 100 * accuracy);
-    list.push_back({name, solver});
+/// Values of the cycle that the finest integration has, without crank angles.
+std::vector<cycle::CycleQuantity> compared_quantities(const Outcome& finest) {
+  std::vector<cycle::CycleQuantity> list;
+  for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
+    if (!is_angle(quantity.name) && !errors(finest, finest, quantity).empty()) list.push_back(quantity);
   }
   return list;
 }
 
-}  // namespace
+enum class Use { kTables, kDiagram };  ///< the diagram has the ways of the tables, too
 
-int main(int argc, char** argv) {
-  const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
-  const int first = quick ? 2 : 1;
-  const int n = argc > first ? std::atoi(argv[first]) : quick ? 16 : 96;
-  const int seed = argc > first + 1 ? std::atoi(argv[first + 1]) : 1;
-  std::vector<cycle::Case> engines;
-  for (int i = 0; i < n; ++i) engines.push_back(engine(static_cast<std::uint64_t>(seed + i)));
-  cycle::Solver finest_solver;
-  finest_solver.cells = kFinestCells;
-  finest_solver.crank_step_deg = kFinestStepDeg;
-  finest_solver.crank_step_control = cycle::StepControl::kFixed;
-  finest_solver.time_scheme = cycle::TimeScheme::kBdf2;
-  const Outcome finest = integrate(engines, finest_solver);
-  std::printf(
-      "Accuracy and cost of %d random engines, values of the cycle without angles against %d cells and %g degree\n", n,
-      kFinestCells, kFinestStepDeg);
-  std::printf("(%.0f ms); share of the values within 5, 1, 0.5 and 0.1 %%; processor time of one thread\n\n",
-              finest.ms);
-  std::printf("| %-32s | ms/scenario | times as fast | steps | iterations | 5 %% | 1 %% | 0.5 %% | 0.1 %% |\n", "way");
-  std::printf("|:%s-|---:|---:|---:|---:|---:|---:|---:|---:|\n", std::string(32, '-').c_str());
-  std::vector<Outcome> outcomes;
-  for (const Way& way : ways()) {
-    const Outcome& outcome = outcomes.emplace_back(integrate(engines, way.solver));
+struct Way {
+  std::string name;
+  std::string family;  ///< of a line of the diagram
+  cycle::Solver solver;
+  Use use = Use::kTables;
+  Outcome outcome = {};
+};
+
+template <class... Numbers>
+std::string text(const char* format, Numbers... numbers) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, numbers...);
+  return buffer;
+}
+
+std::vector<Way> ways() {
+  const auto euler = cycle::TimeScheme::kBackwardEuler;
+  std::vector<Way> list = {{"200 cells, fixed 1 degree, Euler", "fixed, first order", fixed_steps(200, 1, euler)},
+                           {"200 cells, adaptive, Euler", "adaptive, first order", {}}};
+  cycle::Solver second;
+  second.time_scheme = cycle::TimeScheme::kBdf2;
+  list.push_back({"200 cells, adaptive, BDF2", "adaptive, second order", second});
+  second.cell_lengths = cycle::CellLengths::kByGap;
+  list.push_back({"the same, cells by gap", "adaptive, second order, cells by gap", second});
+  const auto add_accuracy = [&](double percent, Use use) {
+    cycle::Solver solver;
+    solver.accuracy = percent;
+    list.push_back({text("accuracy %.3g %%", percent), "accuracy", solver, use});
+  };
+  for (const double accuracy : kLimits) add_accuracy(100 * accuracy, Use::kTables);
+  for (const double percent : {2.0, 0.2}) add_accuracy(percent, Use::kDiagram);
+  for (const auto& [cells, step] : {std::pair{50, 4.0}, {100, 2.0}, {400, 0.5}}) {
+    list.push_back({text("%d cells, fixed %g degree, Euler", cells, step), "fixed, first order",
+                    fixed_steps(cells, step, euler), Use::kDiagram});
+  }
+  for (const double factor : {4.0, 0.25}) {
+    cycle::Solver solver;
+    solver.step_error *= factor;
+    list.push_back(
+        {text("200 cells, step_error %g, Euler", solver.step_error), "adaptive, first order", solver, Use::kDiagram});
+  }
+  return list;
+}
+
+void print_shares(const std::vector<Way>& ways, const Outcome& finest) {
+  std::printf("| %-34s | ms/scenario | times as fast | steps | iterations | 5 %% | 1 %% | 0.5 %% | 0.1 %% |\n", "way");
+  std::printf("|:%s-|---:|---:|---:|---:|---:|---:|---:|---:|\n", std::string(34, '-').c_str());
+  for (const Way& way : ways) {
     std::array<long, kLimits.size()> within{};
     long all = 0;
-    for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
-      if (is_angle(quantity.name)) continue;
-      for (const double error : errors(outcome, finest, quantity)) {
+    for (const cycle::CycleQuantity& quantity : compared_quantities(finest)) {
+      for (const double error : errors(way.outcome, finest, quantity)) {
         ++all;
         for (std::size_t k = 0; k < kLimits.size(); ++k) within[k] += error <= kLimits[k];
       }
     }
     const auto share = [&](std::size_t k) { return 100 * static_cast<double>(within[k]) / static_cast<double>(all); };
-    std::printf("| %-32s | %.2f | %.1f | %.0f | %.0f | %.1f %% | %.1f %% | %.1f %% | %.1f %% |\n", way.name.c_str(),
-                outcome.ms, outcomes.front().ms / outcome.ms, outcome.steps, outcome.iterations, share(0), share(1),
-                share(2), share(3));
+    std::printf("| %-34s | %.2f | %.1f | %.0f | %.0f | %.1f %% | %.1f %% | %.1f %% | %.1f %% |\n", way.name.c_str(),
+                way.outcome.ms, ways.front().outcome.ms / way.outcome.ms, way.outcome.steps, way.outcome.iterations,
+                share(0), share(1), share(2), share(3));
   }
+}
+
+void print_quantiles(const std::vector<Way>& ways, const Outcome& finest) {
   std::printf("\n95 %% quantile of the error, value by value\n\n| %-34s |", "value");
-  for (const Way& way : ways()) std::printf(" %s |", way.name.c_str());
+  for (const Way& way : ways) {
+    if (way.use == Use::kTables) std::printf(" %s |", way.name.c_str());
+  }
   std::printf("\n|:---|");
-  for (std::size_t k = 0; k < outcomes.size(); ++k) std::printf("---:|");
+  for (const Way& way : ways) {
+    if (way.use == Use::kTables) std::printf("---:|");
+  }
   std::printf("\n");
-  for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
-    if (is_angle(quantity.name) || errors(finest, finest, quantity).empty()) continue;
+  for (const cycle::CycleQuantity& quantity : compared_quantities(finest)) {
     std::printf("| %-34s |", quantity.name.c_str());
-    for (const Outcome& outcome : outcomes) {
-      const std::vector<double> list = errors(outcome, finest, quantity);
-      std::printf(" %.2g |", list[list.size() * 95 / 100]);
+    for (const Way& way : ways) {
+      if (way.use == Use::kTables) std::printf(" %.2g |", quantile_95(errors(way.outcome, finest, quantity)));
     }
     std::printf("\n");
   }
+}
+
+nlohmann::ordered_json as_json(const Way& way, const Outcome& finest) {
+  nlohmann::ordered_json entry{{"name", way.name}, {"family", way.family}};
+  if (way.solver.accuracy) entry["accuracy_percent"] = *way.solver.accuracy;
+  entry["ms_per_scenario"] = way.outcome.ms;
+  entry["steps_per_scenario"] = way.outcome.steps;
+  entry["iterations_per_scenario"] = way.outcome.iterations;
+  for (const cycle::CycleQuantity& quantity : compared_quantities(finest)) {
+    entry["error_quantile_95"][quantity.name] = quantile_95(errors(way.outcome, finest, quantity));
+  }
+  return entry;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool quick = false;
+  std::string json;
+  std::optional<int> scenarios;
+  int seed = 1;
+  CLI::App app("Accuracy and cost of the values of a cycle over random engines");
+  app.add_flag("--quick", quick, "16 scenarios where their number is not stated, in place of 96");
+  app.add_option("--json", json, "integrates the ways of the work-precision diagram, too, and writes all to this file");
+  app.add_option("scenarios", scenarios, "their number")->check(CLI::Range(1, 100'000));
+  app.add_option("seed", seed, "of the first scenario")->check(CLI::NonNegativeNumber)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const int n = scenarios.value_or(quick ? 16 : 96);
+  std::ofstream file;
+  if (!json.empty()) {
+    file.open(json);
+    if (!file) {
+      std::fprintf(stderr, "scenario_accuracy: cannot write %s\n", json.c_str());
+      return 5;
+    }
+  }
+
+  std::vector<cycle::Case> engines;
+  for (int i = 0; i < n; ++i) engines.push_back(engine(static_cast<std::uint64_t>(seed + i)));
+  const Outcome finest = integrate(engines, fixed_steps(kFinestCells, kFinestStepDeg, cycle::TimeScheme::kBdf2));
+  std::printf(
+      "Accuracy and cost of %d random engines, values of the cycle without angles against %d cells and %g degree\n", n,
+      kFinestCells, kFinestStepDeg);
+  std::printf("(%.0f ms); share of the values within 5, 1, 0.5 and 0.1 %%; processor time of one thread\n\n",
+              finest.ms);
+  std::vector<Way> list = ways();
+  if (json.empty()) std::erase_if(list, [](const Way& way) { return way.use == Use::kDiagram; });
+  for (Way& way : list) way.outcome = integrate(engines, way.solver);
+  print_shares(list, finest);
+  print_quantiles(list, finest);
+  if (json.empty()) return 0;
+
+  nlohmann::ordered_json document{{"scenarios", n},
+                                  {"first_seed", seed},
+                                  {"kernels", std::string(film::kernels().name)},
+                                  {"reference_cells", kFinestCells},
+                                  {"reference_crank_step_deg", kFinestStepDeg},
+                                  {"reference_ms_per_scenario", finest.ms}};
+  for (const Way& way : list) document["ways"].push_back(as_json(way, finest));
+  file << document.dump(2) << '\n';
+  file.close();
+  if (!file) {
+    std::fprintf(stderr, "scenario_accuracy: cannot write %s\n", json.c_str());
+    return 5;
+  }
+  std::printf("\n%s is written: %zu ways\n", json.c_str(), list.size());
 }
