@@ -23,6 +23,7 @@ struct RingAtSpeed {
 };
 
 struct Steps {
+  cycle::TimeScheme scheme;
   cycle::StepControl control;
   double size;  ///< crank step [degree] of fixed steps, else solver.step_error
 };
@@ -37,6 +38,7 @@ Integrated integrated(const RingAtSpeed& at, const Steps& steps) {
   c.operating.speed = at.speed_rpm * kRadPerSecondPerRpm;
   c.film.cavitation = cycle::Cavitation::kMassConserving;
   c.solver.crank_step_control = steps.control;
+  c.solver.time_scheme = steps.scheme;
   if (steps.control == cycle::StepControl::kFixed) {
     c.solver.crank_step_deg = steps.size;
   } else {
@@ -68,9 +70,9 @@ void print_row(const Steps& steps, const Integrated& integration, const cycle::C
     return static_cast<double>(count) / integration.result.effort.cycles_integrated;
   };
   const bool fixed = steps.control == cycle::StepControl::kFixed;
-  std::printf("  %-10s %-12g %9.2f %% %8.0f %10.3f %% %10.4f %12.3f %% %8.0f %8.0f %8.0f\n",
-              fixed ? "fixed" : "adaptive", steps.size, 100 * worst, worst_at,
-              100 * sum / static_cast<double>(reference.samples.size()), worst_friction,
+  std::printf("  %-6s %-10s %-12g %9.2f %% %8.0f %10.3f %% %10.4f %12.3f %% %8.0f %8.0f %8.0f\n",
+              steps.scheme == cycle::TimeScheme::kBdf2 ? "BDF2" : "Euler", fixed ? "fixed" : "adaptive", steps.size,
+              100 * worst, worst_at, 100 * sum / static_cast<double>(reference.samples.size()), worst_friction,
               100 * (integration.result.values.fmep / reference.values.fmep - 1),
               per_cycle(integration.result.effort.crank_steps), per_cycle(integration.result.effort.newton_iterations),
               integration.milliseconds);
@@ -78,16 +80,19 @@ void print_row(const Steps& steps, const Integrated& integration, const cycle::C
 
 void print_ring(const RingAtSpeed& at) {
   std::printf("\n%s ring, %g rpm, mass-conserving, 200 cells\n", at.ring, at.speed_rpm);
-  std::printf("  %-10s %-12s %11s %8s %12s %10s %14s %8s %8s %8s\n", "steps", "degree/error", "worst film", "at deg",
-              "mean film", "worst mu", "FMEP", "steps", "Newton", "ms");
-  const cycle::CycleResult reference = integrated(at, {cycle::StepControl::kFixed, kReferenceStepDeg}).result;
-  for (const double step_deg : {1.0, 0.5, 0.25, 0.125}) {
-    const Steps steps{cycle::StepControl::kFixed, step_deg};
-    print_row(steps, integrated(at, steps), reference);
-  }
-  for (const double error : {4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4}) {
-    const Steps steps{cycle::StepControl::kAdaptive, error};
-    print_row(steps, integrated(at, steps), reference);
+  std::printf("  %-6s %-10s %-12s %11s %8s %12s %10s %14s %8s %8s %8s\n", "scheme", "steps", "degree/error",
+              "worst film", "at deg", "mean film", "worst mu", "FMEP", "steps", "Newton", "ms");
+  const cycle::CycleResult reference =
+      integrated(at, {cycle::TimeScheme::kBdf2, cycle::StepControl::kFixed, kReferenceStepDeg}).result;
+  for (const cycle::TimeScheme scheme : {cycle::TimeScheme::kBackwardEuler, cycle::TimeScheme::kBdf2}) {
+    for (const double step_deg : {1.0, 0.5, 0.25, 0.125}) {
+      const Steps steps{scheme, cycle::StepControl::kFixed, step_deg};
+      print_row(steps, integrated(at, steps), reference);
+    }
+    for (const double error : {4e-3, 1e-3, 2.5e-4}) {
+      const Steps steps{scheme, cycle::StepControl::kAdaptive, error};
+      print_row(steps, integrated(at, steps), reference);
+    }
   }
 }
 

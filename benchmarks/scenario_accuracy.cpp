@@ -120,10 +120,11 @@ std::string text(const char* format, Numbers... numbers) {
 
 std::vector<Way> ways() {
   const auto euler = cycle::TimeScheme::kBackwardEuler;
+  cycle::Solver first;
+  first.time_scheme = euler;
   std::vector<Way> list = {{"200 cells, fixed 1 degree, Euler", "fixed, first order", fixed_steps(200, 1, euler)},
-                           {"200 cells, adaptive, Euler", "adaptive, first order", {}}};
+                           {"200 cells, adaptive, Euler", "adaptive, first order", first}};
   cycle::Solver second;
-  second.time_scheme = cycle::TimeScheme::kBdf2;
   list.push_back({"200 cells, adaptive, BDF2", "adaptive, second order", second});
   second.cell_lengths = cycle::CellLengths::kByGap;
   list.push_back({"the same, cells by gap", "adaptive, second order, cells by gap", second});
@@ -139,7 +140,7 @@ std::vector<Way> ways() {
                     fixed_steps(cells, step, euler), Use::kDiagram});
   }
   for (const double factor : {4.0, 0.25}) {
-    cycle::Solver solver;
+    cycle::Solver solver = first;
     solver.step_error *= factor;
     list.push_back(
         {text("200 cells, step_error %g, Euler", solver.step_error), "adaptive, first order", solver, Use::kDiagram});

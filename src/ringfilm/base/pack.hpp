@@ -128,6 +128,12 @@ struct Pack {
       return a & b;
     }
   }
+  /// The last `count` lanes.
+  RINGFILM_INLINE static Mask last(int count) {
+    double from_end[kLanes];
+    for (int lane = 0; lane < kLanes; ++lane) from_end[lane] = kLanes - lane;
+    return load(from_end) < Pack(count + 0.5);
+  }
   RINGFILM_INLINE static Mask differ(Mask a, Mask b) {
     if constexpr (kLanes == 1) {
       return a != b;

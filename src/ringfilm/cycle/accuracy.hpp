@@ -5,10 +5,11 @@ namespace ringfilm::cycle {
 
 /// What solver.accuracy stands for (docs/theory/film.md, "accuracy").
 struct Resolution {
-  int cells;              ///< across the face, by-gap
-  double crank_step_deg;  ///< the longest [degree]
-  double step_error;      ///< let through per step [-]
-  double tolerance;       ///< of the iteration [-]
+  int cells;                 ///< across the face
+  CellLengths cell_lengths;  ///< how they share it
+  double crank_step_deg;     ///< the longest [degree]
+  double step_error;         ///< let through per step [-]
+  double tolerance;          ///< of the iteration [-]
 };
 
 /// Cells and steps with which 95 of 100 values of a cycle were found within `accuracy` [%].

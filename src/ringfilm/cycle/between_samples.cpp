@@ -51,7 +51,7 @@ void BetweenSamples::set_slopes() {
   // the iteration's rounding.
   const auto joins_next = [this](std::size_t k) {
     const double end = angle_[k] + length_[k], next = length_[after(k)];
-    const bool at_dead_centre = std::abs(std::remainder(end, kStrokeDeg)) < kSameAngle;
+    const bool at_dead_centre = std::abs(end - kStrokeDeg * std::floor(end / kStrokeDeg + 0.5)) < kSameAngle;
     const bool is_alike = std::max(length_[k], next) <= kMostUnequal * std::min(length_[k], next);
     return size() > 2 && is_alike && is_smooth(k) && is_smooth(after(k)) && !at_dead_centre;
   };

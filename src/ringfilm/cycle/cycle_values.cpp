@@ -56,18 +56,12 @@ class Curves {
   double share_below(double limit, Member member) const { return between_.share_below(limit, of(member)); }
   double at(double crank_angle_deg, Member member) const { return between_.at(crank_angle_deg, of(member)); }
 
-  Place largest(Member member) const { return largest_within(kCycleDeg / 2, member); }
+  Place largest(Member member) const {
+    return largest_where([](double) { return true; }, member);
+  }
   /// Up to an angle before and after firing TDC [degree].
   Place largest_within(double window_deg, Member member) const {
-    const auto is_within = [&](double angle) { return std::abs(std::remainder(angle, kCycleDeg)) <= window_deg; };
-    std::optional<std::size_t> top;
-    for (std::size_t k = 0; k < samples_.size(); ++k) {
-      if (!is_within(samples_[k].crank_angle_deg)) continue;
-      if (!top || samples_[k].*member > samples_[*top].*member) top = k;
-    }
-    if (!top) return {0, 0};
-    const Place place = between_.largest_near(*top, of(member));
-    return is_within(place.angle_deg) ? place : Place{samples_[*top].*member, samples_[*top].crank_angle_deg};
+    return largest_where([=](double angle) { return std::min(angle, kCycleDeg - angle) <= window_deg; }, member);
   }
   Place smallest(Member member) const {
     const auto least = std::min_element(samples_.begin(), samples_.end(),
@@ -85,6 +79,18 @@ class Curves {
   }
 
  private:
+  template <class Within>
+  Place largest_where(const Within& is_within, Member member) const {
+    std::optional<std::size_t> top;
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      if (!is_within(samples_[k].crank_angle_deg)) continue;
+      if (!top || samples_[k].*member > samples_[*top].*member) top = k;
+    }
+    if (!top) return {0, 0};
+    const Place place = between_.largest_near(*top, of(member));
+    return is_within(place.angle_deg) ? place : Place{samples_[*top].*member, samples_[*top].crank_angle_deg};
+  }
+
   const std::vector<Sample>& samples_;
   BetweenSamples between_;
 };
@@ -139,7 +145,7 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   const models::CyclePressure& gas = setup.ring.lands.above;
   v.peak_gas_pressure = gas.peak();
   v.peak_gas_pressure_angle = gas.peak_angle_deg();
-  v.lambda_ratio_at_peak_pressure = curves.at(gas.peak_angle_deg(), &Sample::lambda_ratio);
+  v.lambda_ratio_at_peak_pressure = curves.at(v.peak_gas_pressure_angle, &Sample::lambda_ratio);
   v.mixed_share = curves.share_below(kMixedBelow, &Sample::lambda_ratio);
 
   const double mean_load = curves.mean([](const Sample& s) { return s.applied_load; });

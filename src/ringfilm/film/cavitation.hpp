@@ -22,9 +22,10 @@ inline double edge_z(const EdgeState& edge, double p_cavitation) {
 
 /// The deficit of the node at an edge: of the film that enters there, or of the one that leaves the node beside it [-].
 /// @param full mass per area of the full gap there [kg/m2]
-inline double edge_deficit(const EdgeState& edge, double full, double beside) {
+template <class Full>
+double edge_deficit(const EdgeState& edge, const Full& full, double beside) {
   if (edge.fluid == EdgeFluid::kOil) return 0;
-  return edge.supply < std::numeric_limits<double>::infinity() ? std::max(0.0, 1 - edge.supply / full) : beside;
+  return edge.supply < std::numeric_limits<double>::infinity() ? std::max(0.0, 1 - edge.supply / full()) : beside;
 }
 
 /// Is the node part of a cavity?

@@ -139,7 +139,10 @@ Film2dIntegrals film2d_integrals(const Film2dProblem& problem, const Film2dInput
     }
     mean.peak_pressure = j == 0 ? of.peak_pressure : std::max(mean.peak_pressure, of.peak_pressure);
     mean.peak_shear_rate = std::max(mean.peak_shear_rate, of.peak_shear_rate);
-    if (j == halfway) mean.cavities = of.cavities;
+    if (j == halfway) {
+      mean.cavities = of.cavities;
+      mean.heating = of.heating;
+    }
     mean.wetted_end = of.wetted_end;  // no gas at the edges of a film in two dimensions
     // What a strip misses, its neighbours have, or it left through an end.
     const bool is_end = around.ends == Ends::kOpen && (j == 0 || j == n_strips - 1);

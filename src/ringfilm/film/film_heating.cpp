@@ -50,9 +50,13 @@ double FilmHeating::rise(double conductivity, double specific_heat) const {
 
 FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip,
                          double rise) {
-  const FilmGrid& grid = problem.grid;
   const FilmView film = view_of_strip(problem, state, strip, rise);
-  const HeatingSums full = sums_of_full_cells(problem, inputs, state.laws, film);
+  return film_heating(problem, inputs, film, state.laws, sums_of_full_cells(problem, inputs, state.laws, film));
+}
+
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmView& film, LaneLaws laws,
+                         const HeatingSums& full) {
+  const FilmGrid& grid = problem.grid;
   FilmHeating sums{full.dissipation, full.conductance, 0};
   double length = full.length, flow = full.flow;
   // The part of a cell in which the film ends or begins is at the pressure of the cavity: oil is dragged through it.
@@ -64,8 +68,8 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
     const double cell = filled_length(problem, inputs, film.p, i - 1, !cavity);
     const double h = film.h_m + grid.face_height[i - 1];
     const auto mean = [&](auto&& of) { return 0.5 * (of(film.p[i - 1]) + of(film.p[i])); };
-    const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, state.laws, p); });
-    const double rho = mean([&](double p) { return density_at(*inputs.oil, state.laws, p); });
+    const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, laws, p); });
+    const double rho = mean([&](double p) { return density_at(*inputs.oil, laws, p); });
     sums.dissipation += cell * eta * inputs.U * inputs.U / h;
     sums.conductance += cell / h;
     flow += cell * rho * 0.5 * inputs.U * h;

@@ -20,4 +20,8 @@ struct FilmHeating {
 FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip = 0,
                          double rise = 0);
 
+/// The same of a film across the face. @param full sums over its full cells
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmView& film, LaneLaws laws,
+                         const HeatingSums& full);
+
 }  // namespace ringfilm::film

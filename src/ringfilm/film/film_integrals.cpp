@@ -179,7 +179,8 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
     sums.shear_couette = shear.mean;
     sums.shear_poiseuille = shear.half_difference;
   }
-  sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit);
+  sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit, of_film.peak_shear_squared);
+  sums.heating = film_heating(problem, inputs, film, state.laws, of_film.heating);
   sums.mass_defect = of_film.storage;
   sums.peak_pressure = peak_pressure(problem.grid, state.p, of_film.peak_pressure);
   const auto fitted = problem.contact != nullptr ? problem.contact->fitted() : std::nullopt;

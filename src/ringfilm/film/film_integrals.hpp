@@ -1,6 +1,7 @@
 #pragma once
 #include <boost/container/small_vector.hpp>
 
+#include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/film_state.hpp"
 
 namespace ringfilm::film {
@@ -28,7 +29,8 @@ struct FilmIntegrals {
   double peak_pressure = 0;                 ///< [Pa]
   double cavitated_fraction = 0;            ///< share of the width that is a cavity, without the gas of an edge [-]
   double wetted_begin = 0, wetted_end = 0;  ///< between them lies no gas of an edge [m]
-  bool is_broken_through = false;           ///< gas of an edge reaches the lowest place of the gap
+  FilmHeating heating;
+  bool is_broken_through = false;                      ///< gas of an edge reaches the lowest place of the gap
   boost::container::small_vector<Cavity, 4> cavities;  ///< from x = 0 on
 };
 

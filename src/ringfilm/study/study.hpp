@@ -84,7 +84,7 @@ struct OutputSelection {
 
 /// How accurate the values of a study are, and on how many of its scenarios that is estimated.
 struct Accuracy {
-  /// Of films across the face between edges of oil in bases that state neither an accuracy nor cells and steps;
+  /// Of films across the face with flooded inlets in bases that state neither an accuracy nor cells and steps;
   /// nothing: they are computed with the cells and steps that a case has without these keys [%].
   std::optional<double> asked = 0.5;
   /// Scenarios that are integrated again on a finer grid; nothing: kUsualSample where an accuracy is asked for.

@@ -58,6 +58,12 @@ inline Case styles_new_ring() {
   return c;
 }
 
+/// With steps of first order, as in the independent model.
+inline Case by_backward_euler(Case c) {
+  c.solver.time_scheme = TimeScheme::kBackwardEuler;
+  return c;
+}
+
 inline Case styles_embedded_ring() {
   Case c = styles_new_ring();
   c.title = "embedded ring";

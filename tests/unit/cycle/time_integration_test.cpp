@@ -44,10 +44,10 @@ TEST(TimeIntegration, AdaptiveStepsControlTheErrorOfTheReformationFront) {
   const CycleResult truth = simulated(fine);
   const CycleResult fixed = simulated(c);
   const CycleResult controlled = simulated(adaptive);
-  // Seen at 200 cells: 10 % with fixed steps of 1 degree, 0.7 % adaptive for 2.8 times the steps; 100 cells are alike.
-  EXPECT_GT(largest_film_difference(fixed, truth), 0.03);
-  EXPECT_LT(largest_film_difference(controlled, truth), 0.015);
-  EXPECT_LT(controlled.effort.crank_steps, 4 * fixed.effort.crank_steps);
+  // Seen: 2.1 % with fixed steps of 1 degree, FIXME % adaptive for FIXME times the steps.
+  EXPECT_GT(largest_film_difference(fixed, truth), 0.015);
+  EXPECT_LT(largest_film_difference(controlled, truth), 0.008);
+  EXPECT_LT(2 * controlled.effort.crank_steps, 3 * fixed.effort.crank_steps);
 }
 
 TEST(TimeIntegration, StopsWhenTheStateRepeatsAndNotAfterAFixedNumberOfCycles) {
@@ -78,10 +78,12 @@ TEST(TimeIntegration, MassIsKeptFromStepToStepAndOverTheCycle) {
   Case c = styles_new_ring();
   c.film.cavitation = Cavitation::kMassConserving;
   c.solver.tolerance = 1e-14;  // what the iteration leaves is then less than round-off
-  const CycleResult result = simulated(c);
   // Round-off: the storage of a step is the difference of contents 1e3 times as large. Seen 1.9e-12 a step.
+  EXPECT_LT(simulated(c).effort.max_mass_residual, 2e-11);
+  const CycleResult result = simulated(by_backward_euler(c));
   EXPECT_LT(result.effort.max_mass_residual, 2e-11);
-  // What one cycle takes in at one edge it gives at the other. Seen 3e-15 of the mean absolute flow.
+  // What one cycle takes in at one edge it gives at the other, where all steps are of one order. Seen 3e-15 of the mean
+  // absolute flow.
   double chamber = 0, crankcase = 0, scale = 0;
   for (const Sample& s : result.samples) {
     chamber += s.oil_flow_chamber_edge;
@@ -163,7 +165,7 @@ TEST(TimeIntegration, LiteralOrientationTurnsTheRingAtEveryReversal) {
 
 // The face turns over, the oil in its cavities does not: nothing may change where the face is its own mirror image.
 TEST(TimeIntegration, ASymmetricFaceThatTurnsAtEveryReversalIsTheSameAsOneThatDoesNot) {
-  Case fixed = styles_embedded_ring();
+  Case fixed = by_backward_euler(styles_embedded_ring());  // a face that turns over begins with a step of first order
   fixed.ring.face = {};
   fixed.ring.face.form = FaceForm::kParabola;
   fixed.ring.face.crown_height = 10e-6;

@@ -148,9 +148,11 @@ TEST(AccuracyOfStudy, IsThatOfFilmsWhoseCellsAndStepsAreNotStated) {
   EXPECT_FALSE(with_accuracy_of_study(study.bases[0].input, study).solver.accuracy);
   stated.solver.accuracy = 1;
   EXPECT_EQ(with_accuracy_of_study(stated, study).solver.accuracy, 1);
-  cycle::Case with_gas = c;
-  with_gas.film.chamber_edge = cycle::EdgeFluid::kGas;
-  EXPECT_FALSE(with_accuracy_of_study(with_gas, study).solver.accuracy) << "no figures are known";
+  cycle::Case with_oil = c;
+  with_oil.film.chamber_edge = cycle::EdgeFluid::kGas;
+  EXPECT_EQ(with_accuracy_of_study(with_oil, study).solver.accuracy, study.accuracy.asked);
+  with_oil.film.supply = cycle::OilSupply::kGiven;
+  EXPECT_FALSE(with_accuracy_of_study(with_oil, study).solver.accuracy) << "no figures are known";
   study.accuracy.asked.reset();
   EXPECT_FALSE(with_accuracy_of_study(c, study).solver.accuracy);
 }

@@ -433,7 +433,7 @@ struct Solver {
   static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
   double crank_step_deg = 1.0;                  ///< of the integration; whole steps make 720 [degree]
   StepControl crank_step_control = StepControl::kAdaptive;  ///< refine that step where the film needs it?
-  TimeScheme time_scheme = TimeScheme::kBackwardEuler;      ///< of the step
+  TimeScheme time_scheme = TimeScheme::kBdf2;               ///< of the step
   double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
   double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
   Method method = Method::kCoupledNewton;       ///< how film and load balance are solved

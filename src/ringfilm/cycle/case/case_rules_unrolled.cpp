@@ -32,10 +32,6 @@ void check_method(const Case& c, Breaches& breaches) {
 }
 
 void check_scheme(const Case& c, Breaches& breaches) {
-  if (c.solver.time_scheme == TimeScheme::kBdf2) {
-    breaches.push_back({"solver.time_scheme", "solver.time_scheme = \"bdf2\" is that of the film across the face alone",
-                        "take \"backward-euler\", or film.dimension = \"face\""});
-  }
   if (c.solver.cell_lengths == CellLengths::kByGap) {
     breaches.push_back({"solver.cell_lengths", "solver.cell_lengths = \"by-gap\" is for the film across the face alone",
                         "take \"uniform\", or film.dimension = \"face\""});

@@ -152,12 +152,12 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
   const std::vector<Sample>& base = result.complete ? base_ : passed;
   result.values = no_cycle_values();
   if (result.complete) {
-    std::vector<Sample> all;  // increasing
+    std::vector<Sample> all{base_[0]};  // 0 degree, which ends the last step
     for (std::size_t k = 1; k <= steps_.size(); ++k) {
       const std::vector<Sample>& steps = steps_[k % steps_.size()];
       all.insert(all.end(), steps.begin(), steps.end());
     }
-    std::rotate(all.begin(), all.end() - 1, all.end());  // 0 degree ends the cycle
+    all.pop_back();
     result.values = cycle_values(setup_, all);
     result.stroke = stroke_profile(setup_, all, result.values.archard_wear_load);
   }

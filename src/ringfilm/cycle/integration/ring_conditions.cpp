@@ -58,7 +58,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   if (!up || !flooded) chamber.fluid = c.film.chamber_edge;
   film::EdgeState& inlet = up ? chamber : crankcase;
   if (!flooded && inlet.fluid == EdgeFluid::kGas) {
-    const double place = setup.engine.crank.position(radians(angle)) + (up ? 0 : c.ring.face_width);
+    const double place = at.below_tdc + (up ? 0 : c.ring.face_width);
     at.oil_ahead = ring.oil.density * along_stroke(c.supply.film, place);
     inlet.supply = at.oil_ahead;
   }
@@ -70,7 +70,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   at.inputs.load = (ring.elastic_pressure + behind) * c.ring.face_width;
   at.inputs.time_step = time_step;
   at.film_temperature = ring.oil.temperature;
-  if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(setup.engine.crank.position(radians(angle)));
+  if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(at.below_tdc);
   at.film_temperature += rise_of_step(ring.oil, at.film_temperature, before);
   at.inputs.oil = ring.oil.range->at(at.film_temperature);
   return at;

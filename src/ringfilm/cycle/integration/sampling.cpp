@@ -78,7 +78,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
 
   Sample s;
   s.crank_angle_deg = angle;
-  s.piston_position = setup.engine.crank.position(radians(angle));
+  s.piston_position = instant.at.below_tdc;
   const bool from_chamber_edge = instant.at.axis == Axis::kFromChamber;
   s.piston_velocity = instant.at.piston_velocity;
   s.sliding_distance = sliding_distance(setup.engine.crank, angle, s.piston_position);
@@ -110,7 +110,8 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   const double eta = is_one_temperature ? oil.viscosity : in.oil->viscosity(base::kAtmosphere);
   s.stribeck_number = eta * speed / (mean_pressure * setup.ring.sigma);
   s.film_temperature = instant.at.film_temperature;
-  s.viscous_heating_rise = integration.viscous_heating_rise(in, *instant.state);
+  s.viscous_heating_rise =
+      integrals.heating.rise(setup.input.lubricant.thermal_conductivity, setup.input.lubricant.specific_heat);
   s.flash_temperature = flash_temperature(setup.input, s.boundary_friction, speed);
   const bool leaves_at_x_b = (sense == Motion::kTowardsTdc) == from_chamber_edge;
   s.gas_holding_margin = gas_holding_margin(integration.problem().grid, in, instant.state->h_m,

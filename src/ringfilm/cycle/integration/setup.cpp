@@ -118,9 +118,11 @@ void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
   if (!c.solver.accuracy) return;
   char text[320];
   std::snprintf(text, sizeof text,
-                "solver.accuracy = %.3g %%: computed on %d cells by gap with crank steps of %.3g degree at the most, "
+                "solver.accuracy = %.3g %%: computed on %d %s cells with crank steps of %.3g degree at the most, "
                 "time_scheme = \"bdf2\", step_error = %.2g and tolerance = %.1g, whatever [solver] states of these",
-                *c.solver.accuracy, c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, c.solver.tolerance);
+                *c.solver.accuracy, c.solver.cells,
+                c.solver.cell_lengths == CellLengths::kUniform ? "uniform" : "by-gap", c.solver.crank_step_deg,
+                c.solver.step_error, c.solver.tolerance);
   notes.push_back({"accuracy-asked-for", text, 1});
 }
 

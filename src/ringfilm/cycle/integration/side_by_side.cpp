@@ -105,6 +105,9 @@ class Block {
         return report;
       }
     }
+    if (newton_.phase(lane) == film::LaneNewton::Phase::kFailed && inputs.fallback == film::Fallback::kNone) {
+      return report;  // alone it would fail the same way
+    }
     ++effort.single_solves;
     film::FilmReport alone = integration.solve();
     alone.iterations += report.iterations;

@@ -16,12 +16,11 @@ namespace ringfilm::cycle {
 namespace {
 
 constexpr int kTicks = TimeIntegration::kTicksPerBaseStep;
-constexpr int kFinestLevel = 6;
-static_assert(kTicks == 1 << kFinestLevel);
-/// From this level on films are searched for where Newton's method finds none.
-constexpr int kSearchedLevel = 3;
-/// A step twice as long makes four times the error; it is tried only with something to spare.
-constexpr double kCoarsenBelow = 0.15;
+/// Steps of no more ticks than that are searched for where Newton's method finds no film.
+constexpr int kSearchedTicks = kTicks / 8;
+/// Steps are laid out for this share of the error that they may make, eq-step-length.
+constexpr double kAimedError = 0.65;
+constexpr double kLeastGrowth = 0.25, kMostGrowth = 2;  ///< of a step over the one before
 /// BDF2 is stable while a step is no longer than 1 + sqrt(2) times the one before.
 constexpr double kLongestToLast = 2.1;
 
@@ -136,50 +135,61 @@ double TimeIntegration::change_of_trend(const film::FilmState& to, const film::P
   return sum;
 }
 
-double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
-  if (time_step_before_ == 0) return 0;
-  const bool by_three = step_.is_second_order && time_step_older_ > 0;
-  const film::Prediction prediction = by_three
-                                          ? film::Prediction::parabola(time_step, time_step_before_, time_step_older_)
-                                          : film::Prediction::line(time_step, time_step_before_);
-  const film::FilmState& older = by_three ? older_ : before_;
-  const double film = change_of_trend(to, prediction, older);
-  double content = 0;
-  double total = 0;
+film::MassSums TimeIntegration::mass_off(const film::FilmState& to, const film::Prediction& prediction,
+                                         const film::FilmState& older) const {
   const bool with_gas = step_.at.inputs.has_gas();
+  if (!with_gas && film2d() == nullptr) {
+    return problem().kernels->mass_off(
+        to.mass_per_area.data(),
+        {prediction.of_state, prediction.of_before, prediction.of_older, state_.mass_per_area.data(),
+         before_.mass_per_area.data(), older.mass_per_area.data()},
+        static_cast<int>(to.mass_per_area.size()));
+  }
   // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time. So
   // are those of a meniscus that crosses nodes.
   const auto is_next_to_gas = [&](std::size_t i) {
     return (film::is_cavity(to.deficit[i]) || film::is_cavity(state_.deficit[i])) &&
            step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr;
   };
+  film::MassSums sums{0, 0};
   for (std::size_t i = 0; i < to.mass_per_area.size(); ++i) {
     if (with_gas && is_next_to_gas(i)) continue;
-    const double predicted =
+    const double expected =
         prediction.expected(state_.mass_per_area[i], before_.mass_per_area[i], older.mass_per_area[i]);
-    content += film_.weight(i) * std::abs(to.mass_per_area[i] - predicted);
-    total += film_.weight(i) * to.mass_per_area[i];
+    sums.off += film_.weight(i) * std::abs(to.mass_per_area[i] - expected);
+    sums.all += film_.weight(i) * to.mass_per_area[i];
   }
+  return sums;
+}
+
+double TimeIntegration::time_error(const film::FilmState& to, double time_step) const {
+  if (time_step_before_ == 0) return 0;
+  const bool by_three = has_parabola();
+  const film::Prediction prediction = by_three
+                                          ? film::Prediction::parabola(time_step, time_step_before_, time_step_older_)
+                                          : film::Prediction::line(time_step, time_step_before_);
+  const film::FilmState& older = by_three ? older_ : before_;
+  const double film = change_of_trend(to, prediction, older);
+  const film::MassSums content = mass_off(to, prediction, older);
   const double share = step_.is_second_order ? kContentShareOfBdf2 : kContentShare;
-  const double of_content = total > 0 ? content / total / share : 0;  // 0: all of the oil lies next to gas
+  const double of_content = content.all > 0 ? content.off / content.all / share : 0;  // 0: all lies next to gas
   const double error =
       prediction.error_share * std::max(weight_of_film(to) * film, of_content) / setup_.input.solver.step_error;
-  return std::isfinite(film + content) ? error : std::numeric_limits<double>::infinity();
+  return std::isfinite(film + content.off) ? error : std::numeric_limits<double>::infinity();
 }
 
 /// Lays out the proposed step as one of second order. False where it is not one: there is no history, the face turns
 /// over, gas is at an edge, oil on the liner is accounted for step by step, or a cavity would have less than no oil.
 bool TimeIntegration::remember_two_films() {
-  const bool can = is_second_order() && !setup_.input.is_unrolled() && time_step_before_ > 0 &&
-                   step_.time_step <= kLongestToLast * time_step_before_;
-  if (!can || step_.state_was_turned || step_.at.inputs.has_gas() || liner_oil_) return false;
+  const bool can = is_second_order() && time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
+  if (!can || step_.state_was_turned || liner_oil_) return false;
   const film::Bdf2 scheme(step_.time_step, time_step_before_);
-  history_.mass_per_area.resize(state_.mass_per_area.size());
-  for (std::size_t i = 0; i < state_.mass_per_area.size(); ++i) {
-    const double mass = scheme.of_state * state_.mass_per_area[i] - scheme.of_before * before_.mass_per_area[i];
-    if (mass < 0) return false;
-    history_.mass_per_area[i] = mass;
-  }
+  const std::vector<double>& mass = state_.mass_per_area;
+  history_.mass_per_area.resize(mass.size());
+  const double least = problem().kernels->remembered_mass(
+      {scheme.of_state, -scheme.of_before, 0, mass.data(), before_.mass_per_area.data(), nullptr},
+      static_cast<int>(mass.size()), history_.mass_per_area.data());
+  if (least < 0) return false;
   step_.at.inputs.time_step = scheme.time_step;
   return true;
 }
@@ -244,7 +254,7 @@ void TimeIntegration::start(int k) {
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
   time_step_before_ = time_step_older_ = 0;
   thinnest_ = std::numeric_limits<double>::infinity();
-  level_ = 0;
+  wanted_ticks_ = kTicks;
   tick_ = kTicks;
   heat_ = {};
   RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
@@ -261,19 +271,34 @@ void TimeIntegration::start(int k) {
   instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_, 0};
 }
 
+/// Steps of equal length to the next base angle, none longer than `wanted_ticks_`.
+int TimeIntegration::ticks_of_step() const {
+  const int left = kTicks - tick_;
+  const int wanted = std::max(1, static_cast<int>(wanted_ticks_ + 0.5));
+  const int steps = (left + wanted - 1) / wanted;
+  return (left + steps - 1) / steps;
+}
+
+/// By how much a step may be longer than one that made this share of the error allowed, eq-step-length.
+double TimeIntegration::growth_after(double error) const {
+  const double order = has_parabola() ? 3 : 2;
+  const double growth = std::pow(kAimedError / std::max(error, 1e-9), 1 / order);
+  return std::clamp(growth, kLeastGrowth, kMostGrowth);
+}
+
 void TimeIntegration::propose() {
   if (tick_ == kTicks) {
     tick_ = 0;
     effort_ = {};
-    if (!adaptive()) level_ = 0;
+    if (!adaptive()) wanted_ticks_ = kTicks;
   }
   const double base_deg = setup_.input.solver.crank_step_deg;
-  const int ticks = kTicks >> level_;
-  step_.to_deg = k_ * base_deg + base_deg * (tick_ + ticks) / kTicks;
-  step_.time_step = radians(base_deg * ticks / kTicks) / setup_.engine.speed;
+  step_.ticks = ticks_of_step();
+  step_.to_deg = k_ * base_deg + base_deg * (tick_ + step_.ticks) / kTicks;
+  step_.time_step = radians(base_deg * step_.ticks / kTicks) / setup_.engine.speed;
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
   // A step that can be shortened is not searched for: most films that Newton's method misses change fast.
-  if (adaptive() && level_ < kSearchedLevel) step_.at.inputs.fallback = film::Fallback::kNone;
+  if (adaptive() && step_.ticks > kSearchedTicks) step_.at.inputs.fallback = film::Fallback::kNone;
   step_.state_was_turned = step_.at.axis != axis_;
   if (step_.state_was_turned) {
     turn(state_);
@@ -310,30 +335,12 @@ void TimeIntegration::continue_ring(film::FilmState& to) const {
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
 }
 
-/// Pressure and deficit change further as they did over the last step; a node that would leave its film or its cavity
-/// crosses over.
+/// In place of the film of the state.
 void TimeIntegration::continue_film(film::FilmState& to) const {
   if (time_step_before_ == 0) return;
-  constexpr double kMostOfPressureLost = 0.5;  // in a film that gets thicker
-  constexpr double kNewDeficit = 1e-6;
-  const double ratio = step_.time_step / time_step_before_;
-  const double p_cavitation = step_.at.inputs.p_cavitation;
-  for (std::size_t i = 0; i < to.p.size(); ++i) {
-    const bool was_cavity = before_.deficit[i] > 0, is_cavity = state_.deficit[i] > 0;
-    if (was_cavity != is_cavity) continue;
-    if (is_cavity) {
-      const double next = state_.deficit[i] + ratio * (state_.deficit[i] - before_.deficit[i]);
-      if (next < 1) to.deficit[i] = std::max(next, 0.0);
-    } else {
-      const double next = state_.p[i] + ratio * (state_.p[i] - before_.p[i]);
-      if (next < p_cavitation) {
-        to.p[i] = p_cavitation;
-        to.deficit[i] = kNewDeficit;
-      } else if (next > kMostOfPressureLost * state_.p[i]) {
-        to.p[i] = next;
-      }
-    }
-  }
+  problem().kernels->continued({state_.p.data(), before_.p.data(), state_.deficit.data(), before_.deficit.data(),
+                                step_.time_step / time_step_before_, step_.at.inputs.p_cavitation},
+                               static_cast<int>(to.p.size()), {to.p.data(), to.deficit.data()});
 }
 
 const film::FilmState& TimeIntegration::guess() {
@@ -351,19 +358,19 @@ film::FilmReport TimeIntegration::solve() {
 
 void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& waypoints) {
   count(report);
-  const int ticks = kTicks >> level_;
   const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
   const bool is_error_known = time_step_before_ > 0;
-  const bool too_coarse = adaptive() && error > 1 && level_ < kFinestLevel;
+  const bool too_coarse = adaptive() && error > 1 && step_.ticks > 1;
   if (!report.converged || too_coarse) {
-    if (level_ == kFinestLevel) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
+    if (step_.ticks == 1) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
     if (!report.converged) {
       ++totals_.fallback_sub_step;
       ++effort_.fallbacks;
     }
-    ++level_;
+    wanted_ticks_ = std::min(step_.ticks * (report.converged ? growth_after(error) : 0.5), step_.ticks - 1.0);
     return;
   }
+  if (adaptive() && is_error_known) wanted_ticks_ = std::min(step_.ticks * growth_after(error), double{kTicks});
   waypoints.before_step(*this, angle_deg_, step_.to_deg);
   account_of_oil();
   std::swap(older_, before_);
@@ -374,17 +381,16 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   thinnest_ = std::min(thinnest_, state_.h_m);
   heat_ = heat_of_state(step_.at);
   angle_deg_ = step_.to_deg;
-  tick_ += ticks;
+  tick_ += step_.ticks;
   ++effort_.steps;
   ++totals_.crank_steps;
-  totals_.sub_steps += ticks < kTicks;
+  totals_.sub_steps += step_.ticks < kTicks;
   totals_.uncontrolled_steps +=
       adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
   const film::FilmState* previous = step_.is_second_order ? &history_ : &before_;
   instant_ = {wrapped(angle_deg_), step_.at, previous, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
   waypoints.after_step(*this);
-  if (adaptive() && level_ > 0 && is_error_known && error < kCoarsenBelow && tick_ % (2 * ticks) == 0) --level_;
   if (tick_ == kTicks) {
     k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
     angle_deg_ = k_ * setup_.input.solver.crank_step_deg;

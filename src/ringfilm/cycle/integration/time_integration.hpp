@@ -159,9 +159,14 @@ class TimeIntegration {
 
  private:
   bool is_second_order() const { return setup_.input.solver.time_scheme == TimeScheme::kBdf2; }
+  bool has_parabola() const { return step_.is_second_order && time_step_older_ > 0; }
+  int ticks_of_step() const;
+  double growth_after(double error) const;
   double weight_of_film(const film::FilmState& to) const;
   bool adaptive() const { return setup_.input.solver.crank_step_control == StepControl::kAdaptive; }
   double time_error(const film::FilmState& to, double time_step) const;
+  film::MassSums mass_off(const film::FilmState& to, const film::Prediction& prediction,
+                          const film::FilmState& older) const;
   double change_of_trend(const film::FilmState& to, const film::Prediction& prediction,
                          const film::FilmState& older) const;
   void continue_ring(film::FilmState& to) const;
@@ -194,9 +199,10 @@ class TimeIntegration {
   HeatBefore heat_;                 ///< of `state_`, if it counts
   int k_ = 0;                       ///< current base angle
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too
-  int level_ = 0;                   ///< steps are 2^-level of the base step
+  double wanted_ticks_ = 0;         ///< length of the next step
   int tick_ = kTicksPerBaseStep;    ///< of the base step, done
   struct {
+    int ticks = 0;
     double to_deg = 0, time_step = 0, h_m = 0;
     RingConditions at;
     bool state_was_turned = false;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
@@ -19,7 +18,7 @@ double pressure_slope(const FilmProblem& problem, const FilmState& state, int i)
   return (state.p[high] - state.p[low]) / (problem.grid.x[high] - problem.grid.x[low]);
 }
 
-double pressure_shear(double h, double slope) { return 0.5 * std::numbers::inv_sqrt3 * h * std::abs(slope); }
+double pressure_shear(double h, double slope) { return kPressureShear * h * std::abs(slope); }
 
 AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
                            const double* deficit) {
@@ -46,7 +45,7 @@ AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs,
 }
 
 double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
-                       const double* deficit) {
+                       const double* deficit, double inside_squared) {
   const FilmGrid& grid = problem.grid;
   const bool is_content = problem.cavitation == Cavitation::kMassConserving;
   const bool thins = state.factors && !state.factors->thinning.empty();
@@ -54,29 +53,14 @@ double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, con
     const double eta = viscosity_at(*inputs.oil, state.laws, state.p[i]);
     return thins ? eta * state.factors->thinning[i] : eta;
   };
-  double largest = 0;
-  const auto visit = [&](int i) {
-    if (is_content && deficit[i] == 1) return;  // gas
+  const int n = grid.n_cells();
+  double largest = thins ? 0 : inside_squared;
+  for (int i = 0; i <= n; i += thins ? 1 : n) {
+    if (is_content && deficit[i] == 1) continue;  // gas
     const double h = state.h_m + grid.node_height[i];
     const double slide = inputs.U / h;
     const double by_pressure = pressure_shear(h, pressure_slope(problem, state, i)) / viscosity(i);
     largest = std::max(largest, slide * slide + by_pressure * by_pressure);
-  };
-  const int n = grid.n_cells();
-  if (thins) {
-    for (int i = 0; i <= n; ++i) visit(i);
-    return std::sqrt(largest);
-  }
-  for (const int i : {grid.throat, 0, n}) visit(i);
-  // No viscosity of a Newtonian oil is below that at the lowest pressure: few nodes may have the largest rate. The
-  // comparison is without divisions, since all nodes are compared.
-  const double per_slope = pressure_shear(1, 1) / viscosity_at(*inputs.oil, state.laws, inputs.p_cavitation);
-  const double *x = grid.x.data(), *p = state.p.data(), *rise = grid.node_height.data();
-  const double U_squared = inputs.U * inputs.U;
-  for (int i = 1; i < n; ++i) {
-    const double h = state.h_m + rise[i], length = x[i + 1] - x[i - 1];
-    const double by_pressure = per_slope * h * h * (p[i + 1] - p[i - 1]), reach = h * length;
-    if (U_squared * length * length + by_pressure * by_pressure > largest * reach * reach) visit(i);
   }
   return std::sqrt(largest);
 }

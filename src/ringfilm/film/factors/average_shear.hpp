@@ -22,7 +22,8 @@ AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs,
                            const double* deficit);
 
 /// Largest shear rate at a node, eq-shear-rate [1/s]. @param deficit as above: 1 where gas fills the gap
+/// @param inside_squared that of inner nodes whose oil does not thin, squared [1/s2]
 double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
-                       const double* deficit);
+                       const double* deficit, double inside_squared);
 
 }  // namespace ringfilm::film

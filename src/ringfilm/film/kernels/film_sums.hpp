@@ -1,4 +1,6 @@
 #pragma once
+#include <numbers>
+
 #include "ringfilm/film/kernels/lane_block.hpp"
 
 /// Oil and sums of one solved film, along the face in the lanes of a register. Plain pointers, so that what is compiled
@@ -19,6 +21,9 @@ struct FilmView {
   const double *mobility = nullptr, *carried = nullptr;        ///< FlowFactors; nullptr: none
 };
 
+/// Of the shear rate by a slope of the pressure: its root mean square across the film, eq-shear-rate.
+inline constexpr double kPressureShear = 0.5 * std::numbers::inv_sqrt3;
+
 /// One lane of a block: z, and how far apart its numbers are.
 struct LaneView {
   const double* z;
@@ -29,6 +34,25 @@ struct LaneView {
 /// Where pressure and deficit of a film go.
 struct FilmPressure {
   double *p, *deficit;
+};
+
+/// What a film is expected to hold, from up to three films before it (film/time_scheme.hpp).
+struct ExpectedMass {
+  double of_state, of_before, of_older;  ///< weights [-]
+  const double *state, *before, *older;  ///< mass per area [kg/m2]
+};
+
+/// Sums over the nodes of one film [kg/m2].
+struct MassSums {
+  double off;  ///< by which it is not what was expected, in modulus
+  double all;
+};
+
+/// The last two films, by which the next one is guessed (eq-continued-film).
+struct FilmMotion {
+  const double *p, *p_before, *deficit, *deficit_before;
+  double ratio;  ///< of the step to the one before it [-]
+  double p_cavitation;
 };
 
 /// The step that led to a film.
@@ -56,19 +80,21 @@ struct FluxRequest {
   int count;
 };
 
+/// Sums of FilmHeating over the cells that oil fills from end to end, with what its mean flux is made of.
+struct HeatingSums {
+  double dissipation, conductance;  ///< [W/m], [-]
+  double flow;                      ///< int of the mass flux, in the frame of the face [kg/s]
+  double length;                    ///< [m]
+};
+
 /// Sums over the face of one film.
 struct FilmSums {
   double hydrodynamic_load;                ///< [N/m]
   double shear_couette, shear_poiseuille;  ///< [N/m]
   double storage;                          ///< growth of the mass on the face [kg/(m s)]
   double peak_pressure;                    ///< [Pa]
-};
-
-/// Sums of FilmHeating over the cells that oil fills from end to end, with what its mean flux is made of.
-struct HeatingSums {
-  double dissipation, conductance;  ///< [W/m], [-]
-  double flow;                      ///< int of the mass flux, in the frame of the face [kg/s]
-  double length;                    ///< [m]
+  double peak_shear_squared;               ///< of inner nodes that oil fills or passes [1/s2]
+  HeatingSums heating;
 };
 
 /// Fits of the contact laws (models/asperity_contact.hpp), lowest power first: eighth roots of F_5/2 and F_2.
@@ -128,7 +154,7 @@ class AlongFace {
  public:
   /// What each node holds, its oil from the fits.
   RINGFILM_INLINE static void mass_per_area(const FilmView& film, const FittedOilView& oil, double* to) {
-    visit_nodes<kAbreast>(0, film.n_cells + 1, [&]<class Some, int kPacks>(int begin) RINGFILM_INLINE_BODY {
+    visit_each<kAbreast>(0, film.n_cells + 1, [&]<class Some, int kPacks>(int begin) RINGFILM_INLINE_BODY {
       Some t[kPacks], rho[kPacks];
       for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, begin + a * Some::kWidth);
       base::sum_of_powers<kDensityTerms, kPacks>(oil.rho, t, rho);
@@ -141,7 +167,7 @@ class AlongFace {
 
   /// Pressure and deficit of n+1 nodes from a lane.
   RINGFILM_INLINE static void read(const LaneView& lane, int n_nodes, const FilmPressure& to) {
-    visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
+    visit_each<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY { read_at<Some>(lane, to, i); });
   }
 
   /// The first node from `i` on and before `end` that is a cavity, or with `cavity` false that is not; else `end`.
@@ -155,15 +181,66 @@ class AlongFace {
     return i;
   }
 
+  /// What a step of second order remembers. @returns the least of it
+  RINGFILM_INLINE static double remembered_mass(const ExpectedMass& mass, int n_nodes, double* to) {
+    Least<Real> packs;
+    Least<One> rest;
+    visit_each<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      const Some remembered =
+          Some(mass.of_state) * Some::load(mass.state + i) + Some(mass.of_before) * Some::load(mass.before + i);
+      remembered.store(to + i);
+      Some& least = sums_of<Some>(packs, rest).least;
+      least = min(least, remembered);
+    });
+    return -largest(-packs.least, -rest.least);
+  }
+
+  RINGFILM_INLINE static MassSums mass_off(const double* mass, const ExpectedMass& expected, int n_nodes) {
+    Off<Real> packs;
+    Off<One> rest;
+    visit_nodes<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      const Some is = Some::load(mass + i);
+      const Some want = Some(expected.of_state) * Some::load(expected.state + i) +
+                        Some(expected.of_before) * Some::load(expected.before + i) +
+                        Some(expected.of_older) * Some::load(expected.older + i);
+      Off<Some>& to = sums_of<Some>(packs, rest);
+      to.off += abs(is - want);
+      to.all += is;
+    });
+    return {packs.off.sum() + rest.off.v, packs.all.sum() + rest.all.v};
+  }
+
+  /// Pressure and deficit change further as they did over the last step; a node that would leave its film or its cavity
+  /// crosses over.
+  RINGFILM_INLINE static void continued(const FilmMotion& film, int n_nodes, const FilmPressure& to) {
+    constexpr double kMostOfPressureLost = 0.5;  // in a film that gets thicker
+    constexpr double kNewDeficit = 1e-6;
+    visit_each<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      const Some p = Some::load(film.p + i), d = Some::load(film.deficit + i),
+                 d_before = Some::load(film.deficit_before + i);
+      const Some p_next = p + Some(film.ratio) * (p - Some::load(film.p_before + i));
+      const Some d_next = d + Some(film.ratio) * (d - d_before);
+      const auto was_cavity = d_before > Some(0), is_cavity = d > Some(0);
+      const auto stays_cavity = Some::both(was_cavity, is_cavity);
+      const auto is_new = Some::only(Some::only(p_next < Some(film.p_cavitation), is_cavity), was_cavity);
+      const auto moves = Some::only(Some::only(p_next > Some(kMostOfPressureLost) * p, is_cavity), was_cavity);
+      const Some in_film = select(moves, p_next, p);
+      select(is_new, Some(film.p_cavitation), in_film).store(to.p + i);
+      const Some in_cavity = select(Some::both(stays_cavity, d_next < Some(1)), max(Some(0), d_next), d);
+      select(is_new, Some(kNewDeficit), in_cavity).store(to.deficit + i);
+    });
+  }
+
   /// With oil that is given.
   RINGFILM_INLINE static FilmSums sums(const FilmView& film, const NodalOilView& oil, const StepView& step,
                                        const FluxRequest& fluxes) {
     Sums<Real> packs(film, step);
     Sums<One> rest(film, step);
     visit_nodes<1>(0, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
-      Sums<Some>& to = sums_of<Some>(packs, rest);
-      to.add_node(film, step, i);
-      to.add_face(film, oil.rho + i, oil.K + i, i);
+      sums_of<Some>(packs, rest).add(film, step, oil.rho + i, oil.K + i, i);
+    });
+    visit_each<1>(1, film.n_cells, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+      sums_of<Some>(packs, rest).add_shear_rate(film, step, oil.rho + i, oil.K + i, i);
     });
     for (int k = 0; k < fluxes.count; ++k) {
       const int i = fluxes.face[k];
@@ -181,9 +258,10 @@ class AlongFace {
     int flux = 0;
     visit_stretches(film, oil, [&](int begin, int end, const double* rho, const double* K) RINGFILM_INLINE_BODY {
       visit_nodes<1>(begin, end, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
-        Sums<Some>& to = sums_of<Some>(packs, rest);
-        to.add_node(film, step, i);
-        to.add_face(film, rho + (i - begin), K + (i - begin), i);
+        sums_of<Some>(packs, rest).add(film, step, rho + (i - begin), K + (i - begin), i);
+      });
+      visit_each<1>(begin < 1 ? 1 : begin, end, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
+        sums_of<Some>(packs, rest).add_shear_rate(film, step, rho + (i - begin), K + (i - begin), i);
       });
       for (; flux < fluxes.count && fluxes.face[flux] < end; ++flux) {
         const int i = fluxes.face[flux];
@@ -220,9 +298,14 @@ class AlongFace {
   RINGFILM_INLINE static ContactSums contact(const FilmView& film, const View& contact) {
     Contact<Real> packs;
     Contact<One> rest;
+    const int n_nodes = film.n_cells + 1;
     int i = 0;
-    for (; i + Real::kWidth <= film.n_cells + 1; i += Real::kWidth) packs.add(film, contact, i);
-    for (; i <= film.n_cells; ++i) rest.add(film, contact, i);
+    for (; i + Real::kWidth <= n_nodes; i += Real::kWidth) packs.add(film, contact, i, Real::last(Real::kWidth));
+    if (n_nodes >= Real::kWidth && i < n_nodes) {
+      packs.add(film, contact, n_nodes - Real::kWidth, Real::last(n_nodes - i));
+    } else {
+      for (; i < n_nodes; ++i) rest.add(film, contact, i, true);
+    }
     return {contact.pressure_scale * (packs.load.sum() + rest.load.v),
             contact.pressure_scale * (packs.beyond.sum() + rest.beyond.v),
             contact.area_scale * (packs.area.sum() + rest.area.v)};
@@ -244,6 +327,18 @@ class AlongFace {
     for (; i < end; ++i) visit.template operator()<One, 1>(i);
   }
 
+  /// The same where nothing is lost by visiting a node twice: the last pack ends with the last node.
+  template <int kPacks, class Visit>
+  RINGFILM_INLINE static void visit_each(int begin, int end, const Visit& visit) {
+    int i = begin;
+    if constexpr (kPacks > 1) {
+      for (; i + kPacks * Real::kWidth <= end; i += kPacks * Real::kWidth) visit.template operator()<Real, kPacks>(i);
+    }
+    for (; i + Real::kWidth <= end; i += Real::kWidth) visit.template operator()<Real, 1>(i);
+    if (i < end && end - begin >= Real::kWidth) return visit.template operator()<Real, 1>(end - Real::kWidth);
+    for (; i < end; ++i) visit.template operator()<One, 1>(i);
+  }
+
   /// Calls visit(first cell, end of cells, rho, K) for stretches of the face, with the oil from their first node on.
   template <class Visit>
   RINGFILM_INLINE static void visit_stretches(const FilmView& film, const FittedOilView& oil, const Visit& visit) {
@@ -251,7 +346,7 @@ class AlongFace {
     const int n = film.n_cells;
     for (int begin = 0; begin < n; begin += kStretch - 1) {  // the last node of a stretch is the first of the next
       const int end = begin + kStretch < n + 1 ? begin + kStretch : n + 1;
-      visit_nodes<kAbreast>(begin, end, [&]<class Some, int kPacks>(int i) RINGFILM_INLINE_BODY {
+      visit_each<kAbreast>(begin, end, [&]<class Some, int kPacks>(int i) RINGFILM_INLINE_BODY {
         Some t[kPacks], value[kPacks];
         for (int a = 0; a < kPacks; ++a) t[a] = fit_place<Some>(film, oil, i + a * Some::kWidth);
         base::sum_of_powers<kFluidityTerms, kPacks>(oil.K, t, value);
@@ -286,32 +381,12 @@ class AlongFace {
   }
 
   template <class Some>
-  struct Sums {
-    Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak;
-    int upstream;  ///< of the two nodes of a cell: what the first holds of oil fills the cell
-
-    RINGFILM_INLINE Sums(const FilmView& film, const StepView& step) : peak(film.p[0]), upstream(step.U >= 0 ? 0 : 1) {}
-
-    RINGFILM_INLINE void add_node(const FilmView& film, const StepView& step, int i) {
-      const Some p = Some::load(film.p + i);
-      const Some share = Some::load(film.share + i);
-      load += share * p;
-      storage += share * (Some::load(film.mass_per_area + i) - Some::load(step.mass_per_area_before + i));
-      peak = max(peak, p);
-    }
-    /// @param rho,K of node i and the one after it
-    RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
-      const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      Some content = sheared<Some>(film, i + upstream);
-      const auto in_cavity = content < Some(1);
-      if (Some::any(in_cavity)) {
-        const Some at_node = Some(film.h_m) + Some::load(film.node_height + i + upstream);
-        content = select(in_cavity, content * carried_gap(content, at_node, h).gap / h, content);
-      }
-      couette += cell_shear(Some::load(film.spacing + i), content, h, Some::load(rho), Some::load(K),
-                            Some::load(rho + 1), Some::load(K + 1));
-      poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
-    }
+  struct Least {
+    Some least{0};
+  };
+  template <class Some>
+  struct Off {
+    Some off{0}, all{0};
   };
 
   template <class Some>
@@ -334,6 +409,54 @@ class AlongFace {
     }
   };
 
+  template <class Some>
+  struct Sums {
+    Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak, shear_squared{0};
+    Heating<Some> heating;
+    int upstream;  ///< of the two nodes of a cell: what the first holds of oil fills the cell
+
+    RINGFILM_INLINE Sums(const FilmView& film, const StepView& step) : peak(film.p[0]), upstream(step.U >= 0 ? 0 : 1) {}
+
+    RINGFILM_INLINE void add_node(const FilmView& film, const StepView& step, int i) {
+      const Some p = Some::load(film.p + i);
+      const Some share = Some::load(film.share + i);
+      load += share * p;
+      storage += share * (Some::load(film.mass_per_area + i) - Some::load(step.mass_per_area_before + i));
+      peak = max(peak, p);
+    }
+    /// Node and cell i. @param rho,K of node i and the one after it
+    RINGFILM_INLINE void add(const FilmView& film, const StepView& step, const double* rho, const double* K, int i) {
+      add_node(film, step, i);
+      add_face(film, rho, K, i);
+      heating.add(film, step.U, rho, K, i);
+    }
+    /// Of an inner node, eq-shear-rate. @param rho,K of node i
+    RINGFILM_INLINE void add_shear_rate(const FilmView& film, const StepView& step, const double* rho, const double* K,
+                                        int i) {
+      const Some h = Some(film.h_m) + Some::load(film.node_height + i);
+      const Some length = Some::load(film.spacing + i - 1) + Some::load(film.spacing + i);
+      const Some fall = Some::load(film.p + i + 1) - Some::load(film.p + i - 1);
+      const Some inertia = Some::load(rho) * length;  // of the viscosity rho/K
+      const Some slide = Some(step.U) * inertia, press = Some(kPressureShear) * h * h * fall * Some::load(K);
+      const Some reach = h * inertia;
+      const Some squared = (slide * slide + press * press) / (reach * reach);
+      shear_squared = max(shear_squared, select(sheared<Some>(film, i) > Some(0), squared, Some(0)));
+    }
+    /// @param rho,K of node i and the one after it
+    RINGFILM_INLINE void add_face(const FilmView& film, const double* rho, const double* K, int i) {
+      const Some h = Some(film.h_m) + Some::load(film.face_height + i);
+      Some content = sheared<Some>(film, i + upstream);
+      const auto in_cavity = content < Some(1);
+      if (Some::any(in_cavity)) {
+        const Some at_node = Some(film.h_m) + Some::load(film.node_height + i + upstream);
+        content = select(in_cavity, content * carried_gap(content, at_node, h).gap / h, content);
+      }
+      couette += cell_shear(Some::load(film.spacing + i), content, h, Some::load(rho), Some::load(K),
+                            Some::load(rho + 1), Some::load(K + 1));
+      poiseuille += h * (Some::load(film.p + i + 1) - Some::load(film.p + i));
+    }
+  };
+
   template <class Some, template <class> class Of>
   RINGFILM_INLINE static Of<Some>& sums_of(Of<Real>& packs, Of<One>& rest) {
     if constexpr (Some::kWidth == Real::kWidth) {
@@ -348,23 +471,32 @@ class AlongFace {
             packs.flow.sum() + rest.flow.v, packs.length.sum() + rest.length.v};
   }
 
+  RINGFILM_INLINE static double largest(Real packs, One rest) {
+    double most = rest.v, lanes[Real::kWidth];
+    packs.store(lanes);
+    for (const double lane : lanes) most = most > lane ? most : lane;
+    return most;
+  }
+
   RINGFILM_INLINE static FilmSums total(const Sums<Real>& packs, const Sums<One>& rest, const StepView& step) {
-    double peak = rest.peak.v;
-    double lanes[Real::kWidth];
-    packs.peak.store(lanes);
-    for (const double lane : lanes) peak = peak > lane ? peak : lane;
-    return {packs.load.sum() + rest.load.v, 0.25 * step.U * (packs.couette.sum() + rest.couette.v),
-            0.5 * (packs.poiseuille.sum() + rest.poiseuille.v), step.rate * (packs.storage.sum() + rest.storage.v),
-            peak};
+    return {packs.load.sum() + rest.load.v,
+            0.25 * step.U * (packs.couette.sum() + rest.couette.v),
+            0.5 * (packs.poiseuille.sum() + rest.poiseuille.v),
+            step.rate * (packs.storage.sum() + rest.storage.v),
+            largest(packs.peak, rest.peak),
+            largest(packs.shear_squared, rest.shear_squared),
+            total(packs.heating, rest.heating)};
   }
 
   template <class Some>
   struct Contact {
     Some load{0}, beyond{0}, area{0};
 
-    RINGFILM_INLINE void add(const FilmView& film, const FittedContactView& contact, int i) {
+    /// @param counted nodes that have not been counted yet
+    RINGFILM_INLINE void add(const FilmView& film, const FittedContactView& contact, int i,
+                             typename Some::Mask counted) {
       const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
-      const typename Some::Mask inside = gap < Some(contact.reach);
+      const typename Some::Mask inside = Some::both(gap < Some(contact.reach), counted);
       if (!Some::any(inside)) return;
       // Far ones count for nothing, but must be numbers.
       const Some t = min(Some(1), max(Some(0), gap) * Some(contact.per_gap) - Some(1));
@@ -381,9 +513,10 @@ class AlongFace {
       beyond += select(gap > Some(contact.turning_gap), p, Some(0));
       area += weight * eighth_power(root_2);
     }
-    RINGFILM_INLINE void add(const FilmView& film, const TabulatedContactView& contact, int i) {
+    RINGFILM_INLINE void add(const FilmView& film, const TabulatedContactView& contact, int i,
+                             typename Some::Mask counted) {
       const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
-      const typename Some::Mask inside = gap < Some(contact.reach);
+      const typename Some::Mask inside = Some::both(gap < Some(contact.reach), counted);
       if (!Some::any(inside)) return;
       const Some place = min(max(Some(0), gap) * Some(contact.per_gap), Some(contact.end));
       const OnPieces<Some> on(place);

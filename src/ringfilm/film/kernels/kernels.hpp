@@ -15,6 +15,9 @@ struct FilmKernels {
   void (*single_sweep)(LaneBlock&);  ///< one film
   void (*mass_per_area)(const FilmView&, const FittedOilView&, double* to);
   void (*read)(const LaneView&, int n_nodes, const FilmPressure&);
+  double (*remembered_mass)(const ExpectedMass&, int n_nodes, double* to);
+  MassSums (*mass_off)(const double* mass, const ExpectedMass&, int n_nodes);
+  void (*continued)(const FilmMotion&, int n_nodes, const FilmPressure&);
   FilmSums (*sums)(const FilmView&, const FittedOilView&, const StepView&, const FluxRequest&);
   FilmSums (*sums_of_given_oil)(const FilmView&, const NodalOilView&, const StepView&, const FluxRequest&);
   HeatingSums (*heating)(const FilmView&, const FittedOilView&, double U);

@@ -42,6 +42,21 @@ void read_lane(const LaneView& lane, int n_nodes, const FilmPressure& to) {
   AlongFace<Real, One>::read(lane, n_nodes, to);
 }
 
+template <class Real, class One>
+double remembered_mass(const ExpectedMass& mass, int n_nodes, double* to) {
+  return AlongFace<Real, One>::remembered_mass(mass, n_nodes, to);
+}
+
+template <class Real, class One>
+MassSums mass_off(const double* mass, const ExpectedMass& expected, int n_nodes) {
+  return AlongFace<Real, One>::mass_off(mass, expected, n_nodes);
+}
+
+template <class Real, class One>
+void continued(const FilmMotion& film, int n_nodes, const FilmPressure& to) {
+  AlongFace<Real, One>::continued(film, n_nodes, to);
+}
+
 template <class Real, class One, class Oil>
 FilmSums sums(const FilmView& film, const Oil& oil, const StepView& step, const FluxRequest& fluxes) {
   return AlongFace<Real, One>::sums(film, oil, step, fluxes);
@@ -72,6 +87,9 @@ constexpr FilmKernels kernels_of(std::string_view name) {
           sweep<One, Real>,
           mass_per_area<Real, One>,
           read_lane<Real, One>,
+          remembered_mass<Real, One>,
+          mass_off<Real, One>,
+          continued<Real, One>,
           sums<Real, One, FittedOilView>,
           sums<Real, One, NodalOilView>,
           heating_sums<Real, One, FittedOilView>,

@@ -7,11 +7,13 @@
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {
 
 constexpr int kMostIterations = 40;  // of the coupled Newton
+constexpr int kMostOfStep = 12;      // of a step that is shortened where they find no film
 constexpr double kNowhere = -1;      // a reach of contact that no gap is within
 
 constexpr int kNodalArrays = 18;
@@ -77,6 +79,8 @@ void LaneNewton::bind(int lane, const FilmProblem& problem) {
   lanes_[lane] = {};
   lanes_[lane].problem = &problem;
   lanes_[lane].n_cells = n;
+  lanes_[lane].enough = enough_of_newton(problem);
+  lanes_[lane].thickest = thickest(problem);
   fit_block();
   clear_from(lane, n);
   for (int i = 0; i <= n; ++i) {
@@ -199,8 +203,9 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   at.phase = laws == LaneLaws::kFitted && at.oil->fit() == nullptr ? Phase::kFailed : Phase::kRunning;
   at.iterations = 0;
   at.last_step = 0;
+  const int most = inputs.fallback == Fallback::kNone ? kMostOfStep : kMostIterations;
   at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
-                           ? kMostIterations
+                           ? most
                            : kMostIterations + at.n_cells;  // a front may have to cross the face
   at.far_too_much = 0;
   at.fronts.restart();
@@ -217,7 +222,8 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.movable[lane] = unknowns == Unknowns::kFilmAndSeparation ? 1 : 0;
   if (block_.cavity == LaneCavity::kMultiplier) {
-    block_.cavity_K[lane] = at.oil->density(inputs.p_cavitation) / at.oil->viscosity(inputs.p_cavitation);
+    block_.cavity_K[lane] =
+        density_at(*at.oil, laws, inputs.p_cavitation) / viscosity_at(*at.oil, laws, inputs.p_cavitation);
   }
   set_terms(lane, inputs);
   const double *content = previous.mass_per_area.data(), *share = grid.share.data();
@@ -322,11 +328,11 @@ void LaneNewton::conclude(int lane) {
   if (d_ln_h != 0) {
     block_.h_m[lane] *= std::exp(d_ln_h);
     const double h_m = block_.h_m[lane];
-    if (h_m < kThinnest || h_m > thickest(*at.problem)) return;
+    if (h_m < kThinnest || h_m > at.thickest) return;
   }
   const bool to_film = block_.to_film[lane] != 0;
   const bool to_cavity = block_.to_cavity[lane] != 0;
-  if (!to_film && !to_cavity && at.last_step <= enough_of_newton(*at.problem)) {
+  if (!to_film && !to_cavity && at.last_step <= at.enough) {
     at.phase = Phase::kSolved;
     return;
   }
@@ -366,9 +372,10 @@ void LaneNewton::read(int lane, FilmState& state) const {
   const auto full = [&](const EdgeState& edge, double height) {
     return inputs.oil->density(edge.pressure) * (state.h_m + height) / (inputs.is_steady() ? kOnWall : kBetweenWalls);
   };
-  state.deficit.front() = edge_deficit(inputs.left, full(inputs.left, rise.front()), state.deficit[1]);
-  state.deficit.back() =
-      edge_deficit(inputs.right, full(inputs.right, rise.back()), state.deficit[state.deficit.size() - 2]);
+  state.deficit.front() = edge_deficit(
+      inputs.left, [&] { return full(inputs.left, rise.front()); }, state.deficit[1]);
+  state.deficit.back() = edge_deficit(
+      inputs.right, [&] { return full(inputs.right, rise.back()); }, state.deficit[state.deficit.size() - 2]);
 }
 
 }  // namespace ringfilm::film

@@ -77,6 +77,8 @@ class LaneNewton {
     int n_cells = 0;
     int iterations = 0, most_iterations = 0;
     double last_step = 0;
+    double enough = 0;        ///< step that ends the iteration [-]
+    double thickest = 0;      ///< film that is sought [m]
     double far_too_much = 0;  ///< excess of the load at which a search has seen enough; 0: none [N/m]
     FrontAdvance fronts;
     std::vector<double> z_before;  ///< the iteration, where its step is damped

@@ -517,9 +517,10 @@ void Film2dNewton::read(const Film2dProblem& problem, const Film2dInputs& inputs
     const auto full = [&](const EdgeState& edge, std::size_t node) {
       return strip.oil->density(edge.pressure) * (state.h_m + problem.gap.node[node]);
     };
-    state.deficit[first] = edge_deficit(strip.left, full(strip.left, first), state.deficit[first + 1]);
-    state.deficit[first + last] =
-        edge_deficit(strip.right, full(strip.right, first + last), state.deficit[first + last - 1]);
+    state.deficit[first] = edge_deficit(
+        strip.left, [&] { return full(strip.left, first); }, state.deficit[first + 1]);
+    state.deficit[first + last] = edge_deficit(
+        strip.right, [&] { return full(strip.right, first + last); }, state.deficit[first + last - 1]);
   }
 }
 

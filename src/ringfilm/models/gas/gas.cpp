@@ -123,6 +123,7 @@ double CyclePressure::pressure(double crank_angle_deg) const {
   const double span = angle_[last] - angle_[0];
   const double even = span > 0 ? (at - angle_[0]) / span * static_cast<double>(last) : 0.0;
   std::size_t low = std::min(static_cast<std::size_t>(even), last);
+  if (low < last && angle_[low + 1] <= at) ++low;  // rounding of the place
   if (angle_[low] > at || (low < last && angle_[low + 1] <= at)) {
     low = static_cast<std::size_t>(std::upper_bound(angle_.begin() + 1, angle_.end(), at) - angle_.begin()) - 1;
   }

@@ -248,7 +248,7 @@ bool states_resolution(const Case& c) {
 
 /// Is it a film of the kind whose accuracy was measured?
 bool has_known_accuracy(const Case& c) {
-  return c.problem == Problem::kCycle && !c.is_unrolled() && !c.film.has_gas_edge() &&
+  return c.problem == Problem::kCycle && !c.is_unrolled() && c.film.supply == cycle::OilSupply::kFlooded &&
          c.solver.method == cycle::Method::kCoupledNewton;
 }
 

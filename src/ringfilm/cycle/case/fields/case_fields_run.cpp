@@ -142,7 +142,7 @@ void append_run_fields(std::vector<Field>& fields) {
           field("solver.time_scheme", choice<&Case::solver, &Solver::time_scheme>({"backward-euler", "bdf2"}), kNoUnit,
                 {}, Need::kDefault, kRingFilm,
                 {"a step follows from the film before it (first order), or from the two before it (second order)",
-                 "\"backward-euler\""}),
+                 "\"bdf2\""}),
           field("solver.step_error", NumberKind{member<&Case::solver, &Solver::step_error>}, kPlainNumber,
                 between(1e-8, 0.1), Need::kDefault,
                 {[](const Case& c) {
