@@ -55,6 +55,7 @@ struct Pack<1, benchmarks::kCounted> {
   friend Pack min(Pack a, Pack b) { return a.v < b.v ? a : b; }
   friend Pack abs(Pack a) { return max(a, -a); }
 
+  static bool last(int count) { return count > 0; }
   static bool both(bool a, bool b) { return a && b; }
   static bool either(bool a, bool b) { return a || b; }
   static bool differ(bool a, bool b) { return a != b; }

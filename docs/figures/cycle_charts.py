@@ -319,13 +319,13 @@ def step_control():
     fixed = {"crank_step_control": "fixed", "step_error": None}
     finest = film(crank_step="0.05 degree", **fixed)
     ladder = (
-        (film(crank_step="1 degree", **fixed), RED, "fixed, 1 degree"),
-        (film(crank_step="0.25 degree", **fixed), ORANGE, "fixed, 0.25 degree"),
-        (film(), BLUE, "adaptive (default)"),
+        (film(time_scheme="backward-euler", **fixed), RED, "backward Euler"),
+        (film(**fixed), ORANGE, "BDF2"),
+        (film(), BLUE, "BDF2, adaptive (default)"),
     )
     picture = Picture("Deviation of the minimum film thickness with fixed and adaptive crank steps", 330)
     mark_synthetic(picture)
-    legend(picture, LEFT, 20, [(Style(colour), words) for _, colour, words in ladder], [150, 170, 0])
+    legend(picture, LEFT, 20, [(Style(colour), words) for _, colour, words in ladder], [150, 90, 0])
     panel = cycle_panel(picture, 44, 224, 0, 12)
     panel.y_axis("deviation of h_{m} [%]", range(0, 13, 3))
     panel.crank()
