@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace ringfilm::cycle {
 namespace {
@@ -57,6 +58,17 @@ Case with_accuracy(Case c) {
   solver.step_error = resolution.step_error;
   solver.tolerance = resolution.tolerance;
   return c;
+}
+
+std::string accuracy_text(const Case& c) {
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "solver.accuracy = %.3g %%: computed on %d %s cells with crank steps of %.3g degree at the most, "
+                "time_scheme = \"bdf2\", step_error = %.2g and tolerance = %.1g, whatever [solver] states of these",
+                *c.solver.accuracy, c.solver.cells,
+                c.solver.cell_lengths == CellLengths::kUniform ? "uniform" : "by-gap", c.solver.crank_step_deg,
+                c.solver.step_error, c.solver.tolerance);
+  return text;
 }
 
 }  // namespace ringfilm::cycle

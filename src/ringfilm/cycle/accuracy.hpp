@@ -1,4 +1,6 @@
 #pragma once
+#include <string>
+
 #include "ringfilm/cycle/case/case.hpp"
 
 namespace ringfilm::cycle {
@@ -18,5 +20,8 @@ Resolution resolution_for(double accuracy);
 /// The case with the cells and steps that its solver.accuracy stands for, steps no longer than those of its curves; as
 /// it is where it states none.
 Case with_accuracy(Case c);
+
+/// What a case with_accuracy is computed with, as a sentence.
+std::string accuracy_text(const Case& c);
 
 }  // namespace ringfilm::cycle

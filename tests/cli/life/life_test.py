@@ -47,6 +47,17 @@ class Path(LifeTest):
             for name in ("mean_power_loss", "fmep", "mean_absolute_oil_flow", "peak_friction_coefficient_firing"):
                 self.assertEqual(state[name], alone[name], f"{case}: {name}")
 
+    def test_an_accuracy_is_that_of_all_states_on_nodes_that_they_share(self):
+        exact = self.life()["states"]
+        for name in ("case.toml", "worn.toml"):
+            text = (self.folder / name).read_text()
+            (self.folder / name).write_text(text.replace("[solver]\n", '[solver]\naccuracy = "1 %"\n'))
+        reported = self.life()
+        notes = {note["topic"]: note["message"] for note in reported["notes"]}
+        self.assertIn("solver.accuracy = 1 %: computed on 52 uniform cells", notes["accuracy-asked-for"])
+        for state, fine in zip(reported["states"], exact):
+            self.assertAlmostEqual(state["fmep"] / fine["fmep"], 1, delta=0.01)
+
     def test_states_report_how_they_are_known(self):
         reported = self.life()
         self.assertEqual(

@@ -44,8 +44,8 @@ TEST(TimeIntegration, AdaptiveStepsControlTheErrorOfTheReformationFront) {
     TimeScheme scheme;
     double fixed, controlled, steps;
   };
-  // Seen: 10 % with fixed steps of 1 degree and 3.2 % adaptive for 2.2 times the steps; of second order 2.1 %, 1.1 % and
-  // 1.3 times.
+  // Seen: 10 % with fixed steps of 1 degree and 3.2 % adaptive for 2.2 times the steps; of second order 2.1 %, 1.1 %
+  // and 1.3 times.
   for (const Scheme& of : {Scheme{TimeScheme::kBackwardEuler, 0.08, 0.04, 3}, {TimeScheme::kBdf2, 0.018, 0.014, 1.6}}) {
     Case one = c;
     one.solver.time_scheme = of.scheme;

@@ -114,18 +114,6 @@ void append_free_shape_note(const Case& c, std::vector<Note>& notes) {
   notes.push_back({"free-shape-smoothed", text, 1});
 }
 
-void append_accuracy_note(const Case& c, std::vector<Note>& notes) {
-  if (!c.solver.accuracy) return;
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "solver.accuracy = %.3g %%: computed on %d %s cells with crank steps of %.3g degree at the most, "
-                "time_scheme = \"bdf2\", step_error = %.2g and tolerance = %.1g, whatever [solver] states of these",
-                *c.solver.accuracy, c.solver.cells,
-                c.solver.cell_lengths == CellLengths::kUniform ? "uniform" : "by-gap", c.solver.crank_step_deg,
-                c.solver.step_error, c.solver.tolerance);
-  notes.push_back({"accuracy-asked-for", text, 1});
-}
-
 LandPressures land_pressures(const Case& c) {
   if (c.gas_path.is_computed() && !c.ring.has_computed_gas) {
     throw InputError("the gas between the rings is computed for a whole ring pack, and this is a ring by itself",
@@ -142,7 +130,7 @@ LandPressures land_pressures(const Case& c) {
 
 Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
   const Case c = with_accuracy(stated);
-  append_accuracy_note(c, oil.notes);
+  if (c.solver.accuracy) oil.notes.push_back({"accuracy-asked-for", accuracy_text(c), 1});
   append_end_cell_note(c, oil.notes);
   if (!c.ring.pressure_above.is_stated()) append_gas_notes(c, lands.above, oil.notes);
   append_viscosity_notes(oil, oil.notes);

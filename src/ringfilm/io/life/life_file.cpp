@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "ringfilm/cycle/accuracy.hpp"
 #include "ringfilm/io/life/duty_table.hpp"
 #include "ringfilm/io/life/wear_table.hpp"
 #include "ringfilm/io/study/document_reader.hpp"
@@ -83,7 +84,16 @@ class LifeReader : DocumentReader {
         mark, [&](std::vector<DroppedKey>& dropped) { return read_case_dropping(path, overrides, units_, dropped); });
     if (!input || !is_one_ring(*input, path, "a life", mark)) return std::nullopt;
     record(*input);
+    if (input->solver.accuracy) state_accuracy(*input);
     return input;
+  }
+
+  /// The states of a life share the nodes of the face: cells of one length.
+  void state_accuracy(cycle::Case& c) {
+    c = cycle::with_accuracy(std::move(c));
+    c.solver.cell_lengths = cycle::CellLengths::kUniform;
+    life_.accuracy = cycle::accuracy_text(c);
+    c.solver.accuracy.reset();
   }
 
   /// What reads a case; nothing where it is refused. @param mark where the life asks for it
