@@ -13,10 +13,10 @@ struct Measured {
   Resolution resolution;
 };
 /// docs/manual/performance.md, "accuracy and cost".
-constexpr std::array kMeasured = {Measured{0.1, {340, CellLengths::kUniform, 12, 1.2e-4, 1e-7}},
-                                  Measured{0.5, {96, CellLengths::kByGap, 12, 3e-3, 1e-6}},
-                                  Measured{1, {52, CellLengths::kByGap, 12, 1e-2, 1e-6}},
-                                  Measured{5, {28, CellLengths::kByGap, 12, 3e-2, 1e-5}}};
+constexpr std::array kMeasured = {Measured{0.1, {320, CellLengths::kUniform, 12, 1.5e-4, 1e-7}},
+                                  Measured{0.5, {72, CellLengths::kByGap, 12, 3e-3, 1e-6}},
+                                  Measured{1, {48, CellLengths::kByGap, 12, 1e-2, 1e-6}},
+                                  Measured{5, {24, CellLengths::kByGap, 15, 6e-2, 1e-5}}};
 
 /// Next to gas the film ends at a meniscus: values came as near with cells and steps for a fifth of the accuracy.
 constexpr double kOfFilmNextToGas = 0.2;

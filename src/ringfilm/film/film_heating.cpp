@@ -59,20 +59,25 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
   const FilmGrid& grid = problem.grid;
   FilmHeating sums{full.dissipation, full.conductance, 0};
   double length = full.length, flow = full.flow;
-  // The part of a cell in which the film ends or begins is at the pressure of the cavity: oil is dragged through it.
+  // In the part of a cell in which the film ends or begins pressure falls to that of the cavity.
   const int n = grid.n_cells();
   for (int i = 0; i < n;) {
     const bool cavity = is_cavity(film.deficit[i]);
     i = problem.kernels->next_node(film.deficit, i + 1, n + 1, !cavity);
     if (i > n) break;
     const double cell = filled_length(problem, inputs, film.p, i - 1, !cavity);
+    if (!(cell > 0)) continue;
+    const int inside = cavity ? i : i - 1, outside = cavity ? i - 1 : i;
+    const double fall = film.p[inside] - inputs.pressure_bound(grid, outside);
+    const double slope = (cavity ? fall : -fall) / cell;
     const double h = film.h_m + grid.face_height[i - 1];
     const auto mean = [&](auto&& of) { return 0.5 * (of(film.p[i - 1]) + of(film.p[i])); };
     const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, laws, p); });
     const double rho = mean([&](double p) { return density_at(*inputs.oil, laws, p); });
-    sums.dissipation += cell * eta * inputs.U * inputs.U / h;
+    const double pressure_flow = h * h * h * slope / (12 * eta);
+    sums.dissipation += cell * (eta * inputs.U * inputs.U / h + pressure_flow * slope);
     sums.conductance += cell / h;
-    flow += cell * rho * 0.5 * inputs.U * h;
+    flow += cell * rho * (0.5 * inputs.U * h - pressure_flow);
     length += cell;
   }
   if (length > 0) sums.mass_flow = std::abs(flow) / length;

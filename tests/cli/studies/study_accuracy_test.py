@@ -32,7 +32,7 @@ class StudyAccuracyTest(StudyFolder):
         self.write_case(WITHOUT_CELLS)
         self.write_study(SAMPLE)
         printed = self.run_well("study", "study.toml", "-o", "out")
-        self.assertIn("8 of 8  accuracy-asked-for: solver.accuracy = 0.5 %: computed on 96 by-gap cells", printed)
+        self.assertIn("8 of 8  accuracy-asked-for: solver.accuracy = 0.5 %: computed on 72 by-gap cells", printed)
         self.assertIn("integrating 4 of 8 scenarios again", printed)
         self.assertRegex(printed, r"  \d+\.\d % of their \d+ values are within the 0\.5 % asked for")
         self.assertRegex(printed, r"relative error, 95 % quantile: .*fmep \S+ %")

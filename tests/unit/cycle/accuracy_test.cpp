@@ -56,8 +56,8 @@ TEST(TimeScheme, FilmsConvergeWithItsOrder) {
 }
 
 TEST(Accuracy, MeasuredPointsAreKeptAndOthersLieBetweenThem) {
-  EXPECT_EQ(resolution_for(0.5).cells, 96);
-  EXPECT_EQ(resolution_for(5).cells, 28);
+  EXPECT_EQ(resolution_for(0.5).cells, 72);
+  EXPECT_EQ(resolution_for(5).cells, 24);
   EXPECT_DOUBLE_EQ(resolution_for(1).step_error, 1e-2);
   EXPECT_DOUBLE_EQ(resolution_for(1).tolerance, 1e-6);
   for (double accuracy = 0.05; accuracy < 10; accuracy *= 1.1) {
@@ -73,7 +73,7 @@ TEST(Accuracy, StepsAreNoLongerThanThoseOfTheCurves) {
   EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 1);
   c.output.crank_angles_deg = {0};
   EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 12);
-  EXPECT_EQ(with_accuracy(with_accuracy(c)).solver.cells, 52);
+  EXPECT_EQ(with_accuracy(with_accuracy(c)).solver.cells, 48);
 }
 
 TEST(Accuracy, NextToGasAFifthOfItIsAskedFor) {
@@ -115,7 +115,7 @@ TEST(Accuracy, ResultHasWhatItStandsFor) {
   const auto note = std::find_if(result.notes.begin(), result.notes.end(),
                                  [](const Note& n) { return n.topic == "accuracy-asked-for"; });
   ASSERT_NE(note, result.notes.end());
-  EXPECT_NE(note->message.find("28 by-gap cells"), std::string::npos);
+  EXPECT_NE(note->message.find("24 by-gap cells"), std::string::npos);
 }
 
 }  // namespace
