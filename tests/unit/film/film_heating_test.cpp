@@ -69,6 +69,7 @@ TEST(FilmHeating, CountsTheFullFilmAlone) {
   const SmoothFilm film = parallel_plates();
   FilmInputs inputs = film.inputs();
   inputs.U = 6.5;
+  inputs.p_cavitation = 1e5;
   FilmState state = film_between(film, 1e5, 1e5);
   const FilmHeating full = film_heating(film.problem, inputs, state);
   for (std::size_t i = 26; i < state.deficit.size(); ++i) state.deficit[i] = 0.5;  // 25 of 50 cells, and the next one
@@ -79,6 +80,27 @@ TEST(FilmHeating, CountsTheFullFilmAlone) {
   EXPECT_NEAR(half.mass_flow, full.mass_flow, 1e-12 * full.mass_flow);
   state.deficit.assign(state.p.size(), 0.5);
   EXPECT_EQ(film_heating(film.problem, inputs, state).rise(0.14, 2100), 0);
+}
+
+TEST(FilmHeating, TheEndOfAFilmBetweenNodesHasItsSlope) {
+  const SmoothFilm film = parallel_plates();
+  FilmInputs inputs = film.inputs();
+  inputs.U = -6.5;  // the film forms again at its right end
+  inputs.p_cavitation = 0;
+  const double p_left = 1e6, length = 0.513 * kLength, slope = -p_left / length;
+  FilmState state = film_between(film, p_left, p_left + slope * kLength);
+  for (std::size_t i = 0; i < state.p.size(); ++i) {
+    if (state.p[i] > 0) continue;
+    state.p[i] = 0;
+    state.deficit[i] = 0.5;
+  }
+  const double pressure_flow = std::pow(kGap, 3) * slope / (12 * kEta);
+  const double flow = 0.5 * inputs.U * kGap - pressure_flow;
+  const FilmHeating heating = film_heating(film.problem, inputs, state);
+  EXPECT_NEAR(heating.conductance, length / kGap, 1e-9 * length / kGap);
+  EXPECT_NEAR(heating.mass_flow, inputs.oil->density(0) * std::abs(flow), 1e-9 * heating.mass_flow);
+  const double per_length = kEta * inputs.U * inputs.U / kGap + pressure_flow * slope;
+  EXPECT_NEAR(heating.dissipation, length * per_length, 1e-9 * heating.dissipation);
 }
 
 TEST(FilmHeating, OfAStripIsThatOfAFilmAcrossTheFace) {
