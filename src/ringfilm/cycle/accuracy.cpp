@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace ringfilm::cycle {
 namespace {
@@ -12,22 +13,23 @@ struct Measured {
   double accuracy;  ///< [%]
   Resolution resolution;
 };
-/// docs/manual/performance.md, "accuracy and cost".
-constexpr std::array kMeasured = {Measured{0.1, {320, CellLengths::kUniform, 12, 1.5e-4, 1e-7}},
-                                  Measured{0.5, {72, CellLengths::kByGap, 12, 3e-3, 1e-6}},
-                                  Measured{1, {48, CellLengths::kByGap, 12, 1e-2, 1e-6}},
-                                  Measured{5, {24, CellLengths::kByGap, 15, 6e-2, 1e-5}}};
+/// docs/theory/film.md, "accuracy in place of a grid".
+constexpr std::array kMeasured = {Measured{0.1, {400, 320, 12, 1.5e-4, 1e-7}}, Measured{0.5, {72, 96, 12, 3e-3, 1e-6}},
+                                  Measured{1, {48, 64, 12, 1e-2, 1e-6}}, Measured{5, {24, 40, 15, 6e-2, 1e-5}}};
+/// From here on cells by gap cost less than uniform ones for the same accuracy [%].
+constexpr double kFinestByGap = 0.5;
 
 /// Next to gas the film ends at a meniscus: values came as near with cells and steps for a fifth of the accuracy.
 constexpr double kOfFilmNextToGas = 0.2;
 
-/// The longest step up to `longest` of which the angles that are asked for are multiples; of a list 1 degree, which
-/// most lists are multiples of.
+/// The longest step up to `longest` of which the angles that are asked for are multiples; of others that are listed
+/// 1 degree, which most lists are multiples of.
 double step_for(const Output& output, double longest) {
-  const bool is_one_angle = output.crank_angles_deg.size() == 1;
-  const bool has_list = output.crank_angles_deg.size() > 1 || !output.field_angles_deg.empty();
+  const std::vector<double>& angles = output.crank_angles_deg;
+  const bool is_passed = angles.size() == 1 && std::remainder(angles.front(), longest) == 0;
+  const bool has_list = !angles.empty() || !output.field_angles_deg.empty();
+  if (is_passed && output.field_angles_deg.empty()) return longest;
   if (has_list) return std::min(longest, 1.0);
-  if (is_one_angle) return longest;
   return output.crank_angle_step_deg / std::ceil(output.crank_angle_step_deg / longest);
 }
 
@@ -39,19 +41,23 @@ Resolution resolution_for(double accuracy) {
   const Measured &finer = *(above - 1), &coarser = *above;
   const double share = std::log(accuracy / finer.accuracy) / std::log(coarser.accuracy / finer.accuracy);
   const auto between = [share](double a, double b) { return a * std::pow(b / a, share); };
-  const double cells = between(finer.resolution.cells, coarser.resolution.cells);
+  const auto cells = [&](int Resolution::*of) {
+    return static_cast<int>(std::lround(between(finer.resolution.*of, coarser.resolution.*of)));
+  };
   const double step_error = between(finer.resolution.step_error, coarser.resolution.step_error);
-  const Resolution& at_least = accuracy < coarser.accuracy ? finer.resolution : coarser.resolution;
   const double tolerance = between(finer.resolution.tolerance, coarser.resolution.tolerance);
-  return {static_cast<int>(std::lround(cells)), at_least.cell_lengths, at_least.crank_step_deg, step_error, tolerance};
+  const Resolution& at_least = accuracy < coarser.accuracy ? finer.resolution : coarser.resolution;
+  return {cells(&Resolution::cells_by_gap), cells(&Resolution::uniform_cells), at_least.crank_step_deg, step_error,
+          tolerance};
 }
 
-Case with_accuracy(Case c) {
+Case with_accuracy(Case c, CellLengths coarse) {
   Solver& solver = c.solver;
   if (!solver.accuracy) return c;
-  const Resolution resolution = resolution_for(*solver.accuracy * (c.film.has_gas_edge() ? kOfFilmNextToGas : 1));
-  solver.cells = resolution.cells;
-  solver.cell_lengths = resolution.cell_lengths;
+  const double accuracy = *solver.accuracy * (c.film.has_gas_edge() ? kOfFilmNextToGas : 1);
+  const Resolution resolution = resolution_for(accuracy);
+  solver.cell_lengths = accuracy < kFinestByGap ? CellLengths::kUniform : coarse;
+  solver.cells = solver.cell_lengths == CellLengths::kByGap ? resolution.cells_by_gap : resolution.uniform_cells;
   solver.crank_step_deg = step_for(c.output, resolution.crank_step_deg);
   solver.crank_step_control = StepControl::kAdaptive;
   solver.time_scheme = TimeScheme::kBdf2;

@@ -7,19 +7,19 @@ namespace ringfilm::cycle {
 
 /// What solver.accuracy stands for (docs/theory/film.md, "accuracy").
 struct Resolution {
-  int cells;                 ///< across the face
-  CellLengths cell_lengths;  ///< how they share it
-  double crank_step_deg;     ///< the longest [degree]
-  double step_error;         ///< let through per step [-]
-  double tolerance;          ///< of the iteration [-]
+  int cells_by_gap;       ///< across the face
+  int uniform_cells;      ///< as good as these
+  double crank_step_deg;  ///< the longest [degree]
+  double step_error;      ///< let through per step [-]
+  double tolerance;       ///< of the iteration [-]
 };
 
 /// Cells and steps with which 95 of 100 values of a cycle were found within `accuracy` [%].
 Resolution resolution_for(double accuracy);
 
 /// The case with the cells and steps that its solver.accuracy stands for, steps no longer than those of its curves; as
-/// it is where it states none.
-Case with_accuracy(Case c);
+/// it is where it states none. @param coarse lengths of the cells of 0.5 % and more; below they are uniform
+Case with_accuracy(Case c, CellLengths coarse = CellLengths::kByGap);
 
 /// What a case with_accuracy is computed with, as a sentence.
 std::string accuracy_text(const Case& c);

@@ -256,7 +256,8 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
     }
   }
   if (const auto& hths = setup.ring.oil.hths_viscosity) values["hths_viscosity"] = *hths;
-  if (const models::OilFit* fit = setup.ring.oil.range->at(setup.ring.oil.temperature)->fit()) {
+  const auto oil = setup.ring.oil.range->at(setup.ring.oil.temperature);
+  if (const models::OilFit* fit = oil->fit()) {
     values["property_fit_error"] = fit->error;
     values["property_fit_pressure"] = fit->high;
   }

@@ -418,11 +418,9 @@ void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& to
   const long uncontrolled_steps = totals.uncontrolled_steps;
   if (uncontrolled_steps > 0) {
     notes.push_back({"step-control-at-its-limit",
-                     text("steps of 1/%d of the crank step with an error in time of more than %.3g %% of the film or "
-                          "%.3g %% of the oil on the face, beyond what solver.step_error allows: take a shorter "
-                          "solver.crank_step",
-                          TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError,
-                          100 * TimeIntegration::kUncontrolledError * TimeIntegration::kContentShare),
+                     text("steps of 1/%d of the crank step with an error in time of more than %.3g %%, measured as for "
+                          "solver.step_error and beyond it: take a shorter solver.crank_step",
+                          TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError),
                      uncontrolled_steps});
   }
   if (effort.fallback_secant > 0) {
@@ -430,7 +428,9 @@ void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& to
                      effort.fallback_secant});
   }
   if (effort.fallback_sub_step > 0) {
-    notes.push_back({"shorter-steps", "steps that were solved only after they were cut", effort.fallback_sub_step});
+    notes.push_back({"shorter-steps",
+                     "attempts at a step that were repeated with a shorter one since no film was found",
+                     effort.fallback_sub_step});
   }
   if (totals.exact_law_solves > 0) {
     notes.push_back({"beyond-property-fit",

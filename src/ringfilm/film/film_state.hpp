@@ -108,7 +108,7 @@ inline constexpr std::vector<double> FlowFactors::*kFactorLists[] = {
 /// What follows where Newton's method finds no film.
 enum class Fallback {
   kSearch,  ///< a search over the separation, which takes a hundred times as long
-  kNone     ///< the film counts as not found
+  kNone     ///< the film counts as not found; across the face after 12 iterations
 };
 
 /// What acts on the film during one step.

@@ -261,7 +261,8 @@ void check_pack(const Life& life, std::vector<Fault>& faults) {
   }
 }
 
-/// The key by which a case chooses other nodes for each face; nothing where it states none.
+/// The key by which a case chooses other nodes for each face; nothing where it states none. A life that is read from a
+/// file has an accuracy no longer: its cases state what that stands for.
 std::optional<std::string> key_of_own_nodes(const cycle::Case& c) {
   if (c.solver.accuracy) return "solver.accuracy";
   if (c.solver.cell_lengths == cycle::CellLengths::kByGap) return "solver.cell_lengths = \"by-gap\"";

@@ -143,8 +143,8 @@ struct Life {
   Wear wear;                           ///< of Mode::kArchard
   std::optional<RingPack> pack;        ///< absent: gas pressures as the cases have them, blow-by not known
   std::vector<OperatingPoint> points;  ///< of the duty, with shares of 1 in all, then those only reported
-  /// With what its cycles are computed where a case asks for an accuracy, as a sentence.
-  std::optional<std::string> accuracy;
+  /// With what its cycles are computed where cases ask for an accuracy, as sentences.
+  std::string accuracy;
 };
 
 std::size_t n_duty_points(const Life& life);  ///< those first points with a share of the time

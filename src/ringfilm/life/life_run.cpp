@@ -156,7 +156,7 @@ LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
       life.mode == Mode::kArchard ? run_archard(life, integrators, gas) : run_path(life, integrators, gas);
   result.unworn_blow_by_flow = gas.blow_by_flow({});
   for (cycle::Note& note : gas.notes()) result.notes.push_back(std::move(note));
-  if (life.accuracy) result.notes.push_back({"accuracy-asked-for", *life.accuracy, 1});
+  if (!life.accuracy.empty()) result.notes.push_back({"accuracy-asked-for", life.accuracy, 1});
   result.ends = ends_of_life(life, result);
   append_notes_of_ends(life, result);
   return result;

@@ -54,7 +54,7 @@ class Path(LifeTest):
             (self.folder / name).write_text(text.replace("[solver]\n", '[solver]\naccuracy = "1 %"\n'))
         reported = self.life()
         notes = {note["topic"]: note["message"] for note in reported["notes"]}
-        self.assertIn("solver.accuracy = 1 %: computed on 48 uniform cells", notes["accuracy-asked-for"])
+        self.assertIn("solver.accuracy = 1 %: computed on 64 uniform cells", notes["accuracy-asked-for"])
         for state, fine in zip(reported["states"], exact):
             self.assertAlmostEqual(state["fmep"] / fine["fmep"], 1, delta=0.01)
 

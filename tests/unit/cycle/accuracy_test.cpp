@@ -56,12 +56,14 @@ TEST(TimeScheme, FilmsConvergeWithItsOrder) {
 }
 
 TEST(Accuracy, MeasuredPointsAreKeptAndOthersLieBetweenThem) {
-  EXPECT_EQ(resolution_for(0.5).cells, 72);
-  EXPECT_EQ(resolution_for(5).cells, 24);
+  EXPECT_EQ(resolution_for(0.5).cells_by_gap, 72);
+  EXPECT_EQ(resolution_for(5).uniform_cells, 40);
   EXPECT_DOUBLE_EQ(resolution_for(1).step_error, 1e-2);
   EXPECT_DOUBLE_EQ(resolution_for(1).tolerance, 1e-6);
   for (double accuracy = 0.05; accuracy < 10; accuracy *= 1.1) {
-    EXPECT_GE(resolution_for(accuracy).cells, resolution_for(1.1 * accuracy).cells);
+    for (int Resolution::*cells : {&Resolution::cells_by_gap, &Resolution::uniform_cells}) {
+      EXPECT_GE(resolution_for(accuracy).*cells, resolution_for(1.1 * accuracy).*cells);
+    }
     EXPECT_LE(resolution_for(accuracy).step_error, resolution_for(1.1 * accuracy).step_error);
     EXPECT_LE(resolution_for(accuracy).crank_step_deg, resolution_for(1.1 * accuracy).crank_step_deg);
   }
@@ -73,14 +75,28 @@ TEST(Accuracy, StepsAreNoLongerThanThoseOfTheCurves) {
   EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 1);
   c.output.crank_angles_deg = {0};
   EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 12);
+  c.output.crank_angles_deg = {17};
+  EXPECT_EQ(with_accuracy(c).solver.crank_step_deg, 1);
   EXPECT_EQ(with_accuracy(with_accuracy(c)).solver.cells, 48);
+}
+
+TEST(Accuracy, CellsAreUniformBelowHalfAPercentAndWhereFacesShareThem) {
+  Case c = styles_new_ring();
+  c.solver.accuracy = 0.4;
+  EXPECT_EQ(with_accuracy(c).solver.cell_lengths, CellLengths::kUniform);
+  EXPECT_GT(with_accuracy(c).solver.cells, resolution_for(0.5).uniform_cells);
+  c.solver.accuracy = 0.5;
+  EXPECT_EQ(with_accuracy(c).solver.cell_lengths, CellLengths::kByGap);
+  EXPECT_EQ(with_accuracy(c, CellLengths::kUniform).solver.cells, resolution_for(0.5).uniform_cells);
 }
 
 TEST(Accuracy, NextToGasAFifthOfItIsAskedFor) {
   Case c = styles_new_ring();
   c.solver.accuracy = 5;
   c.film.chamber_edge = EdgeFluid::kGas;
-  EXPECT_EQ(with_accuracy(c).solver.cells, resolution_for(1).cells);
+  EXPECT_EQ(with_accuracy(c).solver.cells, resolution_for(1).cells_by_gap);
+  c.solver.accuracy = 1;
+  EXPECT_EQ(with_accuracy(c).solver.cells, resolution_for(0.2).uniform_cells);
 }
 
 TEST(Accuracy, NearlyAllValuesReachIt) {

@@ -131,8 +131,7 @@ TEST(Validity, TheNoteOnStepControlHasTheLimitsOfTheTimeIntegration) {
   append_effort_notes({}, totals, notes);
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_THAT(notes.front().message,
-              ::testing::HasSubstr("steps of 1/64 of the crank step with an error in time of more "
-                                   "than 5 % of the film or 2.5 % of the oil on the face"));
+              ::testing::HasSubstr("steps of 1/64 of the crank step with an error in time of more than 5 %"));
 }
 
 TEST(Validity, TheNoteOnLongCellsCountsTheCellsOfTheGrid) {

@@ -20,6 +20,8 @@ constexpr int kTicks = TimeIntegration::kTicksPerBaseStep;
 constexpr int kSearchedTicks = kTicks / 8;
 /// Steps are laid out for this share of the error that they may make, eq-step-length.
 constexpr double kAimedError = 0.65;
+/// The first step after a start of a new past, of which no error is known.
+constexpr int kTicksWithoutPast = kTicks / 16;
 constexpr double kLeastGrowth = 0.25, kMostGrowth = 2;  ///< of a step over the one before
 /// BDF2 is stable while a step is no longer than 1 + sqrt(2) times the one before.
 constexpr double kLongestToLast = 2.1;
@@ -175,11 +177,12 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
   const double of_content = content.all > 0 ? content.off / content.all / share : 0;  // 0: all lies next to gas
   const double error =
       prediction.error_share * std::max(weight_of_film(to) * film, of_content) / setup_.input.solver.step_error;
-  return std::isfinite(film + content.off) ? error : std::numeric_limits<double>::infinity();
+  return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
 }
 
-/// Lays out the proposed step as one of second order. False where it is not one: there is no history, the face turns
-/// over, gas is at an edge, oil on the liner is accounted for step by step, or a cavity would have less than no oil.
+/// Lays out the proposed step as one of second order. False where it is not one: there is no history, it is much longer
+/// than the step before it, the face turns over, oil on the liner is accounted for step by step, or a cavity would have
+/// less than no oil.
 bool TimeIntegration::remember_two_films() {
   const bool can = is_second_order() && time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
   if (!can || step_.state_was_turned || liner_oil_) return false;
@@ -254,7 +257,8 @@ void TimeIntegration::start(int k) {
   angle_deg_ = k * setup_.input.solver.crank_step_deg;
   time_step_before_ = time_step_older_ = 0;
   thinnest_ = std::numeric_limits<double>::infinity();
-  wanted_ticks_ = kTicks;
+  longest_ticks_ = kTicks;
+  step_.state_was_turned = step_.is_repeated = false;
   tick_ = kTicks;
   heat_ = {};
   RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
@@ -271,11 +275,11 @@ void TimeIntegration::start(int k) {
   instant_ = {wrapped(angle_deg_), at, &before_, &state_, effort_, 0};
 }
 
-/// Steps of equal length to the next base angle, none longer than `wanted_ticks_`.
+/// Steps of equal length to the next base angle, none longer than `longest_ticks_`.
 int TimeIntegration::ticks_of_step() const {
   const int left = kTicks - tick_;
-  const int wanted = std::max(1, static_cast<int>(wanted_ticks_ + 0.5));
-  const int steps = (left + wanted - 1) / wanted;
+  const int longest = std::max(1, static_cast<int>(longest_ticks_ + 0.5));
+  const int steps = (left + longest - 1) / longest;
   return (left + steps - 1) / steps;
 }
 
@@ -286,30 +290,37 @@ double TimeIntegration::growth_after(double error) const {
   return std::clamp(growth, kLeastGrowth, kMostGrowth);
 }
 
-void TimeIntegration::propose() {
-  if (tick_ == kTicks) {
-    tick_ = 0;
-    effort_ = {};
-    if (!adaptive()) wanted_ticks_ = kTicks;
-  }
+void TimeIntegration::lay_out_step() {
   const double base_deg = setup_.input.solver.crank_step_deg;
   step_.ticks = ticks_of_step();
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + step_.ticks) / kTicks;
   step_.time_step = radians(base_deg * step_.ticks / kTicks) / setup_.engine.speed;
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
-  // A step that can be shortened is not searched for: most films that Newton's method misses change fast.
-  if (adaptive() && step_.ticks > kSearchedTicks) step_.at.inputs.fallback = film::Fallback::kNone;
-  step_.state_was_turned = step_.at.axis != axis_;
-  if (step_.state_was_turned) {
-    turn(state_);
-    turn(before_);
-    time_step_older_ = 0;
-    axis_ = step_.at.axis;
+}
+
+void TimeIntegration::propose() {
+  if (tick_ == kTicks) {
+    tick_ = 0;
+    effort_ = {};
+    if (!adaptive()) longest_ticks_ = kTicks;
   }
+  lay_out_step();
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
   if (fluids(step_.at) != fluids_) {
     fluids_ = fluids(step_.at);
     time_step_before_ = time_step_older_ = 0;
+    // Without a past its error is not known.
+    longest_ticks_ = adaptive() ? std::min(longest_ticks_, double{kTicksWithoutPast}) : longest_ticks_;
+    lay_out_step();
+  }
+  // A step that can be shortened is not searched for: most films that Newton's method misses change fast.
+  if (adaptive() && step_.ticks > kSearchedTicks) step_.at.inputs.fallback = film::Fallback::kNone;
+  if (step_.at.axis != axis_) {
+    step_.state_was_turned = true;  // until a step is accepted
+    turn(state_);
+    turn(before_);
+    time_step_older_ = 0;
+    axis_ = step_.at.axis;
   }
   step_.is_second_order = remember_two_films();
   step_.h_m = state_.h_m;
@@ -335,7 +346,7 @@ void TimeIntegration::continue_ring(film::FilmState& to) const {
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);
 }
 
-/// In place of the film of the state.
+/// Continues film and cavity of the state in time, eq-continued-film. @param to holds that state
 void TimeIntegration::continue_film(film::FilmState& to) const {
   if (time_step_before_ == 0) return;
   problem().kernels->continued({state_.p.data(), before_.p.data(), state_.deficit.data(), before_.deficit.data(),
@@ -360,17 +371,22 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   count(report);
   const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
   const bool is_error_known = time_step_before_ > 0;
-  const bool too_coarse = adaptive() && error > 1 && step_.ticks > 1;
+  const bool too_coarse = adaptive() && !(error <= 1) && step_.ticks > 1;
   if (!report.converged || too_coarse) {
     if (step_.ticks == 1) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
     if (!report.converged) {
       ++totals_.fallback_sub_step;
       ++effort_.fallbacks;
     }
-    wanted_ticks_ = std::min(step_.ticks * (report.converged ? growth_after(error) : 0.5), step_.ticks - 1.0);
+    longest_ticks_ = std::min(step_.ticks * (report.converged ? growth_after(error) : 0.5), step_.ticks - 1.0);
+    step_.is_repeated = true;
     return;
   }
-  if (adaptive() && is_error_known) wanted_ticks_ = std::min(step_.ticks * growth_after(error), double{kTicks});
+  if (adaptive() && is_error_known) {
+    const double growth = growth_after(error);
+    // What made the step before too long is still near.
+    longest_ticks_ = std::min(step_.ticks * (step_.is_repeated ? std::min(growth, 1.0) : growth), double{kTicks});
+  }
   waypoints.before_step(*this, angle_deg_, step_.to_deg);
   account_of_oil();
   std::swap(older_, before_);
@@ -390,6 +406,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
   const film::FilmState* previous = step_.is_second_order ? &history_ : &before_;
   instant_ = {wrapped(angle_deg_), step_.at, previous, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
+  step_.state_was_turned = step_.is_repeated = false;
   waypoints.after_step(*this);
   if (tick_ == kTicks) {
     k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);

@@ -221,7 +221,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   block_.load[lane] = inputs.load;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.movable[lane] = unknowns == Unknowns::kFilmAndSeparation ? 1 : 0;
-  if (block_.cavity == LaneCavity::kMultiplier) {
+  if (block_.cavity == LaneCavity::kMultiplier && at.phase != Phase::kFailed) {
     block_.cavity_K[lane] =
         density_at(*at.oil, laws, inputs.p_cavitation) / viscosity_at(*at.oil, laws, inputs.p_cavitation);
   }

@@ -90,9 +90,9 @@ class LifeReader : DocumentReader {
 
   /// The states of a life share the nodes of the face: cells of one length.
   void state_accuracy(cycle::Case& c) {
-    c = cycle::with_accuracy(std::move(c));
-    c.solver.cell_lengths = cycle::CellLengths::kUniform;
-    life_.accuracy = cycle::accuracy_text(c);
+    c = cycle::with_accuracy(std::move(c), cycle::CellLengths::kUniform);
+    const std::string text = cycle::accuracy_text(c);
+    if (life_.accuracy.find(text) == std::string::npos) life_.accuracy += (life_.accuracy.empty() ? "" : "; ") + text;
     c.solver.accuracy.reset();
   }
 

@@ -26,7 +26,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kObserved = 1.25;
 constexpr double kNotObserved = 3;
 constexpr double kLowestOrder = 0.5;
-constexpr double kFormalOrderInStep = 1;  // backward Euler
+constexpr double kFormalOrderInStep = 1;  // with BDF2, too, which has steps of first order
 /// Neighbours whose differences a curve shares: where a difference changes sign the error does not vanish.
 constexpr double kNeighboursDeg = 3;
 

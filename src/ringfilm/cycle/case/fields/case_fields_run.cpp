@@ -120,7 +120,7 @@ void append_run_fields(std::vector<Field>& fields) {
           field("solver.accuracy", OptionalNumberKind{member<&Case::solver, &Solver::accuracy>}, {"%", "%"},
                 between(0.05, 10), Need::kOptional, kFaceFilm,
                 {"accuracy that values of the cycle are to reach; it chooses cells, cell_lengths, crank_step, "
-                 "crank_step_control, time_scheme and step_error in place of what is stated there",
+                 "crank_step_control, time_scheme, step_error and tolerance in place of what is stated there",
                  "\"0.5 %\""}),
           field("solver.cells", CountKind{member<&Case::solver, &Solver::cells>}, kPlainNumber, between(8, 100000),
                 Need::kDefault, {}, {"cells across the face", "200"}),
@@ -132,7 +132,7 @@ void append_run_fields(std::vector<Field>& fields) {
                 above(0, 1), Need::kOptional, kGapEnds,
                 {"length around the ring of the cells at the ends of its gap; if omitted, 1/50 of the face width",
                  "\"24 um\""}),
-          field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 10),
+          field("solver.crank_step", NumberKind{member<&Case::solver, &Solver::crank_step_deg>}, degree, above(0, 15),
                 Need::kDefault, {},
                 {"crank step of the integration; whole steps must make 720 degrees", "\"1 degree\""}),
           field("solver.crank_step_control", choice<&Case::solver, &Solver::crank_step_control>({"adaptive", "fixed"}),
@@ -150,9 +150,9 @@ void append_run_fields(std::vector<Field>& fields) {
                           c.film.supply == OilSupply::kFilmOnLiner;
                  },
                  "solver.crank_step_control = \"adaptive\" or film.supply = \"film-on-liner\""},
-                {"error that one step may make in the logarithm of the film; half of it in the oil on the face; and "
-                 "share "
-                 "of the oil on the liner that may lie elsewhere after a cycle",
+                {"error that one step may make in the logarithm of the film, weighted by contact with bdf2; in the oil "
+                 "on the face eight times as much with bdf2, half with backward-euler; and share of the oil on the "
+                 "liner that may lie elsewhere after a cycle",
                  "1e-3"}),
           field("solver.tolerance", NumberKind{member<&Case::solver, &Solver::tolerance>}, kPlainNumber,
                 between(1e-14, 1e-2), Need::kDefault, {},
