@@ -251,9 +251,10 @@ struct StrokeProfile {
   std::vector<double> liner_position;  ///< distance below the ring's TDC position, bin centres [m]
   std::vector<double>
       archard_wear_load_density;  ///< contact work per length of liner [J/m] (= N summed over the passes)
-  /// Oil on the liner where the ring is, ahead of it and behind it, by stroke from power on; empty where it is not
-  /// followed (`film.supply = "film-on-liner"`) [m].
-  std::array<std::vector<double>, 4> film_ahead, film_behind;
+  /// Oil on the liner where the ring is, ahead of it, by stroke from power on; empty where it is not followed
+  /// (`film.supply = "film-on-liner"`) [m].
+  std::array<std::vector<double>, 4> film_ahead;
+  std::array<std::vector<double>, 4> film_behind;  ///< the same behind it [m]
 };
 
 /// A film on the liner over the stroke, and where `StrokeProfile` has it.

@@ -43,12 +43,13 @@ class GreenwoodTripp final : public AsperityContact {
 
   /// For the exact form positive and strictly falling in h.
   Contact contact(double h) const override;
-  void pressure(double h, double& p_a, double& dp_a_dh) const override;
+  void pressure(double h, double& p_a, double& dp_a_dh) const override;  ///< mean contact pressure and its slope in h
 
   const Parameters& parameters() const { return parameters_; }        ///< as given
   double pressure_scale() const { return pressure_scale_; }           ///< p_a/F_5/2 [Pa]
   double area_scale() const { return area_scale_; }                   ///< (A_a/A)/F_2 [-]
   double length_scale() const override { return parameters_.sigma; }  ///< sigma [m]
+  /// Only the integrals of the exact form are smooth.
   bool has_kinks() const override { return parameters_.form != ContactIntegralForm::kExact; }
   /// Where the polynomial of F_5/2 as printed rises again (docs/theory/paper-errata.md) [m].
   double trusted_up_to() const override { return kPolynomialTurns * parameters_.sigma; }
@@ -56,6 +57,7 @@ class GreenwoodTripp final : public AsperityContact {
   /// What may replace the integrals of the exact form; nullptr for the other forms.
   const ContactFit* fit() const { return quintics_ ? nullptr : &contact_fit(); }
 
+  /// That fit with the scales of this contact.
   std::optional<FittedContact> fitted() const override {
     if (fit() == nullptr) return std::nullopt;
     return FittedContact{fit(), ContactFit::kEnd * parameters_.sigma, pressure_scale_, area_scale_};

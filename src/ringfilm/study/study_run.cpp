@@ -56,7 +56,7 @@ std::string reason_of(const InputError& refusal) {
 class Collector {
  public:
   Collector(std::uint64_t first, const std::function<Continuation(const ScenarioBlock&)>& finished,
-            StudyRunOptions options)
+            const StudyRunOptions& options)
       : next_(first), finished_(finished), options_(options) {}
 
   void put(std::uint64_t scenario, ScenarioRow row) {
@@ -151,7 +151,7 @@ void run_in_lanes(const Plan& plan, const Cases& cases, const OutputSelection& k
     }
     return std::nullopt;
   };
-  const auto ended = [&](Ending ending) {
+  const auto ended = [&](const Ending& ending) {
     const std::uint64_t i = number_of.extract(ending.index).mapped();
     put(i, ending.is_solved() ? row_of(ending.result, keep) : unsolved_row(ending.reason(), plan));
   };

@@ -147,7 +147,7 @@ TEST(ContactLaw, AGaussianSurfaceOfThePapersMomentsCarriesFarMoreThanTheirGreenw
   RoughContact elastic(map, MapEdges::periodic, {67.4e9, {}}), capped(map, MapEdges::periodic, {67.4e9, 2.5e9});
   for (const Ratio& of : {Ratio{3, 0.16e6, 36, 16, 0.6}, Ratio{2, 5.07e6, 18, 8.7, 0.2},
                           Ratio{1.286, 37.424e6, 13, 5.4, 0.1}, Ratio{1, 75.3e6, 11, 4.3, 0.1}}) {
-    const double h = of.lambda * elastic.Sq_m();
+    const double h = of.lambda * elastic.rms_m();
     EXPECT_NEAR(elastic.solve(h).pressure / of.greenwood_tripp / of.elastic, 1, of.tolerance) << of.lambda;
     EXPECT_NEAR(capped.solve(h).pressure / of.greenwood_tripp / of.capped, 1, of.tolerance) << of.lambda;
   }

@@ -163,7 +163,7 @@ TEST(RoughContact, ManyWavesTouchAsRandomSurfacesDo) {
   }
   const double slope = std::sqrt(squares / (512.0 * 512));
   RoughContact contact(map, MapEdges::periodic, {67.4e9, {}});
-  const ContactAtSeparation found = contact.solve(1.5 * contact.Sq_m());
+  const ContactAtSeparation found = contact.solve(1.5 * contact.rms_m());
   const double kappa = found.area_share * 67.4e9 * slope / found.pressure;
   EXPECT_GT(kappa, 2.1);
   EXPECT_LT(kappa, 2.4);
@@ -174,7 +174,7 @@ TEST(RoughContact, SoftMaterialCarriesItsHardnessTimesTheArea) {
   constexpr double kHardness = 1e6;
   RoughContact contact(map, MapEdges::periodic, {67.4e9, kHardness});
   for (const double lambda : {0.7, 1.0, 1.5, 2.0}) {
-    const double h = lambda * contact.Sq_m();
+    const double h = lambda * contact.rms_m();
     const ContactAtSeparation found = contact.solve(h);
     double above = 0;
     for (const double z : map.height_m) above += z > h ? 1 : 0;
@@ -188,7 +188,7 @@ TEST(RoughContact, PressureFallsWithTheSeparationAndDoesNotDependOnTheStart) {
   RoughContact one(map, MapEdges::mirrored, {67.4e9, 2.5e9});
   double former = 1e300;
   for (double lambda = 0.6; lambda < 2.2; lambda += 0.2) {
-    const double h = lambda * one.Sq_m();
+    const double h = lambda * one.rms_m();
     const double p = one.solve(h).pressure;
     EXPECT_LT(p, former);
     RoughContact fresh(map, MapEdges::mirrored, {67.4e9, 2.5e9});
@@ -201,7 +201,7 @@ TEST(RoughContact, MissingPointsNeverTouch) {
   HeightMap map = rough_map(128, 5);
   lose_points(map, 0.3, 1);
   RoughContact contact(map, MapEdges::mirrored, {67.4e9, 2.5e9});
-  const ContactAtSeparation found = contact.solve(contact.Sq_m());
+  const ContactAtSeparation found = contact.solve(contact.rms_m());
   EXPECT_NEAR(contact.missing_share(), 0.3, 0.02);
   EXPECT_GT(found.load_next_to_missing, 0.3);
   for (std::size_t i = 0; i < map.points(); ++i) {
@@ -220,7 +220,7 @@ TEST(RoughContact, RefusesWhatItCannotSolve) {
   RoughContact contact(map, MapEdges::mirrored, {67.4e9, {}});
   EXPECT_THROW(contact.solve(0), InputError);
   EXPECT_EQ(contact.solve(contact.highest_m() * 1.1).pressure, 0.0);
-  EXPECT_THROW(check_area(contact.solve(0.01 * contact.Sq_m())), InputError);
+  EXPECT_THROW(check_area(contact.solve(0.01 * contact.rms_m())), InputError);
 }
 
 TEST(ContactLaw, DoesNotDependOnWhereAPeriodicPairIsCut) {

@@ -141,7 +141,7 @@ struct GasPath {
 
 /// What the gas meets at a ring: keys under `ring`, used where GasPath::is_computed().
 struct RingGasPath {
-  RingKind kind = RingKind::kCompression;
+  RingKind kind = RingKind::kCompression;   ///< where its gas goes
   std::optional<double> gap_area;           ///< of the end gap; absent: end_gap times land_clearance [m2]
   std::optional<double> groove_volume;      ///< of the gas behind and above the ring [m3]
   double groove_temperature = 473.15;       ///< of that gas; typical, assumed [K]
@@ -223,8 +223,8 @@ struct Ring {
   std::optional<double> end_gap;               ///< between the ends of the ring in the bore; absent: a closed ring [m]
   double gap_position_deg = 0;                 ///< of the gap's middle around the bore [degree]
   Conformity conformity = Conformity::kRigid;  ///< does the ring of an unrolled film bend?
-  LocalDeformation local_deformation = LocalDeformation::kNone;
-  RingGasPath gas_path;  ///< what the gas meets at the ring
+  LocalDeformation local_deformation = LocalDeformation::kNone;  ///< of face and liner by the film's pressure
+  RingGasPath gas_path;                                          ///< what the gas meets at the ring
   /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
   std::vector<FourierTerm> pressure_orders;
   std::optional<std::string> pressure_points;    ///< CSV of that pressure around the ring, as named
@@ -254,6 +254,7 @@ struct Liner {
   base::Shared<DynamicBore> dynamic;              ///< of that file
   int map_orders = 20;                            ///< the highest order that is kept of both files
 
+  /// Is no distortion stated?
   bool is_round() const {
     return distortion.empty() && thermal_distortion.empty() && !distortion_map && !dynamic_distortion;
   }
@@ -306,8 +307,9 @@ struct ContactLawTable {
   double last_supported_separation = 0;  ///< up to here several spots carry; beyond it is an extrapolation [m]
   /// Through the same gaps; nullptr where the file has none.
   std::shared_ptr<const models::MeasuredFlow> flow;
-  /// Standard deviations of the shift of the separation [m] and of ln p [-], and their correlation.
-  std::optional<double> shift_deviation, factor_deviation, shift_factor_correlation;
+  std::optional<double> shift_deviation;           ///< standard deviation of the shift of the separation [m]
+  std::optional<double> factor_deviation;          ///< the same of ln p [-]
+  std::optional<double> shift_factor_correlation;  ///< of both [-]
 };
 
 /// The keys under `contact`.
@@ -387,7 +389,8 @@ struct Film {
   Cavitation cavitation = Cavitation::kMassConserving;  ///< where the film ruptures: Reynolds, or mass kept (JFO)
   double cavitation_pressure = 101325;  ///< p_c, absolute [Pa]; of a pad counted like its other pressures
   /// What lies at an edge where the film leaves, and with a supply that is not flooded where it enters.
-  EdgeFluid chamber_edge = EdgeFluid::kOil, crankcase_edge = EdgeFluid::kOil;
+  EdgeFluid chamber_edge = EdgeFluid::kOil;
+  EdgeFluid crankcase_edge = EdgeFluid::kOil;  ///< likewise
 
   OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas
 
@@ -405,12 +408,15 @@ struct Film {
   bool is_rough() const {
     return has_factors(Roughness::kPatirCheng) || is_measured() || average_gap != AverageGap::kNominal;
   }
+  /// Does the film of a ring end at gas?
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
   // of a pad
-  EdgeFluid left_edge = EdgeFluid::kOil, right_edge = EdgeFluid::kOil;  ///< at x = 0 and x = length
-  /// Film on the flat surface that comes in at an edge of gas [m].
-  std::optional<double> supply_left, supply_right;
+  EdgeFluid left_edge = EdgeFluid::kOil;   ///< at x = 0
+  EdgeFluid right_edge = EdgeFluid::kOil;  ///< at x = length
+  std::optional<double> supply_left;       ///< film on the flat surface that comes in at an edge of gas [m]
+  std::optional<double> supply_right;      ///< likewise [m]
 
+  /// Does the film of a pad end at gas?
   bool has_gas_edge_of_pad() const { return left_edge == EdgeFluid::kGas || right_edge == EdgeFluid::kGas; }
 };
 

@@ -33,9 +33,10 @@ struct ClosureQuantity : Quantity {
 };
 const std::vector<ClosureQuantity>& closure_quantities();  ///< in the order of files and tables
 
+/// Where a ring touches its bore at rest, and with which pressure.
 struct StaticClosure {
-  models::RingClosure ring;  ///< angles from the middle of the gap [rad]
-  ClosureValues values;
+  models::RingClosure ring;                        ///< angles from the middle of the gap [rad]
+  ClosureValues values;                            ///< clearances, pressures and open areas
   std::optional<models::FreeShapeFit> free_shape;  ///< where ring.free_shape is stated
   std::vector<std::string> notes;                  ///< on models used outside their range
 };

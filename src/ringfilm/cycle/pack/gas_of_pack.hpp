@@ -21,7 +21,7 @@ gas_path::GivenPressures given_pressures(const Case& c);
 
 /// A case whose rings have the pressures of their gas path.
 struct CaseWithGas {
-  Case input;
+  Case input;                                  ///< with these pressures
   std::optional<gas_path::GasPathResult> gas;  ///< absent where the pressures are given
 };
 

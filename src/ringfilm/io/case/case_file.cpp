@@ -164,7 +164,9 @@ void append_ring_faults(const std::vector<std::vector<KeyFault>>& of_rings, std:
   };
   for (std::size_t i = 0; i < of_rings.size(); ++i) {
     std::vector<Fault> named;
-    for (auto [key, fault] : of_rings[i]) {
+    for (const KeyFault& of_key : of_rings[i]) {
+      const std::string& key = of_key.key;
+      Fault fault = of_key.fault;
       const bool of_ring = key.rfind("ring.", 0) == 0;
       const bool of_all = std::ranges::all_of(of_rings, [&](const auto& ring) { return has(ring, fault); });
       const bool may_be_common = key.rfind("contact.", 0) == 0 && of_all;

@@ -18,7 +18,7 @@ struct Override {
 
 /// A key of a file that overrides make unused, or state in another way.
 struct DroppedKey {
-  std::string key;
+  std::string key;  ///< with its section
   SourceMark mark;  ///< of the key
 };
 

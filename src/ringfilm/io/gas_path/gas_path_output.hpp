@@ -18,7 +18,7 @@ struct GasPathDocument {
   Provenance provenance;                 ///< what computed it
   double gas_constant = 0;               ///< of the case [J/(kg K)]
   double blow_by_flow = 0;               ///< at 25 degC and standard atmosphere [m3/s]
-  gas_path::GasPathResult result;
+  gas_path::GasPathResult result;        ///< pressures, flows and motion over the cycle
 };
 
 /// Computes the gas of a case that was read for CasePurpose::kGasPath or as a whole. Throws InputError where its traces

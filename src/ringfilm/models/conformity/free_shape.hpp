@@ -7,8 +7,8 @@ namespace ringfilm::models {
 
 /// A point of the running surface of a free ring [m].
 struct ShapePoint {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< towards the gap [m]
+  double y = 0;  ///< across it [m]
 };
 
 /// The free ring that presses on a round bore as the beam does: its running surface, half a thickness outside of the
@@ -25,7 +25,7 @@ struct FreeShapeFit {
   /// Standard deviation of F_t, and of the orders of the pressure together as their rms around the ring, where the
   /// points scatter about that shape independently of each other; relative to F_t [-].
   double force_deviation = 0;
-  double pressure_deviation = 0;
+  double pressure_deviation = 0;  ///< of the orders
 };
 
 /// The fewest points that a shape may have for each wave of its highest order: noise is averaged over them.

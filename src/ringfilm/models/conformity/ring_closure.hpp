@@ -8,7 +8,8 @@ namespace ringfilm::models {
 
 /// A part of the ring that touches the wall, or a point of it (from = to).
 struct ContactArc {
-  double from = 0, to = 0;  ///< [rad]
+  double from = 0;  ///< [rad]
+  double to = 0;    ///< [rad]
 };
 
 /// A force of the wall in one point, at the edge of a contact arc or where the ring touches in a point.
@@ -24,11 +25,11 @@ class RingClosure {
   /// Throws ConvergenceError where no set of contact arcs meets all conditions.
   explicit RingClosure(const RingAtWall& ring);
 
-  const RingAtWall& ring() const { return *ring_; }
-  const std::vector<ContactArc>& arcs() const { return arcs_; }      ///< with a length, in order of phi
-  const std::vector<ContactArc>& points() const { return points_; }  ///< where the ring touches without one
-  const std::vector<PointForce>& point_forces() const { return forces_; }
-  const std::vector<LiftOff>& lift_offs() const { return lift_offs_; }  ///< the parts between them
+  const RingAtWall& ring() const { return *ring_; }                        ///< as given
+  const std::vector<ContactArc>& arcs() const { return arcs_; }            ///< with a length, in order of phi
+  const std::vector<ContactArc>& points() const { return points_; }        ///< where the ring touches without one
+  const std::vector<PointForce>& point_forces() const { return forces_; }  ///< in order of phi
+  const std::vector<LiftOff>& lift_offs() const { return lift_offs_; }     ///< the parts between them
 
   LiftOff::Extreme largest_clearance() const;  ///< [m]; zero at the start of the ring where all of it touches
   double clearance_integral() const;           ///< over phi [m rad]

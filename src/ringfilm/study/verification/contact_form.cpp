@@ -126,7 +126,7 @@ double percolation_area(RoughContact& contact) {
   constexpr double kShut = 1e-6;                // of h^3: what flows through a shut gap
   double area = 0, shut_x = 0, shut_y = 0;
   for (double h = kFirst; h > 0 && (shut_x == 0 || shut_y == 0); h -= kStep) {
-    const double separation = h * contact.Sq_m(), smallest = kShut * std::pow(separation, 3), former = area;
+    const double separation = h * contact.rms_m(), smallest = kShut * std::pow(separation, 3), former = area;
     area = contact.solve(separation).area_share;
     std::vector<double> gap(contact.gap().begin(), contact.gap().end());
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] = contact.pressure()[i] > 0 ? 0 : std::max(gap[i], 0.0);
@@ -143,7 +143,7 @@ double of_rough(const ContactForm& form, const std::string& quantity) {
   surface::ContactMaterial material{1, {}};
   if (form.hardness > 0) material.hardness = form.hardness * slope;
   RoughContact contact(map, MapEdges::periodic, material);
-  const double h = form.separation * contact.Sq_m();
+  const double h = form.separation * contact.rms_m();
   if (quantity == "pressure_flow_deficit") {  // (1 - phi)(h/Sq)^2, the mean of both directions
     std::vector<double> gap;
     for (const double z : map.height_m) gap.push_back(h - z);

@@ -133,7 +133,7 @@ void add_flow(const RoughContact& contact, const ContactAtSeparation& found, dou
   mean /= static_cast<double>(gap.size());
   to.phi_x += weight * of.conductance_x / cube;
   to.phi_y += weight * of.conductance_y / cube;
-  to.phi_s += weight * difference * (mean - of.couette) / contact.Sq_m();
+  to.phi_s += weight * difference * (mean - of.couette) / contact.rms_m();
   to.phi_fp += weight * of.pressure_stress / found.separation_m;
   add_gaps(contact, gap, places, weight, to.gap_share);
   to.residual = std::max(to.residual, of.residual);
@@ -266,7 +266,7 @@ ContactLaw contact_law(const SurfacePair& pair, std::span<const double> separati
   for (std::size_t position = 0; position < positions; ++position) {
     RoughContact contact = contact_at(pair, position);
     if (position == 0) {
-      law.Sq_m = contact.Sq_m();
+      law.Sq_m = contact.rms_m();
       law.missing_share = contact.missing_share();
       law.grid = contact.grid();
       if (pair.has_flow) law.gap_places_m = gap_places(law.Sq_m, separations_m);
@@ -311,7 +311,7 @@ std::vector<ContactAtSeparation> contact_of_first_position(const SurfacePair& pa
 std::vector<double> usual_separations(const SurfacePair& pair) {
   RoughContact contact = contact_at(pair, 0);
   const double from = kLargestUsual * contact.highest_m();
-  const double to = std::min(kSmallestUsual * contact.Sq_m(), from / 2);
+  const double to = std::min(kSmallestUsual * contact.rms_m(), from / 2);
   std::vector<double> separations;
   if (pair.has_flow) {
     for (const double ratio : kUsualOfFlow) separations.push_back(ratio * contact.highest_m());

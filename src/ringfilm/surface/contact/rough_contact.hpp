@@ -42,7 +42,7 @@ class RoughContact {
   ContactAtSeparation solve(double separation_m);
 
   double highest_m() const { return highest_m_; }  ///< highest point above the mean plane [m]
-  double Sq_m() const { return Sq_m_; }            ///< rms of the heights [m]
+  double rms_m() const { return Sq_m_; }           ///< rms of the heights [m]
   double missing_share() const {
     return 1 - measured_points_ / static_cast<double>(grid_.points());
   }                                                        ///< of all points
