@@ -254,7 +254,7 @@ struct Liner {
   base::Shared<DynamicBore> dynamic;              ///< of that file
   int map_orders = 20;                            ///< the highest order that is kept of both files
 
-  /// Is no distortion stated?
+  /// Is the bore round, without any stated distortion?
   bool is_round() const {
     return distortion.empty() && thermal_distortion.empty() && !distortion_map && !dynamic_distortion;
   }
