@@ -145,6 +145,7 @@ MODULES = {
     "ringfilm::surface": ("Surfaces, faces, friction loops", "surface"),
     "ringfilm::models": ("Laws: oil, contact, crank, gas, ring", "models"),
     "ringfilm::cycle": ("The case, the cycle and its result", "cycle"),
+    "ringfilm::gas_path": ("Gas between the rings", "gas_path"),
     "ringfilm::pad": ("Pads", "pad"),
     "ringfilm::study": ("Batches and studies", "study"),
     "ringfilm::io": ("Files and units", "io"),

@@ -1,6 +1,7 @@
 #pragma once
 #include "ringfilm/gas_path/result.hpp"
 
+/// The gas between the rings of a pack over the engine cycle (docs/theory/gas-path.md).
 namespace ringfilm::gas_path {
 
 /// The gas of a pack over a cycle that repeats itself. Cycles are integrated until the pressures repeat; between them
