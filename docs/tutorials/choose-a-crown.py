@@ -25,6 +25,7 @@ speeds = {"1500 rpm": ("#0072B2", "-"), "4000 rpm": ("#E69F00", "--")}
 
 def case_of(crown, speed):
     case = base.copy()
+    case["film.supply"] = "flooded"
     case["ring.face.crown_height"] = ringfilm.SI(crown)
     case["operating.speed"] = speed
     return case
