@@ -139,11 +139,15 @@ std::vector<Way> ways() {
     list.push_back({text("%d cells, fixed %g degree, Euler", cells, step), "fixed, first order",
                     fixed_steps(cells, step, euler), Use::kDiagram});
   }
-  for (const double factor : {4.0, 0.25}) {
-    cycle::Solver solver = first;
-    solver.step_error *= factor;
-    list.push_back(
-        {text("200 cells, step_error %g, Euler", solver.step_error), "adaptive, first order", solver, Use::kDiagram});
+  for (const auto scheme : {euler, cycle::TimeScheme::kBdf2}) {
+    for (const double factor : {4.0, 0.25}) {
+      cycle::Solver solver;
+      solver.time_scheme = scheme;
+      solver.step_error *= factor;
+      const bool is_first = scheme == euler;
+      list.push_back({text("200 cells, step_error %g, %s", solver.step_error, is_first ? "Euler" : "BDF2"),
+                      is_first ? "adaptive, first order" : "adaptive, second order", solver, Use::kDiagram});
+    }
   }
   return list;
 }

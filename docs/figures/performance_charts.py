@@ -4,12 +4,13 @@ import json
 import pathlib
 
 from chart import LEFT, Panel, Style, decades, legend
-from svg import BLUE, GREY, ORANGE, RED, Picture
+from svg import BLUE, GREEN, GREY, ORANGE, RED, Picture
 
 MEASURED = pathlib.Path(__file__).resolve().parent / "performance" / "scenario-accuracy.json"
 LINES = {  # family of ways: style of its line, name in the legend
-    "fixed, first order": (Style(RED, "7 3"), "fixed, first order"),
-    "adaptive, first order": (Style(ORANGE, "2 2", 2.2), "adaptive, first order"),
+    "fixed, first order": (Style(RED, "7 3"), "fixed, 1st order"),
+    "adaptive, first order": (Style(ORANGE, "2 2", 2.2), "adaptive, 1st order"),
+    "adaptive, second order": (Style(GREEN, "5 2", 1.6), "adaptive, 2nd order"),
     "accuracy": (Style(BLUE, width=2), "solver.accuracy [%]"),
 }
 REQUESTED = Style(GREY, width=0.8)
@@ -30,7 +31,7 @@ def work_precision():
     measured = json.loads(MEASURED.read_text(encoding="utf-8"))
     picture = Picture("Error of six values of the cycle against processor time, by the way of choosing steps", 552)
     entries = [*LINES.values(), (REQUESTED, "error = accuracy")]
-    legend(picture, LEFT, 22, entries, [154, 176, 178, 0], sample=28)
+    legend(picture, LEFT, 22, entries, [124, 144, 146, 142, 0], sample=22)
     for k, (name, title) in enumerate(QUANTITIES.items()):
         row, column = divmod(k, COLUMNS)
         first, last = column == 0, k + COLUMNS >= len(QUANTITIES)
