@@ -29,19 +29,20 @@ TIMES, ERRORS = (0.1, 50), (1e-3, 300)  # [ms], [%]; room for machines three tim
 def work_precision():
     """Error of six values against the processor time of a scenario."""
     measured = json.loads(MEASURED.read_text(encoding="utf-8"))
-    picture = Picture("Error of six values of the cycle against processor time, by the way of choosing steps", 552)
+    picture = Picture("Error of six values of the cycle against processor time, by the way of choosing steps", 572)
     entries = [*LINES.values(), (REQUESTED, "error = accuracy")]
-    legend(picture, LEFT, 22, entries, [124, 144, 146, 142, 0], sample=22)
+    for row, part in enumerate([entries[:3], entries[3:]]):
+        legend(picture, LEFT, 22 + 20 * row, part, WIDE + 22)
     for k, (name, title) in enumerate(QUANTITIES.items()):
         row, column = divmod(k, COLUMNS)
         first, last = column == 0, k + COLUMNS >= len(QUANTITIES)
-        panel = Panel(picture, LEFT + column * (WIDE + 22), 62 + row * (HIGH + 38), WIDE, HIGH, TIMES, ERRORS, "xy")
+        panel = Panel(picture, LEFT + column * (WIDE + 22), 82 + row * (HIGH + 38), WIDE, HIGH, TIMES, ERRORS, "xy")
         panel.title(title)
         panel.y_axis("95 % quantile of the error [%]" if first else "", decades(-3, 2), None if first else [""] * 6)
         panel.x_axis("processor time [ms]" if last else "", decades(-1, 1), names=None if last else [""] * 3)
         panel.frame()
         draw_ways(panel, measured["ways"], name)
-    picture.text(LEFT, 544, f"MEASURED: {measured['scenarios']} random engines, one thread", size=12, colour=GREY)
+    picture.text(LEFT, 564, f"MEASURED: {measured['scenarios']} random engines, one thread", size=12, colour=GREY)
     return picture
 
 
