@@ -30,7 +30,7 @@ constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 
 /// A ring that is not part of a pack has a liner of its own.
 PlaceOnLiner& with_liner(const Setup& setup, PlaceOnLiner& place) {
-  const bool needs_own = setup.input.film.supply == OilSupply::kFilmOnLiner && !place.film;
+  const bool needs_own = setup.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner && !place.film;
   if (needs_own) place.film = std::make_shared<LinerFilm>(fresh_liner(setup, 0));
   return place;
 }
@@ -112,8 +112,8 @@ double CycleRun::allowed_distance() const {
   // What the iteration leaves of the forces moves a ring that bends much farther than a rigid one.
   constexpr double kSofterRing = 100;
   if (setup_.input.bends()) return kSofterRing * iterated;
-  const bool follows_steps =
-      setup_.input.film.supply == OilSupply::kFilmOnLiner && solver.crank_step_control == StepControl::kAdaptive;
+  const bool follows_steps = setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner &&
+                             solver.crank_step_control == StepControl::kAdaptive;
   return follows_steps ? std::max(iterated, solver.step_error) : iterated;
 }
 
@@ -127,7 +127,7 @@ void CycleRun::check_approach() {
                 "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
                 "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger %s",
                 n, distance, allowed_distance(), kCyclesToHalve,
-                setup_.input.film.supply == OilSupply::kFilmOnLiner
+                setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner
                     ? "solver.step_error, or supply.reach that leaves the ring more oil"
                     : "solver.tolerance or a smaller solver.crank_step");
   throw ConvergenceError(text, crank_angle_deg());

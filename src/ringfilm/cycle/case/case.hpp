@@ -392,7 +392,7 @@ struct Film {
   EdgeFluid chamber_edge = EdgeFluid::kOil;
   EdgeFluid crankcase_edge = EdgeFluid::kOil;  ///< likewise
 
-  OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas
+  OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas; see supply_at_inlet
 
   Roughness flow_factors = Roughness::kNone;      ///< of the flow by pressure
   Roughness shear_flow = Roughness::kNone;        ///< of the flow by sliding
@@ -410,6 +410,8 @@ struct Film {
   }
   /// Does the film of a ring end at gas?
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
+  /// What a film finds where it enters: edges of oil flood it, whatever the conditions set as `supply`.
+  OilSupply supply_at_inlet() const { return has_gas_edge() ? supply : OilSupply::kFlooded; }
   // of a pad
   EdgeFluid left_edge = EdgeFluid::kOil;   ///< at x = 0
   EdgeFluid right_edge = EdgeFluid::kOil;  ///< at x = length
@@ -547,6 +549,10 @@ struct Case {
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
+  /// That of its steps: oil on the liner is accounted for step by step, which is of first order.
+  TimeScheme time_scheme() const {
+    return film.supply_at_inlet() == OilSupply::kFilmOnLiner ? TimeScheme::kBackwardEuler : solver.time_scheme;
+  }
   /// Does its ring bend in the bore?
   bool bends() const { return is_unrolled() && ring.conformity == Conformity::kBeam; }
   /// Is anything stated that only a ring that bends uses?

@@ -304,7 +304,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
 }
 
 void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
-  if (c.film.supply == OilSupply::kFlooded || !c.film.has_gas_edge()) return;
+  if (c.film.supply_at_inlet() == OilSupply::kFlooded) return;
   const auto require = [&](bool is_stated, const std::string& key, const char* meaning) {
     if (!is_stated)
       breaches.push_back({key, "the key " + key + " is missing: " + meaning, "state it, or film.supply = \"flooded\""});

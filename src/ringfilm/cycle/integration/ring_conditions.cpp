@@ -53,7 +53,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   at.inputs.U = turned ? -U : U;
   film::EdgeState chamber{above}, crankcase{below};
   // Where the film leaves, gas may be; where it enters, too, unless oil floods the inlet.
-  const bool up = motion(angle) == Motion::kTowardsTdc, flooded = c.film.supply == OilSupply::kFlooded;
+  const bool up = motion(angle) == Motion::kTowardsTdc, flooded = c.film.supply_at_inlet() == OilSupply::kFlooded;
   if (up || !flooded) crankcase.fluid = c.film.crankcase_edge;
   if (!up || !flooded) chamber.fluid = c.film.chamber_edge;
   film::EdgeState& inlet = up ? chamber : crankcase;

@@ -93,7 +93,7 @@ const film::EdgeState& crankcase_edge(const RingConditions& at) {
 }  // namespace
 
 TimeIntegration::TimeIntegration(const Setup& setup, const PlaceOnLiner& place) : setup_(setup), film_(setup) {
-  if (setup.input.film.supply == OilSupply::kFilmOnLiner) liner_oil_.emplace(setup, place);
+  if (setup.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner) liner_oil_.emplace(setup, place);
 }
 
 RingConditions TimeIntegration::conditions(double from_deg, double to_deg, double time_step) const {
@@ -181,11 +181,10 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
 }
 
 /// Lays out the proposed step as one of second order. False where it is not one: there is no history, it is much longer
-/// than the step before it, the face turns over, oil on the liner is accounted for step by step, or a cavity would have
-/// less than no oil.
+/// than the step before it, the face turns over, or a cavity would have less than no oil.
 bool TimeIntegration::remember_two_films() {
   const bool can = is_second_order() && time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
-  if (!can || step_.state_was_turned || liner_oil_) return false;
+  if (!can || step_.state_was_turned) return false;
   const film::Bdf2 scheme(step_.time_step, time_step_before_);
   const std::vector<double>& mass = state_.mass_per_area;
   history_.mass_per_area.resize(mass.size());

@@ -154,7 +154,7 @@ class TimeIntegration {
   const Totals& totals() const { return totals_; }
 
  private:
-  bool is_second_order() const { return setup_.input.solver.time_scheme == TimeScheme::kBdf2; }
+  bool is_second_order() const { return setup_.input.time_scheme() == TimeScheme::kBdf2; }
   bool has_parabola() const { return step_.is_second_order && time_step_older_ > 0; }
   int ticks_of_step() const;
   void lay_out_step();

@@ -75,7 +75,7 @@ void integrate(Runs& runs, LinerFilm& liner, OilIteration iteration, Observer* o
 }  // namespace
 
 bool shares_oil(const Case& pack) {
-  return pack.rings.size() > 1 && pack.rings.front().film.supply == OilSupply::kFilmOnLiner;
+  return pack.rings.size() > 1 && pack.rings.front().film.supply_at_inlet() == OilSupply::kFilmOnLiner;
 }
 
 std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer, OilIteration iteration) {

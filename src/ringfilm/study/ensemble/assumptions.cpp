@@ -260,7 +260,7 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   const char* topic = "flooded-inlet";
   std::vector<Alternative> others = other_choices("film.chamber_edge", c);
   for (Alternative& other : other_choices("film.crankcase_edge", c)) others.push_back(std::move(other));
-  if (c.film.has_gas_edge() && c.film.supply != cycle::OilSupply::kFlooded) {
+  if (c.film.supply_at_inlet() != cycle::OilSupply::kFlooded) {
     for (Alternative& other : other_supplies(c)) others.push_back(std::move(other));
     const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
     const double film = 1e6 * along_stroke(c.supply.film, 0.5 * c.engine.stroke);

@@ -37,7 +37,7 @@ constexpr When kPressurePoints{[](const Case& c) { return c.ring.pressure_points
                                "ring.pressure_points is stated"};
 constexpr When kFreeShape{[](const Case& c) { return c.ring.free_shape.has_value(); }, "ring.free_shape is stated"};
 using TermPlace = FourierTermsKind::Place;
-constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply == OilSupply::kFilmOnLiner; },
+constexpr When kOilOnLiner{[](const Case& c) { return c.film.supply_at_inlet() == OilSupply::kFilmOnLiner; },
                            "film.supply = \"film-on-liner\""};
 constexpr When kCoated{
     [](const Case& c) { return !c.contact.composite_modulus && c.ring.coating.youngs_modulus.has_value(); },

@@ -18,14 +18,13 @@ constexpr When kInletRight{[](const Case& c) { return c.enters_out_of_gas(Direct
 
 constexpr When kGasEdge{[](const Case& c) { return c.film.has_gas_edge(); },
                         "film.chamber_edge or film.crankcase_edge is \"gas\""};
-constexpr When kNotFlooded{[](const Case& c) { return c.film.has_gas_edge() && c.film.supply != OilSupply::kFlooded; },
+constexpr When kNotFlooded{[](const Case& c) { return c.film.supply_at_inlet() != OilSupply::kFlooded; },
                            "film.supply is not \"flooded\""};
 constexpr When kRingFilm{[](const Case& c) { return c.problem != Problem::kPad; }, "the film is not that of a pad"};
 constexpr When kFaceFilm{[](const Case& c) { return !c.is_unrolled() && c.problem != Problem::kPad; },
                          "film.dimension = \"face\", and not of a pad"};
-constexpr When kFilmOnLiner{
-    [](const Case& c) { return c.film.has_gas_edge() && c.film.supply == OilSupply::kFilmOnLiner; },
-    "film.supply = \"film-on-liner\""};
+constexpr When kFilmOnLiner{[](const Case& c) { return c.film.supply_at_inlet() == OilSupply::kFilmOnLiner; },
+                            "film.supply = \"film-on-liner\""};
 constexpr When kPattern{[](const Case& c) { return c.film.has_factors(Roughness::kPatirCheng); },
                         "film.flow_factors, film.shear_flow or film.stress_factors = \"patir-cheng\""};
 
@@ -147,7 +146,7 @@ void append_run_fields(std::vector<Field>& fields) {
                 between(1e-8, 0.1), Need::kDefault,
                 {[](const Case& c) {
                    return c.solver.crank_step_control == StepControl::kAdaptive ||
-                          c.film.supply == OilSupply::kFilmOnLiner;
+                          c.film.supply_at_inlet() == OilSupply::kFilmOnLiner;
                  },
                  "solver.crank_step_control = \"adaptive\" or film.supply = \"film-on-liner\""},
                 {"error that one step may make in the logarithm of the film, weighted by contact with bdf2; in the oil "
