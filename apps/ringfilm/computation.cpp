@@ -81,6 +81,9 @@ void add_errors(const RunRequest& requested, std::span<const study::Ending> ende
   document.errors = study::error_estimate(requested.input, document.result, ended);
   const auto notes = study::notes_on(*document.errors);
   document.result.notes.insert(document.result.notes.end(), notes.begin(), notes.end());
+  if (auto note = study::note_on_accuracy(requested.input, document.result, *document.errors)) {
+    document.result.notes.push_back(std::move(*note));
+  }
   cycle::sort_notes(document.result.notes);
 }
 

@@ -85,7 +85,8 @@ py::object run_case(CaseObject& self, const py::object& progress, const RunExtra
   const cycle::Case input = self.value();  // another thread may change the case meanwhile
   if (input.problem == cycle::Problem::kPad) return run_pad(input, progress, extras);
   CycleWatch watch(progress);
-  if (extras.ledger || extras.error_estimate || input.is_pack()) return run_with_extras(input, watch, extras);
+  if (extras.ledger || extras.error_estimate || input.solver.accuracy || input.is_pack())
+    return run_with_extras(input, watch, extras);
   try {
     cycle::CycleResult result;
     {

@@ -167,6 +167,13 @@ def test_a_run_that_only_runs_has_neither_ledger_nor_errors(result):
         result["cycle_fmep_error"]
 
 
+def test_a_run_for_an_accuracy_has_errors_and_says_which_values_reach_it(case):
+    case["solver.accuracy"] = "5 %"
+    result = case.run()
+    assert 0 < result["cycle_fmep_error"] < 0.05 * result.fmep
+    assert any(note == "accuracy-reached" and "are within 5 %" in text for note, text, _ in result.notes)
+
+
 def test_a_pad_has_neither_ledger_nor_errors(folder):
     pad = ringfilm.Case.read(PAD / "inclined_slider.toml")
     for wish in ("ledger", "error_estimate"):

@@ -227,7 +227,8 @@ class Commands {
     command.add_flag("--ledger", ledger_, "run the other choice for every modelling assumption that can be lifted");
     command.add_flag(
         "--error-estimate", error_estimate_,
-        "integration four other grids too and give every value the error of its own, about 6 times the work");
+        "integrate four other grids too and give every value its error, about 6 times the work; always done where "
+        "solver.accuracy is stated");
     add_jobs(command);
     command.footer(kRunFooter);
   }

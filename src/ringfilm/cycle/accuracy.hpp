@@ -21,6 +21,9 @@ Resolution resolution_for(double accuracy);
 /// it is where it states none. @param coarse lengths of the cells of 0.5 % and more; below they are uniform
 Case with_accuracy(Case c, CellLengths coarse = CellLengths::kByGap);
 
+/// Is it a key in place of which an accuracy has its own value?
+bool is_chosen_by_accuracy(const std::string& key);
+
 /// What a case with_accuracy is computed with, as a sentence.
 std::string accuracy_text(const Case& c);
 

@@ -76,6 +76,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"own-oil", kFull, kCase},
       {"cells-graded", kFull, kCase},
       {"accuracy-asked-for", kFull, kCase},
+      {"accuracy-reached", kFull, kCase},
       {"conform-not-used", kFull, kCase},
       {"free-shape-smoothed", kFull, kCase},
       {"properties-exact", kFull, kCase},

@@ -419,7 +419,8 @@ void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& to
   if (uncontrolled_steps > 0) {
     notes.push_back({"step-control-at-its-limit",
                      text("steps of 1/%d of the crank step with an error in time of more than %.3g %%, measured as for "
-                          "solver.step_error and beyond it: take a shorter solver.crank_step",
+                          "solver.step_error and beyond it: take a shorter solver.crank_step, or a finer "
+                          "solver.accuracy where one is stated",
                           TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError),
                      uncontrolled_steps});
   }

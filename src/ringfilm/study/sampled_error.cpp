@@ -28,6 +28,26 @@ bool is_solved(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
+/// Nothing, too, of a scenario that is refused: a row without values.
+std::optional<double> accuracy_asked(const Plan& plan, std::uint64_t scenario) {
+  try {
+    return scenario_case(plan.study(), plan.point(scenario)).solver.accuracy;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Factors may choose an accuracy, or cells, steps and supplies with which none is asked for.
+bool asks_for_accuracy(const Plan& plan) {
+  for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
+    const std::vector<std::uint64_t> some = spread_scenarios(plan, base);
+    if (std::any_of(some.begin(), some.end(), [&](std::uint64_t i) { return accuracy_asked(plan, i).has_value(); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// To what the error of a value is relative. The net flow may vanish although both flows are there.
 double scale_of(const StudyValues& values, std::size_t i, const std::vector<double>& finer) {
   const auto both_flows = values.index("mean_absolute_oil_flow");
@@ -51,11 +71,7 @@ std::optional<double> SampledError::coverage() const {
 std::uint64_t sample_size(const Plan& plan) {
   const Study& study = plan.study();
   if (study.compute == Compute::kGas) return 0;
-  bool is_asked = false;
-  for (std::size_t base = 0; base < study.bases.size(); ++base) {
-    is_asked = is_asked || accuracy_asked(study, base).has_value();
-  }
-  const std::uint64_t usual = is_asked ? Accuracy::kUsualSample : 0;
+  const std::uint64_t usual = asks_for_accuracy(plan) ? Accuracy::kUsualSample : 0;
   return std::min(study.accuracy.sample.value_or(usual), plan.size());
 }
 
@@ -117,11 +133,7 @@ std::optional<SampledError> sampled_error(const Plan& plan,
   Rows own_values;
   for (const std::uint64_t i : scenarios) {
     own_values.push_back(own(i));
-    asked.push_back(accuracy_asked(plan.study(), plan.base_of(i)));
-    try {
-      asked.back() = scenario_case(plan.study(), plan.point(i)).solver.accuracy;
-    } catch (const InputError&) {  // a row without values, which is not compared
-    }
+    asked.push_back(accuracy_asked(plan, i));
   }
   return compared(plan.values(), scenarios, own_values,
                   values_of_changed(plan, scenarios, finer_grid, progress, options), asked);

@@ -132,6 +132,17 @@ TEST(Accuracy, ResultHasWhatItStandsFor) {
                                  [](const Note& n) { return n.topic == "accuracy-asked-for"; });
   ASSERT_NE(note, result.notes.end());
   EXPECT_NE(note->message.find("24 by-gap cells"), std::string::npos);
+  EXPECT_NE(note->message.find("bdf2"), std::string::npos);
+}
+
+TEST(Accuracy, IsNotPromisedWithOilOnTheLiner) {
+  Case c = styles_new_ring();
+  c.solver.accuracy = 5;
+  c.film.chamber_edge = EdgeFluid::kGas;
+  c.film.supply = OilSupply::kFilmOnLiner;
+  const std::string text = accuracy_text(with_accuracy(c));
+  EXPECT_EQ(text.find("bdf2"), std::string::npos);
+  EXPECT_NE(text.find("fewer values reach the accuracy"), std::string::npos);
 }
 
 }  // namespace

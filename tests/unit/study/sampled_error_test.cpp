@@ -5,8 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/cycle/accuracy.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
+#include "ringfilm/study/statistics/kept_curves.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "study_example.hpp"
 
@@ -166,6 +168,27 @@ TEST(AccuracyOfStudy, IsNotAskedOfScenariosWhoseCellsAreAFactor) {
     EXPECT_FALSE(c.solver.accuracy);
     EXPECT_EQ(c.solver.cells, i == 0 ? 60 : 200);
   }
+  EXPECT_EQ(sample_size(plan), 0u);
+}
+
+TEST(AccuracyOfStudy, IsSampledWhereAFactorAsksForIt) {
+  Study study = study_of({factor("solver.accuracy", Levels{{1, 5}})}, Method::kGrid);
+  EXPECT_EQ(sample_size(Plan(study)), 2u);
+  study.factors = {factor("operating.speed", Levels{{1, 2}}, FactorMode::kScale)};
+  EXPECT_EQ(sample_size(Plan(study)), 0u) << "its base states cells";
+}
+
+TEST(AccuracyOfStudy, TakesStepsThatEndWhereCurvesAreKept) {
+  Study study = speeds({1});
+  study.keep.curves = Curves::kAll;
+  study.keep.quantities = {"min_film_thickness"};
+  study.keep.crank_step_deg = 0.75;
+  EXPECT_EQ(faults_of_keep(study).size(), 1u) << "its base has steps of 1 degree";
+  study.bases[0].input.solver = {};
+  EXPECT_TRUE(faults_of_keep(study).empty());
+  cycle::Case c = with_accuracy_of_study(study.bases[0].input, study);
+  ask_for_kept(study.keep, c);
+  EXPECT_EQ(cycle::with_accuracy(c).solver.crank_step_deg, 0.75);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/cycle/accuracy.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/io/case/case_edit.hpp"
@@ -170,11 +171,13 @@ std::vector<CaseEntry> case_entries(const Case& given) {
   const Case c = with_optional_defaults(given);
   std::vector<CaseEntry> entries;
   for (const Field& field : cycle::case_fields()) {
+    const bool is_stated = c.stated.contains(field.key);
     if (!cycle::is_active(field, c)) continue;
+    if (c.solver.accuracy && !is_stated && cycle::is_chosen_by_accuracy(field.key)) continue;
     const std::string value = exact_value(field, c);
     if (value.empty()) continue;
-    entries.push_back({field.key, value, shown_value(field, c, units), !c.stated.contains(field.key), field.help,
-                       si_number(field, c), field.unit});
+    entries.push_back(
+        {field.key, value, shown_value(field, c, units), !is_stated, field.help, si_number(field, c), field.unit});
   }
   return entries;
 }

@@ -40,6 +40,7 @@ class LifeReader : DocumentReader {
     read_wear(table);
     read_pack(table);
     read_end(table);
+    state_accuracies();
     if (faults_.empty()) faults_ = life::faults_of(life_);
     if (!faults_.empty()) throw InputError(with_places(faults_));
     return {std::move(life_), std::move(files_)};
@@ -84,16 +85,20 @@ class LifeReader : DocumentReader {
         mark, [&](std::vector<DroppedKey>& dropped) { return read_case_dropping(path, overrides, units_, dropped); });
     if (!input || !is_one_ring(*input, path, "a life", mark)) return std::nullopt;
     record(*input);
-    if (input->solver.accuracy) state_accuracy(*input);
     return input;
   }
 
-  /// The states of a life share the nodes of the face: cells of one length.
-  void state_accuracy(cycle::Case& c) {
-    c = cycle::with_accuracy(std::move(c), cycle::CellLengths::kUniform);
-    const std::string text = cycle::accuracy_text(c);
-    if (life_.accuracy.find(text) == std::string::npos) life_.accuracy += (life_.accuracy.empty() ? "" : "; ") + text;
-    c.solver.accuracy.reset();
+  /// Cells and steps in place of accuracies. All states share the nodes of the face: cells of one length, and those of
+  /// the base case.
+  void state_accuracies() {
+    for (life::OperatingPoint& point : life_.points) {
+      if (!point.input.solver.accuracy) continue;
+      point.input = cycle::with_accuracy(std::move(point.input), cycle::CellLengths::kUniform);
+      const std::string text = cycle::accuracy_text(point.input);
+      if (life_.accuracy.find(text) == std::string::npos) life_.accuracy += (life_.accuracy.empty() ? "" : "; ") + text;
+      point.input.solver.accuracy.reset();
+    }
+    for (life::MeasuredState& state : life_.states) state.input.solver.accuracy.reset();
   }
 
   /// What reads a case; nothing where it is refused. @param mark where the life asks for it

@@ -1,11 +1,11 @@
 #include "ringfilm/study/design/scenario.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
 
+#include "ringfilm/cycle/accuracy.hpp"
 #include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/study/wording.hpp"
 
@@ -13,11 +13,6 @@ namespace ringfilm::study {
 namespace {
 
 using namespace cycle;
-
-/// What solver.accuracy chooses.
-constexpr std::array kResolutionKeys = {
-    "solver.cells",       "solver.cell_lengths", "solver.crank_step", "solver.crank_step_control",
-    "solver.time_scheme", "solver.step_error",   "solver.tolerance"};
 
 struct EntryOf {
   Entry operator()(const NumberKind&) const { return Entry::kAnyNumber; }
@@ -238,9 +233,8 @@ std::vector<RuleBreach> rules_broken(const Case& c, Compute compute) {
 
 /// Are cells or steps stated, in a file or by a value that is not the usual one?
 bool states_resolution(const Case& c) {
-  const auto is_stated = [&c](const char* key) { return c.stated.contains(key); };
   const Solver &solver = c.solver, usual;
-  return std::any_of(kResolutionKeys.begin(), kResolutionKeys.end(), is_stated) || solver.cells != usual.cells ||
+  return std::any_of(c.stated.begin(), c.stated.end(), is_chosen_by_accuracy) || solver.cells != usual.cells ||
          solver.tolerance != usual.tolerance || solver.cell_lengths != usual.cell_lengths ||
          solver.crank_step_deg != usual.crank_step_deg || solver.crank_step_control != usual.crank_step_control ||
          solver.time_scheme != usual.time_scheme || solver.step_error != usual.step_error;
@@ -248,7 +242,7 @@ bool states_resolution(const Case& c) {
 
 /// Is it a film of the kind whose accuracy was measured?
 bool has_known_accuracy(const Case& c) {
-  return c.problem == Problem::kCycle && !c.is_unrolled() && c.film.supply == cycle::OilSupply::kFlooded &&
+  return c.problem == Problem::kCycle && !c.is_unrolled() && c.film.supply_at_inlet() == cycle::OilSupply::kFlooded &&
          c.solver.method == cycle::Method::kCoupledNewton;
 }
 
@@ -380,21 +374,24 @@ Case with_accuracy_of_study(Case c, const Study& study) {
   return c;
 }
 
-std::optional<double> accuracy_asked(const Study& study, std::size_t base) {
-  const Case c = with_accuracy_of_study(study.bases.at(base).input, study);
-  return c.is_pack() ? c.rings.front().solver.accuracy : c.solver.accuracy;
+std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base) {
+  constexpr std::uint64_t kMost = 16;
+  const std::uint64_t n = plan.n_points(base), tried = std::min(n, kMost);
+  std::vector<std::uint64_t> scenarios;
+  for (std::uint64_t k = 0; k < tried; ++k) {
+    const std::uint64_t p = tried == 1 ? 0 : k * ((n - 1) / (tried - 1)) + std::min(k, (n - 1) % (tried - 1));
+    scenarios.push_back(plan.scenario(base, p));
+  }
+  return scenarios;
 }
 
 void check_scenarios(const Plan& plan) {
-  constexpr std::uint64_t kTried = 16;
   for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
-    const std::uint64_t n = plan.n_points(base), tried = std::min(n, kTried);
+    const std::vector<std::uint64_t> tried = spread_scenarios(plan, base);
     std::vector<Fault> first;
-    for (std::uint64_t k = 0; k < tried; ++k) {
-      // Spread over the plan, its beginning and its end among them.
-      const std::uint64_t p = tried == 1 ? 0 : k * ((n - 1) / (tried - 1)) + std::min(k, (n - 1) % (tried - 1));
+    for (const std::uint64_t i : tried) {
       try {
-        scenario_case(plan.study(), plan.point(plan.scenario(base, p)));
+        scenario_case(plan.study(), plan.point(i));
         first.clear();
         break;
       } catch (const InputError& refusal) {
@@ -404,7 +401,7 @@ void check_scenarios(const Plan& plan) {
     if (first.empty()) continue;
     first.insert(first.begin(), Fault{{},
                                       "no scenario of base \"" + plan.study().bases[base].name + "\" can be run, of " +
-                                          std::to_string(tried) + " tried",
+                                          std::to_string(tried.size()) + " tried",
                                       "the first of them is refused because"});
     throw InputError(first);
   }

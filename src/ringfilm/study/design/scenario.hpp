@@ -32,8 +32,8 @@ cycle::Case scenario_case(const Study& study, const Point& point);
 /// accuracy nor cells and steps and the error of such films is known (docs/theory/film.md, "accuracy").
 cycle::Case with_accuracy_of_study(cycle::Case c, const Study& study);
 
-/// What solver.accuracy asks of a scenario of that base, or nothing [%].
-std::optional<double> accuracy_asked(const Study& study, std::size_t base);
+/// Up to 16 scenarios of a base, spread over the plan, the first and the last of the base among them.
+std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base);
 
 /// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
 /// stated twice over, a number to scale that is not there. To be asked before anything is run; a plan of which some

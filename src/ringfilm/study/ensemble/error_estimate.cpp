@@ -104,7 +104,7 @@ Case on_grid(Case c, int cells, double crank_step_deg) {
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
   // The error of a step goes with its square, of second order with its cube.
-  c.solver.step_error *= c.solver.time_scheme == cycle::TimeScheme::kBdf2 ? ratio * ratio * ratio : ratio * ratio;
+  c.solver.step_error *= c.time_scheme() == cycle::TimeScheme::kBdf2 ? ratio * ratio * ratio : ratio * ratio;
   c.solver.accuracy.reset();
   c.output.fields = cycle::FieldOutput::kNone;
   return c;
@@ -326,6 +326,35 @@ std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
                      1});
   }
   return notes;
+}
+
+std::optional<cycle::Note> note_on_accuracy(const Case& c, const CycleResult& result, const ErrorEstimate& estimate) {
+  if (!c.solver.accuracy || !has_values(estimate)) return std::nullopt;
+  constexpr double kPercent = 100;
+  constexpr std::size_t kNamed = 6;
+  std::vector<std::pair<double, std::string>> missed;  // error [%], name
+  std::size_t n = 0;
+  for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
+    const double scale = quantity.value == &CycleValues::net_oil_flow ? result.values.mean_absolute_oil_flow
+                                                                      : result.values.*quantity.value;
+    const double error = kPercent * estimate.values.*quantity.value / std::abs(scale);
+    if (is_angle(quantity) || !std::isfinite(error) || error == 0) continue;  // 0: an input
+    ++n;
+    if (error > *c.solver.accuracy) missed.emplace_back(error, quantity.name);
+  }
+  std::sort(missed.rbegin(), missed.rend());
+  char head[160];
+  std::snprintf(head, sizeof head, "by the error estimate %zu of %zu values of the cycle are within %.3g %%",
+                n - missed.size(), n, *c.solver.accuracy);
+  std::string text = head;
+  for (std::size_t i = 0; i < std::min(kNamed, missed.size()); ++i) {
+    char one[96];
+    std::snprintf(one, sizeof one, "%s%s (%.2g %%)", i == 0 ? "; not: " : ", ", missed[i].second.c_str(),
+                  missed[i].first);
+    text += one;
+  }
+  if (missed.size() > kNamed) text += " and " + std::to_string(missed.size() - kNamed) + " others";
+  return cycle::Note{"accuracy-reached", text, 1};
 }
 
 }  // namespace ringfilm::study

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,11 @@ ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& res
 
 /// What the user must learn about the integrations that stopped; empty if none did.
 std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate);
+
+/// How many values of the cycle the estimate finds within solver.accuracy, and the largest errors of the others;
+/// nothing where none is asked for or there is no estimate.
+std::optional<cycle::Note> note_on_accuracy(const cycle::Case& c, const cycle::CycleResult& result,
+                                            const ErrorEstimate& estimate);
 
 /// No error at all: what `values` and `samples` of a result start from.
 ErrorEstimate no_estimate(std::size_t n_samples);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/design/study_values.hpp"
 #include "ringfilm/study/wording.hpp"
 
@@ -204,8 +205,11 @@ std::vector<Fault> faults_of_keep(const Study& study) {
          "keep fewer quantities, or a larger keep.crank_step"});
   } else {
     for (const Base& base : study.bases) {
-      const double integration = base.input.solver.crank_step_deg;
-      if (divides(integration, keep.crank_step_deg)) continue;
+      const cycle::Case input = with_accuracy_of_study(base.input, study);
+      const cycle::Solver& solver = input.is_pack() ? input.rings.front().solver : input.solver;
+      const double integration = solver.crank_step_deg;
+      // An accuracy chooses steps that end at the angles that are kept.
+      if (solver.accuracy || divides(integration, keep.crank_step_deg)) continue;
       faults.push_back({keep.crank_step_mark,
                         step + "is not a multiple of solver.crank_step = " + shown(integration) + " degree of base \"" +
                             base.name + "\"",

@@ -9,6 +9,7 @@
 #include "../study_case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/cycle_run.hpp"
+#include "ringfilm/cycle/cycle_values.hpp"
 
 namespace {
 
@@ -33,6 +34,26 @@ TEST(ErrorEstimate, OrdersOfTheThinnestFilmAreThoseOfTheScheme) {
     EXPECT_NEAR(errors.order_in_cells.min_film_thickness, 2, 0.15);
     EXPECT_NEAR(errors.order_in_step.min_film_thickness, order, 0.15);
   }
+}
+
+TEST(ErrorEstimate, CountsTheValuesWithinAnAccuracyThatWasAskedFor) {
+  cycle::Case c = fixed_step_case();
+  cycle::CycleResult result;
+  ErrorEstimate errors;
+  result.values = cycle::no_cycle_values();
+  errors.values = cycle::no_cycle_values();
+  result.values.fmep = -100;
+  errors.values.fmep = 0.4;
+  result.values.net_oil_flow = 0.01;
+  result.values.mean_absolute_oil_flow = 10;
+  errors.values.net_oil_flow = 0.1;
+  errors.values.mean_absolute_oil_flow = 0.02;
+  result.values.peak_gas_pressure = 1e6;
+  errors.values.peak_gas_pressure = 0;  // an input
+  EXPECT_FALSE(study::note_on_accuracy(c, result, errors));
+  c.solver.accuracy = 0.5;
+  EXPECT_EQ(study::note_on_accuracy(c, result, errors)->message,
+            "by the error estimate 2 of 3 values of the cycle are within 0.5 %; not: net_oil_flow (1 %)");
 }
 
 TEST(ErrorEstimate, EffortHasNoneAndInputsHaveTheErrorZero) {
