@@ -142,8 +142,7 @@ void compute(StudyResultObject& result, int threads, const py::object& progress)
       for (std::size_t q = 0; q < result.values.size(); ++q) result.values[q][scenario] = block.rows[i].values[q];
       result.reasons[scenario] = block.rows[i].reason;
       for (const cycle::Note& note : block.rows[i].notes) {
-        const auto badness =
-            plan.values().has_cycle ? cycle::note_badness(note.topic, block.rows[i].values) : std::nullopt;
+        const auto badness = block.has_cycle ? cycle::note_badness(note.topic, block.rows[i].values) : std::nullopt;
         const study::ScenarioNote one{scenario, note.message, badness};
         const auto [found, is_first] = result.notes.try_emplace({cycle::note_rank(note.topic), note.topic});
         if (is_first || one.comes_before(found->second.shown)) found->second.shown = one;

@@ -55,9 +55,9 @@ std::string reason_of(const InputError& refusal) {
 /// Puts rows that end in any order back into theirs.
 class Collector {
  public:
-  Collector(std::uint64_t first, const std::function<Continuation(const ScenarioBlock&)>& finished,
+  Collector(std::uint64_t first, bool has_cycle, const std::function<Continuation(const ScenarioBlock&)>& finished,
             const StudyRunOptions& options)
-      : next_(first), finished_(finished), options_(options) {}
+      : next_(first), has_cycle_(has_cycle), finished_(finished), options_(options) {}
 
   void put(std::uint64_t scenario, ScenarioRow row) {
     rows_.emplace(scenario, std::move(row));
@@ -69,7 +69,7 @@ class Collector {
   /// Hands over what is ready. Throws Stopped if no more rows are requested.
   void hand_over() {
     while (n_ready_ > 0) {
-      ScenarioBlock block{next_, {}};
+      ScenarioBlock block{next_, {}, has_cycle_};
       for (const std::uint64_t n = std::min(n_ready_, options_.most_rows); block.rows.size() < n;)
         block.rows.push_back(std::move(rows_.extract(next_ + block.rows.size()).mapped()));
       const Continuation continuation = finished_(block);
@@ -86,6 +86,7 @@ class Collector {
   using Clock = std::chrono::steady_clock;
 
   std::uint64_t next_;         ///< first that is not handed over
+  bool has_cycle_;             ///< of the blocks
   std::uint64_t n_ready_ = 0;  ///< from there on without a gap
   std::map<std::uint64_t, ScenarioRow> rows_;
   const std::function<Continuation(const ScenarioBlock&)>& finished_;
@@ -176,7 +177,7 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
   const OutputSelection& keep = plan.study().keep;
   StudyRunOptions in_blocks = options;
   in_blocks.most_rows = rows_in_block(plan.study(), options.most_rows);
-  Collector collector(range.first, finished, in_blocks);
+  Collector collector(range.first, plan.values().has_cycle, finished, in_blocks);
   const bool is_film = is_one_film(plan.study(), plan.study().bases.front().input);
   const auto scenario = [&](std::uint64_t i) {
     cycle::Case one = scenario_case(plan.study(), plan.point(i));

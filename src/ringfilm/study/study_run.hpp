@@ -27,6 +27,7 @@ struct ScenarioRow {
 struct ScenarioBlock {
   std::uint64_t first = 0;        ///< number of the first of them in the plan
   std::vector<ScenarioRow> rows;  ///< in the order of the plan
+  bool has_cycle = true;          ///< of StudyValues
 };
 
 /// Scenarios from `first` to before `end`.

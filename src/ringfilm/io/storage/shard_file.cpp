@@ -121,7 +121,7 @@ std::string note_lines(const study::ScenarioBlock& block) {
     const study::ScenarioRow& row = block.rows[k];
     for (const cycle::Note& note : row.notes) {
       carriers[{cycle::note_rank(note.topic), note.topic, row.base}].push_back(
-          {k, note.message, cycle::note_badness(note.topic, row.values)});
+          {k, note.message, block.has_cycle ? cycle::note_badness(note.topic, row.values) : std::nullopt});
     }
   }
   std::string lines;

@@ -13,6 +13,7 @@
 
 #include "../scratch_folder.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/cycle_values.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -72,6 +73,27 @@ TEST(ShardFile, GivesBackWhatWasAppended) {
   EXPECT_EQ(shard.n_unsolved(), 1u);
   EXPECT_EQ(unsolved.front().scenario, 12u);
   EXPECT_EQ(unsolved.front().reason, "no film at 20 degree of the cycle");
+}
+
+TEST(ShardFile, ShowsTheNoteOfTheWorstRowWhereRowsAreCycles) {
+  const ScratchFolder folder;
+  const std::size_t n_values = cycle::cycle_quantities().size();
+  for (const bool has_cycle : {true, false}) {
+    const std::string path = folder / (has_cycle ? "cycles" : "packs");
+    {
+      ShardWriter writer(path, {"plan", "inputs", "program", 1, 1, 0, 2, n_values});
+      study::ScenarioBlock block{0, {}, has_cycle};
+      for (const double value : {1.0, 2.0}) {
+        block.rows.push_back({std::vector<double>(n_values, value), ""});
+        block.rows.back().notes = {{"film-pressure-high", value == 1 ? "low" : "high", 1}};
+      }
+      writer.append(block);
+    }
+    std::vector<SharedNote> notes;
+    ShardReader(path).append_notes({0, 2}, notes);
+    ASSERT_FALSE(notes.empty());
+    EXPECT_EQ(notes[0].message, has_cycle ? "high" : "low") << "values of packs do not measure notes of cycles";
+  }
 }
 
 TEST(ShardFile, GivesBackTheNotesOfItsRows) {
