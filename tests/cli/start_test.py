@@ -42,9 +42,9 @@ class CheckTest(StartTest):
         inputs = section(printed, "default inputs")
         assumptions = section(printed, "modelling assumptions")
         self.assertTrue(any(line.startswith("film.cavitation = mass-conserving  (") for line in inputs))
-        self.assertTrue(any(line.startswith("flooded-inlet: both edges are flooded") for line in assumptions))
+        self.assertTrue(any(line.startswith("oil-supply: both edges are flooded") for line in assumptions))
         self.assertIn("additives lower it", printed)  # a consequence
-        self.assertFalse(any(line.startswith("flooded-inlet") for line in inputs))
+        self.assertFalse(any(line.startswith("oil-supply") for line in inputs))
         self.assertIn(f"{len(inputs)} default inputs", printed.splitlines()[0])
 
     def test_json_has_the_same_two_lists(self):
@@ -54,8 +54,8 @@ class CheckTest(StartTest):
         self.assertIn("solver.cells", [entry["key"] for entry in checked["stated"]])
         self.assertIn("film.cavitation", [entry["key"] for entry in checked["default_inputs"]])
         topics = {entry["topic"]: entry for entry in checked["modelling_assumptions"]}
-        self.assertIn("Newtonian", topics["newtonian-oil"]["statement"])
-        self.assertIn("multigrade", topics["newtonian-oil"]["consequence"])
+        self.assertIn("Newtonian", topics["shear-thinning"]["statement"])
+        self.assertIn("multigrade", topics["shear-thinning"]["consequence"])
         self.assertEqual([note for note in checked["notes"] if not note["message"]], [])
 
     def test_json_of_a_bad_case_has_its_errors(self):
@@ -81,7 +81,7 @@ class CheckTest(StartTest):
     def test_the_summary_uses_the_same_two_terms(self):
         printed = self.run_well("run", "case.toml")
         self.assertRegex(printed, r"default inputs: \d+ keys that the case does not state")
-        self.assertRegex(printed, r"modelling assumptions: \d+ \(flooded-inlet")
+        self.assertRegex(printed, r"modelling assumptions: \d+ \(oil-supply")
 
     def test_of_a_pack_the_second_ring_lists_what_differs(self):
         ring = '[ring]\nface_width = "1.2 mm"\nelastic_pressure = "0.2 MPa"\n[ring.face]\nform = "parabola"\n'
@@ -96,7 +96,7 @@ class CheckTest(StartTest):
         printed = self.run_well("check", "case.toml")
         second = section(printed, "modelling assumptions of ring 2")
         self.assertTrue(any(line.startswith("ring-tension: the ring presses with 0.15 MPa") for line in second))
-        self.assertFalse(any(line.startswith("newtonian-oil") for line in second))
+        self.assertFalse(any(line.startswith("shear-thinning") for line in second))
         self.assertEqual({one["ring"] for one in self.checked("case.toml")["modelling_assumptions"]}, {1, 2})
         done = self.run_program("check", "case.toml", "--set", "ring.2.tangential_force=9 N")
         self.assertIn("dropped: ring.2.elastic_pressure (case.toml:", done.stderr)

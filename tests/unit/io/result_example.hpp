@@ -64,7 +64,7 @@ inline ResultDocument example_document(int n_samples = 5) {
   study::LedgerVariant variant{"film.cavitation = \"reynolds-exit\"", {}, true, ""};
   for (const auto& quantity : cycle::cycle_quantities()) variant.values.*quantity.value = number();
   lifted.variants = {variant, {"contact.integrals = \"polynomial-as-printed\"", {}, false, "no balance at 12 degree"}};
-  document.ledger = {{"flooded-inlet", "oil at 62 bar", "too much flow", "docs/theory", false, {}}, lifted};
+  document.ledger = {{"oil-supply", "oil at 62 bar", "too much flow", "docs/theory", false, {}}, lifted};
   document.ledger_computed = true;
   study::ComparisonRow row{
       {"paper", "fmep", "FMEP", number(), "ring.elastic_pressure"}, number(), number(), "a = 1", number()};

@@ -132,10 +132,10 @@ std::vector<study::LedgerEntry> ledger(double friction) {
                     .values = {},
                     .solved = false,
                     .reason = "nothing balances the load at 12 degree"}}};
-  study::LedgerEntry fixed{.topic = "flooded-inlet",
+  study::LedgerEntry fixed{.topic = "oil-supply",
                            .statement = "The chamber edge is flooded: oil at 62 bar is pushed through the ring.",
                            .consequence = "Physically that is gas; the flow during the power stroke is too high.",
-                           .source = "docs/theory/assumptions.md#flooded-inlet",
+                           .source = "docs/theory/assumptions.md#oil-supply",
                            .variants = {}};
   return {lifted, fixed};
 }

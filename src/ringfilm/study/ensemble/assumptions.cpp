@@ -1,6 +1,7 @@
 #include "ringfilm/study/ensemble/assumptions.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -46,7 +47,7 @@ Assumption cavitation(const Case& c) {
 Assumption orientation(const Case& c) {
   const char* key = "ring.face.orientation";
   return assumption("face-orientation", "the face is installed as \"" + chosen(key, c) + "\"",
-                    "a face trace does not show which of its ends looks at the chamber", other_choices(key, c));
+                    "a face trace does not show which end faces the chamber", other_choices(key, c));
 }
 
 Assumption contact_integrals(const Case& c) {
@@ -180,7 +181,9 @@ Assumption gas_path(const Case& c) {
                     text("the gas between the rings is that of volumes at constant temperatures, end gaps and side "
                          "clearances; rings \"%s\"",
                          chosen("gas_path.ring_motion", c).c_str()),
-                    "the film lets no gas pass, the temperatures do not follow the gas");
+                    c.gas_path.passes_films()
+                        ? "oil that remains in a broken film does not hinder the gas, the temperatures do not follow it"
+                        : "the film lets no gas pass, the temperatures do not follow the gas");
 }
 
 /// What the gas fills and leaks through at this ring.
@@ -222,7 +225,7 @@ Assumption oil_temperature(const Case& c) {
   if (c.thermal.is_stated()) {
     std::vector<Alternative> others = other_choices("thermal.film", c);
     others.insert(others.end(), heating.begin(), heating.end());
-    return assumption("one-oil-temperature",
+    return assumption("oil-temperature",
                       "the oil film has the temperature \"" + chosen("thermal.film", c) + "\" of its walls; " + words,
                       "the walls carry the heat of shear away; that of asperity friction does not reach the oil",
                       std::move(others));
@@ -231,7 +234,7 @@ Assumption oil_temperature(const Case& c) {
   std::vector<Alternative> others = other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20});
   others.insert(others.end(), heating.begin(), heating.end());
   return assumption(
-      "one-oil-temperature", text("the walls of all oil are at %.4g degC; %s", T - 273.15, words),
+      "oil-temperature", text("the walls of all oil are at %.4g degC; %s", T - 273.15, words),
       "the walls carry the heat of shear away; the temperatures of ring and liner decide, and they vary along the "
       "stroke",
       std::move(others));
@@ -257,7 +260,7 @@ std::vector<Alternative> other_supplies(const Case& c) {
 
 Assumption flooded_inlet(const cycle::Setup& setup) {
   const Case& c = setup.input;
-  const char* topic = "flooded-inlet";
+  const char* topic = "oil-supply";
   std::vector<Alternative> others = other_choices("film.chamber_edge", c);
   for (Alternative& other : other_choices("film.crankcase_edge", c)) others.push_back(std::move(other));
   if (c.film.supply_at_inlet() != cycle::OilSupply::kFlooded) {
@@ -355,7 +358,7 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
       others = other_numbers("contact.law_shift", setup.input, contact.law_shift, kNanometre,
                              {contact.law_shift - *deviation, contact.law_shift + *deviation});
     }
-    return assumption("gaussian-summits", "contact follows the table " + contact.law_file,
+    return assumption("contact-law", "contact follows the table " + contact.law_file,
                       "the maps are a sample of the faces, in the state in which they were measured", others);
   }
   constexpr double kLambda = 2;  // the ratio of load and area depends little on it
@@ -367,7 +370,7 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
     statement += text(", with %.3g GPa on the real area (at a lambda ratio of %.0f)",
                       contact.pressure / contact.area_share / 1e9, kLambda);
   }
-  return assumption("gaussian-summits", statement,
+  return assumption("contact-law", statement,
                     "run-in and plateau-honed surfaces are skewed: ringfilm contact computes the law of measured ones. "
                     "Beyond the hardness of the softer face load against film is a fit to N, beta and sigma; the "
                     "boundary friction coefficient remains, real area and spot size do not",
@@ -376,7 +379,7 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
 
 /// What the oils of data/lubricants determine by their HTHS the ledger runs; of others it would have to be made up.
 Assumption newtonian_oil(const Case& c) {
-  const char* topic = "newtonian-oil";
+  const char* topic = "shear-thinning";
   const cycle::Lubricant& oil = c.lubricant;
   const auto others = other_choices("lubricant.shear_thinning", c);
   if (!oil.thins()) {
@@ -393,7 +396,7 @@ Assumption newtonian_oil(const Case& c) {
 }
 
 Assumption smooth_gap_flow(const Case& c) {
-  const char* topic = "smooth-gap-flow";
+  const char* topic = "flow-factors";
   std::vector<Alternative> others = other_choices("film.flow_factors", c);
   if (c.film.flow_factors == cycle::Roughness::kNone) {
     return assumption(topic, "roughness does not hinder the flow (no flow factors)",
@@ -419,7 +422,7 @@ Assumption smooth_gap_flow(const Case& c) {
 Assumption conformity(const Case& c) {
   if (c.bends()) {
     return assumption(
-        "round-bore",
+        "bore-shape",
         std::string("the ring follows the bore as a thin beam with free ends; ") +
             (c.liner.dynamic_distortion ? "the cycle deforms the bore as liner.dynamic_distortion states; "
                                           "twist is zero"
@@ -428,7 +431,7 @@ Assumption conformity(const Case& c) {
         "where it cannot follow, the film is full of oil up to its edges, as elsewhere",
         other_choices("ring.conformity", c));
   }
-  Assumption round = assumption("round-bore", "the bore is round; static, thermal and dynamic deformation are zero",
+  Assumption round = assumption("bore-shape", "the bore is round; static, thermal and dynamic deformation are zero",
                                 "a ring follows smooth distortions of low order; what it cannot follow opens gaps; "
                                 "ring.conformity = \"beam\" of an unrolled film computes it");
   round.entry.can_be_lifted = true;
@@ -437,7 +440,7 @@ Assumption conformity(const Case& c) {
 
 Assumption local_deformation(const Case& c) {
   const char* key = "ring.local_deformation";
-  const char* topic = "rigid-surfaces";
+  const char* topic = "local-deformation";
   if (c.ring.local_deformation != cycle::LocalDeformation::kNone) {
     return assumption(topic, "face and liner give way to the pressure between them as half-spaces in plane strain",
                       "coating, edges and what lies behind the ring are omitted; what bends ring and liner over more "
@@ -462,7 +465,7 @@ Assumption boundary_friction(const Case& c) {
     statement += " (\"" + pair.name + "\": " + pair.source + ")";
     if (pair.low) others = other_numbers(key, c, zeta, kPlain, {*pair.low, *pair.high});
   }
-  return assumption("dry-shear-strength", statement,
+  return assumption("boundary-shear-strength", statement,
                     "boundary friction is proportional to it; a value of lateral force microscopy is that of dry "
                     "surfaces at other spots than N, beta and sigma, and additives lower it",
                     others);
@@ -476,11 +479,32 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
   };
 }
 
+/// Is the face its own mirror image, to rounding, so that its orientation has no effect?
+bool is_symmetric(const models::RingFace& face) {
+  constexpr int kPlaces = 200;
+  constexpr double kRounding = 1e-9;  // of the deepest place compared
+  double difference = 0, deepest = 0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double x = face.face_width() * i / kPlaces, height = face.height(x);
+    difference = std::max(difference, std::abs(height - face.height(face.face_width() - x)));
+    deepest = std::max(deepest, std::abs(height));
+  }
+  return difference <= kRounding * deepest;
+}
+
 std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
   const Case& c = setup.input;
-  return {
-      oil_temperature(c),     composite_modulus(setup), elastic_pressure(setup), orientation(c),       cavitation(c),
-      cavitation_pressure(c), contact_integrals(c),     lambda_ratio(c),         roughness_measure(c), oil_laws(c)};
+  std::vector<Assumption> all = {oil_temperature(c), composite_modulus(setup), elastic_pressure(setup)};
+  if (!is_symmetric(setup.ring.face)) all.push_back(orientation(c));
+  all.push_back(cavitation(c));
+  all.push_back(cavitation_pressure(c));
+  // A contact law without integrals or without a roughness of its own has no such choice.
+  const auto is_used = [&](const char* key) { return cycle::is_active(*cycle::find_field(key), c); };
+  if (is_used("contact.integrals")) all.push_back(contact_integrals(c));
+  if (is_used("contact.lambda_ratio")) all.push_back(lambda_ratio(c));
+  if (is_used("contact.roughness_measure")) all.push_back(roughness_measure(c));
+  all.push_back(oil_laws(c));
+  return all;
 }
 
 }  // namespace
