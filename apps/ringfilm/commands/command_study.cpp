@@ -77,9 +77,11 @@ struct Loaded {
   io::ShardHeader header(std::uint64_t part, std::uint64_t parts) const {
     const io::Provenance program = io::this_program();
     std::string inputs;
+    std::set<std::string> known;  // a file may be reached by several names
     // The study's own file may be reworded: its content is part of the plan.
     for (const cycle::InputFile& input : file.files) {
-      if (input.role != "study") inputs += fmt::format("{} {}\n", input.role, input.sha256);
+      const std::string line = fmt::format("{} {}\n", input.role, input.sha256);
+      if (input.role != "study" && known.insert(line).second) inputs += line;
     }
     const study::ScenarioRange range = study::shard_range(plan.most(), part, parts);
     return {io::sha256(plan.digest_text()),

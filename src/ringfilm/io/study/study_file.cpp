@@ -8,6 +8,7 @@
 
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/study/document_reader.hpp"
 #include "ringfilm/io/study/study_factor.hpp"
 #include "ringfilm/io/study/study_points.hpp"
@@ -17,6 +18,7 @@
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/design/measured_factors.hpp"
+#include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/design/study_values.hpp"
 #include "ringfilm/study/study_words.hpp"
 
@@ -123,6 +125,15 @@ class StudyReader : DocumentReader {
     StudyReadings read = study_readings(study_, folder_, units_, faults_);
     for (const cycle::InputFile& file : read.files) record(file);
     study_.readings = std::move(read.readings);
+    for (study::Factor& factor : study_.factors) record_contents(factor);
+  }
+
+  /// The digests of the files that a factor chooses.
+  void record_contents(study::Factor& factor) {
+    auto* choices = std::get_if<study::Choices>(&factor.variation);
+    if (choices == nullptr || factor.targets.empty()) return;
+    if (!study::is_file(*study::field_of_key(factor.targets.front().key))) return;
+    for (study::Choice& choice : choices->values) choice.file_sha256 = file_sha256(locate(choice.text, folder_).path);
   }
 
   void read_measured(StudyTable& root) {

@@ -28,6 +28,7 @@ struct Target {
 struct Choice {
   std::string text;      ///< as one would write it in TOML, without quotes
   SourceMark mark = {};  ///< where it is written in the study's file
+  std::string file_sha256 = {};  ///< of the bytes of the file that it names; empty: it names none that can be read
 };
 
 enum class Spacing { kLinear, kLogarithmic };

@@ -61,7 +61,9 @@ std::string text_of(const Variation& variation) {
     for (const double x : levels->values) text.append(" ").append(exact(x));
   }
   if (const auto* choices = std::get_if<Choices>(&variation)) {
-    for (const Choice& choice : choices->values) text.append(" \"").append(choice.text).append("\"");
+    for (const Choice& choice : choices->values) {
+      text.append(" \"").append(choice.file_sha256.empty() ? choice.text : choice.file_sha256).append("\"");
+    }
   }
   return text;
 }
@@ -309,7 +311,7 @@ std::string Plan::digest_text() const {
   if (sampling.method == Method::kMorris) text.append("levels " + std::to_string(sampling.levels) + "\n");
   for (const Base& base : study_.bases) {
     const cycle::Case input = with_accuracy_of_study(base.input, study_);
-    text.append("base \"").append(base.name).append("\"\n").append(study::digest_text(input));
+    text.append("base\n").append(study::digest_text(input));
   }
   for (const Factor& factor : study_.factors) {
     text.append("factor \"").append(factor.name).append("\" ").append(std::to_string(static_cast<int>(factor.how)));

@@ -71,7 +71,7 @@ class Plan {
   std::vector<std::string> notes() const;
 
   /// All on which the numbers of a scenario depend, as text for a digest: bases, factors, correlations, method, seed;
-  /// the number of points only where they change with it.
+  /// the number of points only where they change with it. Files count by their contents, not by their names.
   std::string digest_text() const;
 
  private:

@@ -156,6 +156,9 @@ void put_readings(const Study& study, const Point& point, Case& c) {
 
 constexpr int kTurns = 5;
 
+/// Of all keys that name files this one alone is kept as text: the case remembers the name alone.
+constexpr const char* kOilFile = "lubricant.file";
+
 /// When it is the turn of a factor: conditions must not undo a choice, no choice a number, and no number that is set
 /// one that is added.
 int turn(const Factor& factor) {
@@ -173,13 +176,14 @@ struct ValueText {
   std::string operator()(const ChoiceKind& kind) const { return kind.names.at(kind.index(c)); }
   std::string operator()(const TextKind& kind) const { return kind.ref(c); }
   std::string operator()(const OptionalTextKind& kind) const { return kind.ref(c).value_or("-"); }
-  std::string operator()(const FileKind& kind) const { return kind.ref(c); }
-  std::string operator()(const OptionalFileKind& kind) const { return kind.ref(c).value_or("-"); }
+  // How a file is named depends on the folder from which the program is started; its digest is among Case::files.
+  std::string operator()(const FileKind& kind) const { return named(!kind.ref(c).empty()); }
+  std::string operator()(const OptionalFileKind& kind) const { return named(kind.ref(c).has_value()); }
   std::string operator()(const NumberOrFileKind& kind) const {
-    return exact(kind.number(c)) + " " + kind.file(c).value_or("-");
+    return exact(kind.number(c)) + " " + named(kind.file(c).has_value());
   }
   std::string operator()(const OptionalNumberOrFileKind& kind) const {
-    return optional(kind.ref(c).constant) + " " + kind.ref(c).file.value_or("-");
+    return optional(kind.ref(c).constant) + " " + named(kind.ref(c).file.has_value());
   }
   std::string operator()(const UnitNameKind& kind) const { return exact(kind.ref(c)); }
   std::string operator()(const NumberListKind& kind) const { return listed(kind.ref(c)); }
@@ -214,6 +218,7 @@ struct ValueText {
     return std::to_string(static_cast<int>(c.output.fields)) + " " + listed(c.output.field_angles_deg);
   }
 
+  static std::string named(bool is_there) { return is_there ? "file" : "-"; }
   static std::string optional(const std::optional<double>& value) { return value ? exact(*value) : "-"; }
   static std::string listed(const std::vector<double>& values) {
     std::string text;
@@ -299,9 +304,8 @@ std::optional<Fault> missing_key(const Case& base, const std::string& key) {
 Entry entry_of(const Field& field) { return is_file(field) ? Entry::kText : std::visit(EntryOf{}, field.kind); }
 
 bool is_file(const Field& field) {
-  // lubricant.file is kept as text, because the case remembers the name alone.
   return std::holds_alternative<FileKind>(field.kind) || std::holds_alternative<OptionalFileKind>(field.kind) ||
-         field.key == "lubricant.file";
+         field.key == kOilFile;
 }
 
 bool decides_reading(const Field& field) {
@@ -417,7 +421,10 @@ std::string digest_text(const Case& c) {
   std::string text;
   for (const Field& field : case_fields()) {
     if (!belongs(field, c)) continue;
-    text.append("  ").append(field.key).append(" = ").append(std::visit(ValueText{own}, field.kind)).append("\n");
+    const bool is_oil_file = field.key == kOilFile;
+    text.append("  ").append(field.key).append(" = ");
+    text.append(is_oil_file ? ValueText::named(c.lubricant.file.has_value()) : std::visit(ValueText{own}, field.kind));
+    text.append("\n");
   }
   for (const InputFile& file : c.files)
     text.append("  ").append(file.role).append(" ").append(file.sha256).append("\n");

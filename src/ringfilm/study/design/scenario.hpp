@@ -61,7 +61,8 @@ std::string with_unit(double value, const cycle::Field& field);
 /// "above 0 m to 2 m"
 std::string range_words(const cycle::Field& field);
 
-/// All values of a case that come from its keys, and the digests of the files that it was read from, as text.
+/// All values of a case that come from its keys, and the digests of the files that it was read from, as text. Of a key
+/// that names a file the contents count, not the name.
 std::string digest_text(const cycle::Case& c);
 
 }  // namespace ringfilm::study

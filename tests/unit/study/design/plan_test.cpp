@@ -237,7 +237,6 @@ TEST(Plan, DigestTextContainsEverythingThatMovesANumber) {
   expect_other("method", [](Study& s) { s.sampling.method = Method::kLatinHypercube; });
   expect_other("indices", [](Study& s) { s.sampling.indices = Indices::kFirstAndTotal; });
   expect_other("base", [](Study& s) { s.bases[0].input.engine.bore *= 1.01; });
-  expect_other("name of base", [](Study& s) { s.bases[0].name = "old"; });
   expect_other("how", [](Study& s) { s.factors[1].how = FactorMode::kAdd; });
   expect_other("gain", [](Study& s) { s.factors[1].targets[0].gain = 1.5; });
   expect_other("key", [](Study& s) { s.factors[1].targets[0].key = "contact.asperity_radius"; });
@@ -246,9 +245,12 @@ TEST(Plan, DigestTextContainsEverythingThatMovesANumber) {
   expect_other("truncation", [](Study& s) { std::get<Distribution>(s.factors[1].variation).lowest = 1e-7; });
   expect_other("range", [](Study& s) { std::get<Span>(s.factors[3].variation).high = 0.095; });
   expect_other("choice", [](Study& s) { std::get<Choices>(s.factors[2].variation).values.pop_back(); });
+  expect_other("contents of a choice",
+               [](Study& s) { std::get<Choices>(s.factors[2].variation).values[0].file_sha256 = "abc"; });
   expect_other("correlation", [](Study& s) { s.correlations = {{0, 1, 0.5, {}}}; });
   Study titled = study;
   titled.title = "another title";
+  titled.bases[0].name = "old";  // by default that of its file
   titled.keep.curves = Curves::kAll;
   titled.keep.crank_step_deg = 4;
   EXPECT_EQ(Plan(titled).digest_text(), Plan(study).digest_text()) << "words move no number";

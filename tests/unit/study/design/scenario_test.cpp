@@ -177,5 +177,37 @@ TEST(Scenario, DigestTextDistinguishesCases) {
   EXPECT_EQ(digest_text(base), digest_text(cycle::Case(base)));
 }
 
+// All keys that name files, of whatever kind: a case that is read from another folder names them otherwise.
+TEST(Scenario, DigestTextCountsFilesByTheirContentsNotByTheirNames) {
+  cycle::Case near = coarse_case();
+  near.lubricant.file = "oil.toml";
+  near.files.push_back({"lubricant.file", "oil.toml", "abc"});
+  cycle::Case far = near;
+  far.lubricant.file = "../there/oil.toml";
+  far.files.back().path = "../there/oil.toml";
+  for (const cycle::Field& field : cycle::case_fields()) {
+    if (const auto* file = std::get_if<cycle::FileKind>(&field.kind)) {
+      file->ref(near) = "a.csv";
+      file->ref(far) = "../there/a.csv";
+    } else if (const auto* optional = std::get_if<cycle::OptionalFileKind>(&field.kind)) {
+      optional->ref(near) = "a.csv";
+      optional->ref(far) = "../there/a.csv";
+    } else if (const auto* either = std::get_if<cycle::OptionalNumberOrFileKind>(&field.kind)) {
+      either->ref(near).file = "a.csv";
+      either->ref(far).file = "../there/a.csv";
+    } else if (const auto* number = std::get_if<cycle::NumberOrFileKind>(&field.kind)) {
+      number->file(near) = "a.csv";
+      number->file(far) = "../there/a.csv";
+    }
+  }
+  EXPECT_EQ(digest_text(near), digest_text(far));
+  EXPECT_EQ(digest_text(near).find(".csv"), std::string::npos);
+  far.files.back().sha256 = "abd";
+  EXPECT_NE(digest_text(near), digest_text(far));
+  far = near;
+  far.lubricant.file.reset();
+  EXPECT_NE(digest_text(near), digest_text(far));
+}
+
 }  // namespace
 }  // namespace ringfilm::study
