@@ -36,6 +36,14 @@ void check_suffix(const std::string& option, const std::string& path, OutputKind
   }
 }
 
+std::vector<io::OutputClaim> claims(const std::vector<std::optional<std::string>>& outputs) {
+  std::vector<io::OutputClaim> all;
+  for (const auto& output : outputs) {
+    if (output) all.emplace_back(*output);
+  }
+  return all;
+}
+
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code error;
   const auto whole = [&](const std::string& path) {

@@ -1,5 +1,6 @@
 """Outputs are whole or not there: kill, full disk, several writers."""
 
+import fcntl
 import os
 import pathlib
 import resource
@@ -68,14 +69,44 @@ class Writing(program.ProgramTest):
         self.assertEqual(self.partials(), [])
         self.assertEqual((self.folder / "out.nc").read_bytes(), old)
 
-    def test_runs_at_once_to_one_name_leave_one_whole_file(self):
-        self.run_well("run", "case.toml", "--output", "alone.nc", *LARGE)
-        children = [self.start("run", "case.toml", "--output", "out.nc", *LARGE) for _ in range(4)]
-        for child in children:
-            _, printed = child.communicate()
-            self.assertEqual(child.returncode, 0, printed)
-        self.assertEqual((self.folder / "out.nc").read_bytes(), (self.folder / "alone.nc").read_bytes())
+    def test_of_runs_at_once_to_one_name_all_but_one_are_refused(self):
+        # A second that wins would silently lose what the first computed.
+        long = ("--set", "solver.cells=3000", "--set", 'solver.crank_step="0.1 degree"')
+        first = self.start("run", "case.toml", "--output", "out.nc", *long)
+        while not self.partials():
+            self.assertIsNone(first.poll(), "it ended before another began")
+        for name in ("out.nc", "./out.nc", f"{self.folder}/out.nc"):
+            done = self.run_program("run", "case.toml", "--output", name)
+            self.assert_refused(done, f"{name}: another process computes this file now", "name another output")
+        self.run_well("run", "case.toml", "--output", "other.nc")
+        first.kill()
+        first.communicate()
+        self.run_well("run", "case.toml", "--output", "out.nc")
         self.assertEqual(self.partials(), [])
+        self.assertEqual((self.folder / "out.nc").read_bytes(), (self.folder / "other.nc").read_bytes())
+
+    def test_every_command_that_computes_for_long_refuses_an_output_that_another_computes(self):
+        (self.folder / "pad.toml").write_text(PAD)
+        (self.folder / "gap.csv").write_text(GAP)
+        states = "".join(f'[[state]]\nhours = "{hours} h"\ncase = "case.toml"\n' for hours in (0, 2))
+        (self.folder / "life.toml").write_text('case = "case.toml"\nhours = ["0 h", "2 h"]\n' + states)
+        pack = str(program.SOURCES / "cases" / "ring-pack" / "three_rings.toml")
+        for name, *words in (
+            ("x.nc", "run", "case.toml", "--output"),
+            ("x.csv", "run", "case.toml", "--csv"),
+            ("x.nc", "run", "pad.toml", "--output"),
+            ("x.nc", "life", "life.toml", "--output"),
+            ("x.html", "life", "life.toml", "--html"),
+            ("x.nc", "gas", pack, "--output"),
+            ("x.csv", "gas", pack, "--csv"),
+            ("x.csv", "gas", pack, "--vary", "operating.speed=1000 rpm,2000 rpm", "--csv"),
+        ):
+            with self.subTest(words):
+                # As such a process holds it.
+                with open(self.folder / f"{name}.partial-{os.getpid()}", "w") as held:
+                    fcntl.flock(held, fcntl.LOCK_EX)
+                    self.assert_refused(self.run_program(*words, name), f"{name}: another process computes this file")
+                    self.assertNotIn(name, self.names())
 
     def small_disk(self, size):
         """A folder with room for so many bytes."""

@@ -79,6 +79,7 @@ ConvergenceError named_stop(const RunOptions& options, const Computation& done) 
 
 void run(const RunOptions& options) {
   const cycle::Case input = checked_case(options);
+  const std::vector<io::OutputClaim> claimed = claims({options.output, options.csv});
   if (input.problem == cycle::Problem::kPad) return run_pad(options, input);
   const Computation done =
       computations({{input, options.ledger, options.errors, options.case_path}}, {options.jobs}).front();

@@ -88,6 +88,7 @@ void gas_of_variations(const GasOptions& options, const cycle::Case& input) {
                      "leave --vary out, or take the table as CSV with --csv X.csv");
   }
   check_output(options.csv, "--csv", OutputKind::kCsv, input);
+  const std::vector<io::OutputClaim> claimed = claims({options.csv});
   const std::string table = gas_variations_csv(options.case_path, options.overrides, variations(options.varied));
   if (!options.csv) {
     std::cout << table;
@@ -107,6 +108,7 @@ void gas(const GasOptions& options) {
   if (!options.varied.empty()) return gas_of_variations(options, input);
   check_output(options.csv, "--csv", OutputKind::kCsv, input);
   check_output(options.output, "--output", OutputKind::kNetcdf, input);
+  const std::vector<io::OutputClaim> claimed = claims({options.csv, options.output});
   const io::GasPathDocument document = io::gas_path_document(input);
   if (options.output) io::write_gas_path(*options.output, document);
   if (options.csv) io::write_atomically(*options.csv, io::gas_path_csv(document));

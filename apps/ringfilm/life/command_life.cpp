@@ -42,6 +42,7 @@ void check_end(const life::LifeResult& result) {
 
 void run_life(const LifeOptions& options) {
   io::LifeDocument document{checked_life(options), {}, io::this_run()};
+  const std::vector<io::OutputClaim> claimed = claims({options.output, options.page});
   document.provenance.kernels += fmt::format("; bands {} lanes", film::kernels().width);
   {
     ProgressLine line;

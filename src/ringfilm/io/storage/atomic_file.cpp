@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -94,18 +95,44 @@ bool is_left_over(const fs::path& partial, long process) {
   return file.number() >= 0 && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
-void remove_left_over_partials(const fs::path& target) {
+/// Calls back with each partial file of a target and the process that would have written it.
+void each_partial(const fs::path& target, const std::function<void(const fs::path&, long)>& found) {
   std::error_code error;
   for (fs::directory_iterator entry(folder_of(target), error), end; !error && entry != end; entry.increment(error)) {
     const long process = writer_of(entry->path().filename().string(), target.filename().string());
-    if (process > 0 && is_left_over(entry->path(), process)) ::unlink(entry->path().c_str());
+    if (process > 0) found(entry->path(), process);
   }
+}
+
+void remove_left_over_partials(const fs::path& target) {
+  each_partial(target, [](const fs::path& partial, long process) {
+    if (is_left_over(partial, process)) ::unlink(partial.c_str());
+  });
+}
+
+bool is_locked(const fs::path& file) {
+  const Descriptor open(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  return open.number() >= 0 && ::flock(open.number(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
 }
 
 /// A file that is certainly ours alone, open for writing; -1 if there is one of that name already.
 int create(const std::string& path) {
   constexpr mode_t kReadWriteAsUmaskAllows = 0666;
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kReadWriteAsUmaskAllows);
+}
+
+/// Creates a partial file of a target, open for writing; throws OutputError.
+int create_partial(const std::string& target, std::string& path) {
+  const std::string name = target + std::string(kPartial) + std::to_string(::getpid());
+  path = name;
+  int file = create(path);
+  // The name is taken by another thread, or by the same process number in another container.
+  for (int n = 1; file < 0 && errno == EEXIST && n < 1000; ++n) {
+    path = name + "-" + std::to_string(n);
+    file = create(path);
+  }
+  if (file < 0) fail_to_write(target, errno);
+  return file;
 }
 
 /// @param shown how errors name the file
@@ -182,19 +209,36 @@ void check_can_write(const std::string& path, Sink sink) {
   check_length(path, target);
 }
 
+OutputClaim::OutputClaim(const std::string& path) {
+  const fs::path target = target_of(path);
+  if (is_device(target)) return;
+  // Two that begin at the same moment do so one after the other; not every file system has locks.
+  const Descriptor folder(::open(folder_of(target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  while (folder.number() >= 0 && ::flock(folder.number(), LOCK_EX) != 0 && errno == EINTR) {
+  }
+  remove_left_over_partials(target);
+  each_partial(target, [&path](const fs::path& partial, long) {
+    if (!is_locked(partial)) return;
+    throw InputError(path + ": another process computes this file now",
+                     "wait for it, stop it first, or name another output");
+  });
+  file_ = create_partial(target.string(), partial_);
+  ::flock(file_, LOCK_EX | LOCK_NB);
+}
+
+OutputClaim::OutputClaim(OutputClaim&& other) noexcept
+    : partial_(std::exchange(other.partial_, {})), file_(std::exchange(other.file_, -1)) {}
+
+OutputClaim::~OutputClaim() {
+  if (file_ < 0) return;
+  ::unlink(partial_.c_str());
+  ::close(file_);
+}
+
 AsideFile::AsideFile(const std::string& target) : target_(target_of(target).string()) {
   if (is_device(target_)) fail_to_write(target, "this is a device or a pipe");
   remove_left_over_partials(target_);
-  const std::string name = target_ + std::string(kPartial) + std::to_string(::getpid());
-  path_ = name;
-  int file = create(path_);
-  // The name is taken by another thread, or by the same process number in another container.
-  for (int n = 1; file < 0 && errno == EEXIST && n < 1000; ++n) {
-    path_ = name + "-" + std::to_string(n);
-    file = create(path_);
-  }
-  if (file < 0) fail_to_write(target_, errno);
-  ::close(file);
+  ::close(create_partial(target_, path_));
 }
 
 AsideFile::~AsideFile() {

@@ -16,6 +16,23 @@ enum class Sink {
 /// this before it computes. Changes nothing on the disk.
 void check_can_write(const std::string& path, Sink sink);
 
+/// Keeps an output for this process while it computes: of two that compute one file the last would win. Holds an empty
+/// file `target`.partial-<process>, locked; what a kill leaves of it is removed by the next one. A device is not
+/// claimed.
+class OutputClaim {
+ public:
+  /// Throws InputError where another process, on this machine or, in a shared folder with locks, on another one, holds
+  /// a claim to the file; OutputError.
+  explicit OutputClaim(const std::string& path);
+  OutputClaim(OutputClaim&& other) noexcept;
+  OutputClaim& operator=(OutputClaim&&) = delete;
+  ~OutputClaim();
+
+ private:
+  std::string partial_;
+  int file_ = -1;
+};
+
 /// A file that appears under its name all at once: filled aside in the same folder (`target`.partial-<process>),
 /// flushed to the disk and renamed over an earlier file. A kill leaves the old file and at most the partial
 /// one, which the next AsideFile of the same target removes. A symbolic link is followed.

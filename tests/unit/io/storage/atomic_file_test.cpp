@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -71,6 +72,50 @@ TEST(AtomicFile, RemovesPartialFilesOfEndedWritersOnly) {
   EXPECT_TRUE(std::filesystem::exists(alive));
   EXPECT_TRUE(std::filesystem::exists(of_another_file));
   EXPECT_TRUE(std::filesystem::exists(of_a_person));
+}
+
+TEST(AtomicFile, AClaimKeepsOthersFromItsFileAloneAndLeavesNothing) {
+  const ScratchFolder folder;
+  const std::string ended = folder / ("a.txt.partial-" + std::to_string(ended_process()));
+  std::ofstream(ended) << "half";
+  {
+    const OutputClaim claim(folder / "a.txt");
+    EXPECT_FALSE(std::filesystem::exists(ended));
+    try {
+      const OutputClaim another(folder.path() + "/./a.txt");
+      ADD_FAILURE() << "two claims to one file";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("a.txt: another process computes this file now"));
+      EXPECT_THAT(error.what(), HasSubstr("name another output"));
+    }
+    const OutputClaim of_another_file(folder / "b.txt"), of_a_device("/dev/null");
+    write_atomically(folder / "a.txt", "whole");
+  }
+  EXPECT_EQ(text_of(folder / "a.txt"), "whole");
+  EXPECT_EQ(names_in(folder), std::set<std::string>{"a.txt"});
+  EXPECT_NO_THROW(OutputClaim(folder / "a.txt"));
+}
+
+TEST(AtomicFile, OfManyClaimsAtOnceOneHolds) {
+  const ScratchFolder folder;
+  constexpr int kThreads = 8;
+  std::atomic<int> n_held = 0, n_refused = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < kThreads; ++i) {
+      threads.emplace_back([&] {
+        try {
+          const OutputClaim claim(folder / "a.txt");
+          ++n_held;
+          while (n_held + n_refused < kThreads) std::this_thread::yield();
+        } catch (const InputError&) {
+          ++n_refused;
+        }
+      });
+    }
+  }
+  EXPECT_EQ(n_held, 1);
+  EXPECT_EQ(n_refused, kThreads - 1);
 }
 
 TEST(AtomicFile, LeavesTheOldFileIfItIsNotPutInPlace) {
