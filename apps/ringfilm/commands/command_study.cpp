@@ -161,24 +161,25 @@ void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
 /// Computes the scenarios of a part up to before `end`.
 void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& writer,
              const study::ScenarioRange& range, const StopRequest& stop) {
-  const std::uint64_t there = writer.next() - range.first;
-  StudyProgress progress(fs::path(options.study_path).stem().string(), there, range.size());
+  StudyProgress progress(fs::path(options.study_path).stem().string(), writer.n_rows(), range.size());
   study::StudyRunOptions run_options;
   run_options.batch.threads = options.threads;
+  run_options.order = study::RowOrder::kAsFinished;
+  run_options.there = writer.beyond();
   const auto finished = [&](const study::ScenarioBlock& block) {
     try {
       writer.append(block);
     } catch (const OutputError& error) {
       throw OutputError(fmt::format("{}\n{} of {} scenarios are kept; free disk space, then: {}", error.what(),
-                                    writer.next() - range.first, range.size(), resume_command(options)));
+                                    writer.n_rows(), range.size(), resume_command(options)));
     }
-    progress.show(writer.next() - range.first, writer.n_unsolved());
+    progress.show(writer.n_rows(), writer.n_unsolved());
     return stop.is_made() ? study::Continuation::kNo : study::Continuation::kYes;
   };
   study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
   if (writer.next() == range.end) return;
-  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to continue: {}", writer.next() - range.first,
-                                 range.size(), resume_command(options)));
+  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to continue: {}", writer.n_rows(), range.size(),
+                                 resume_command(options)));
 }
 
 /// Is a study with `until` sure enough with the rows that are there?
@@ -483,8 +484,8 @@ void print_study_status(const StudyOptions& options) {
     try {
       const io::ShardReader shard(file.path);
       const std::string differs = io::difference(shard.header(), study.header(file.part, file.parts));
-      line = fmt::format("{} of {} scenarios, {} not solved, {}", shard.next() - shard.header().first,
-                         shard.header().range().size(), shard.n_unsolved(), state_text(study, file, shard));
+      line = fmt::format("{} of {} scenarios, {} not solved, {}", shard.n_rows(), shard.header().range().size(),
+                         shard.n_unsolved(), state_text(study, file, shard));
       if (!differs.empty()) line += fmt::format("; these rows are of {}", differs);
       if (!file.is_finished)
         line += fmt::format("{}{}", last_change_text(file.path), on_the_way.of(file.part, file.parts));

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
+#include <exception>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <stop_token>
+#include <thread>
 #include <utility>
 
 #include "ringfilm/cycle/result.hpp"
@@ -52,52 +56,137 @@ std::string reason_of(const InputError& refusal) {
   return reason;
 }
 
-/// Puts rows that end in any order back into theirs.
+/// Takes rows as they end and hands them over in blocks: when one is full, and after a time what there is.
 class Collector {
  public:
   Collector(std::uint64_t first, bool has_cycle, const std::function<Continuation(const ScenarioBlock&)>& finished,
             const StudyRunOptions& options)
-      : next_(first), has_cycle_(has_cycle), finished_(finished), options_(options) {}
-
-  void put(std::uint64_t scenario, ScenarioRow row) {
-    rows_.emplace(scenario, std::move(row));
-    while (n_ready_ < rows_.size() && rows_.contains(next_ + n_ready_)) ++n_ready_;
-    const bool is_late = std::chrono::duration<double>(Clock::now() - last_).count() >= options_.longest_wait;
-    if (n_ready_ >= options_.most_rows || (is_late && n_ready_ > 0)) hand_over();
+      : next_(first), has_cycle_(has_cycle), finished_(finished), options_(options) {
+    for (const ScenarioRange& range : options.there) there_.emplace(range.first, range.end);
+    step_over();
+    clock_ = std::jthread([this](const std::stop_token& stop) { hand_over_by_time(stop); });
   }
 
-  /// Hands over what is ready. Throws Stopped if no more rows are requested.
-  void hand_over() {
-    while (n_ready_ > 0) {
-      ScenarioBlock block{next_, {}, has_cycle_};
-      for (const std::uint64_t n = std::min(n_ready_, options_.most_rows); block.rows.size() < n;)
-        block.rows.push_back(std::move(rows_.extract(next_ + block.rows.size()).mapped()));
-      const Continuation continuation = finished_(block);
-      next_ += block.rows.size();
-      n_ready_ -= block.rows.size();
-      last_ = Clock::now();
-      if (continuation == Continuation::kNo) throw Stopped{};
-    }
+  /// Throws what ended the run.
+  void put(std::uint64_t scenario, ScenarioRow row) {
+    const std::lock_guard lock(mutex_);
+    look();
+    rows_.emplace(scenario, std::move(row));
+    step_over();
+    if (n_ready_ >= options_.most_rows) unless_it_throws([this] { hand_over_ready(); });
+  }
+
+  /// Throws what ended the run, for a thread that is in the midst of its scenario.
+  void look() const {
+    if (has_ended_) std::rethrow_exception(failure_);
+  }
+
+  /// Hands over all rows that are left. Throws what ended the run.
+  void finish() {
+    clock_ = {};
+    look();
+    hand_over_ready();
+  }
+
+  /// Of a run that was stopped: hands over the rows that wait for others, too.
+  void keep_waiting() {
+    clock_ = {};
+    hand_over_waiting();
   }
 
   std::uint64_t next() const { return next_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  void hand_over_by_time(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    for (int n = 1;; ++n) {
+      pause_.wait_for(lock, stop, std::chrono::duration<double>(options_.longest_wait), [] { return false; });
+      if (stop.stop_requested() || has_ended_) return;
+      try {
+        unless_it_throws([&] {
+          hand_over_ready();
+          if (options_.order == RowOrder::kAsFinished && n % kWaitsOutOfTurn == 0) hand_over_waiting();
+          if (is_enough_) throw Stopped{};
+        });
+      } catch (...) {
+        return;  // the threads that compute meet it
+      }
+    }
+  }
+
+  /// What is thrown ends the run for all threads.
+  template <class Work>
+  void unless_it_throws(const Work& work) {
+    try {
+      work();
+    } catch (...) {
+      failure_ = std::current_exception();
+      has_ended_ = true;
+      throw;
+    }
+  }
+
+  /// Throws Stopped if no more rows are requested.
+  void hand_over_ready() {
+    while (n_ready_ > 0) {
+      const std::uint64_t n = std::min(n_ready_, options_.most_rows);
+      hand_over(next_, n);
+      next_ += n;
+      n_ready_ -= n;
+      step_over();
+      if (is_enough_) throw Stopped{};
+    }
+  }
+
+  void hand_over_waiting() {
+    while (!rows_.empty()) {
+      const std::uint64_t first = rows_.begin()->first;
+      std::uint64_t n = 1;
+      while (n < options_.most_rows && rows_.contains(first + n)) ++n;
+      hand_over(first, n);
+      there_.emplace(first, first + n);
+    }
+    n_ready_ = 0;
+    step_over();
+  }
+
+  void hand_over(std::uint64_t first, std::uint64_t n) {
+    ScenarioBlock block{first, {}, has_cycle_};
+    while (block.rows.size() < n) block.rows.push_back(std::move(rows_.extract(first + block.rows.size()).mapped()));
+    if (finished_(block) == Continuation::kNo) is_enough_ = true;
+  }
+
+  /// Passes rows that exist, and counts those that follow.
+  void step_over() {
+    for (auto range = there_.find(next_); n_ready_ == 0 && range != there_.end(); range = there_.find(next_))
+      next_ = there_.extract(range).mapped();
+    while (n_ready_ < rows_.size() && rows_.contains(next_ + n_ready_)) ++n_ready_;
+  }
 
   std::uint64_t next_;         ///< first that is not handed over
   bool has_cycle_;             ///< of the blocks
+  bool is_enough_ = false;     ///< no more rows are requested
   std::uint64_t n_ready_ = 0;  ///< from there on without a gap
   std::map<std::uint64_t, ScenarioRow> rows_;
+  std::map<std::uint64_t, std::uint64_t> there_;  ///< from its first scenario the end of each range beyond `next_`
   const std::function<Continuation(const ScenarioBlock&)>& finished_;
   StudyRunOptions options_;
-  Clock::time_point last_ = Clock::now();
+  std::mutex mutex_;
+  std::condition_variable_any pause_;
+  std::exception_ptr failure_;
+  std::atomic<bool> has_ended_ = false;
+  std::jthread clock_;  ///< last: it uses the others until it ends
 };
 
 /// Which cases are run, by numbers from `range`.
 struct Cases {
   ScenarioRange range;
   std::function<cycle::Case(std::uint64_t)> at;  ///< throws InputError where there is none
+  std::vector<ScenarioRange> there = {};         ///< not run
+
+  bool has_row(std::uint64_t i) const {
+    return std::any_of(there.begin(), there.end(), [i](const auto& one) { return i >= one.first && i < one.end; });
+  }
 };
 
 /// Takes the rows as they end, never two at a time.
@@ -120,6 +209,7 @@ void run_one_by_one(const Plan& plan, const Cases& cases, const Put& put, const 
   const auto work = [&](int) {
     try {
       for (std::uint64_t i = next++; i < cases.range.end && !has_ended; i = next++) {
+        if (cases.has_row(i)) continue;
         if (options.pulse) options.pulse();
         ScenarioRow one = row(i);
         const std::lock_guard lock(mutex);
@@ -142,6 +232,7 @@ void run_in_lanes(const Plan& plan, const Cases& cases, const OutputSelection& k
   const auto source = [&]() -> std::optional<cycle::Case> {
     while (next < cases.range.end) {
       const std::uint64_t i = next++;
+      if (cases.has_row(i)) continue;
       try {
         cycle::Case one = cases.at(i);
         number_of[n_given++] = i;
@@ -188,15 +279,21 @@ std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
     row.base = plan.base_of(i);
     collector.put(i, std::move(row));
   };
+  BatchOptions batch = options.batch;
+  batch.pulse = [&] {
+    collector.look();
+    if (options.batch.pulse) options.batch.pulse();
+  };
   try {
     if (is_film) {
-      run_in_lanes(plan, {range, scenario}, keep, put, options.batch);
+      run_in_lanes(plan, {range, scenario, options.there}, keep, put, batch);
     } else {
-      run_one_by_one(plan, {range, scenario}, put, options.batch);
+      run_one_by_one(plan, {range, scenario, options.there}, put, batch);
     }
-    collector.hand_over();
+    collector.finish();
   } catch (const Stopped&) {
     // What was handed over is kept.
+    if (options.order == RowOrder::kAsFinished) collector.keep_waiting();
   }
   return collector.next();
 }

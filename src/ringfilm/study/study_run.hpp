@@ -47,16 +47,27 @@ enum class Continuation {
   kNo    ///< no more: what is not handed over is given up
 };
 
+/// The order in which rows are handed over.
+enum class RowOrder {
+  kOfPlan,     ///< a row waits for all before it, however long they take
+  kAsFinished  ///< as kOfPlan, but rows that wait are handed over out of turn after kWaitsOutOfTurn waits
+};
+inline constexpr int kWaitsOutOfTurn = 4;  ///< each row out of turn costs a block of its own
+
 /// How a study is run; none of it changes a number.
 struct StudyRunOptions {
   BatchOptions batch;             ///< threads, and how a case is set up
   std::uint64_t most_rows = 256;  ///< in one block; fewer where their curves are more than 16 MB
-  double longest_wait = 2;        ///< what is ready is handed over after this time at the latest [s]
+  /// What is ready is handed over after this time [s]. To write a block to the disk takes some milliseconds.
+  double longest_wait = 0.5;
+  RowOrder order = RowOrder::kOfPlan;
+  std::vector<ScenarioRange> there = {};  ///< scenarios whose rows exist: they are not run
 };
 
-/// Runs the scenarios of a range and hands them over in blocks, in order, as they are ready; where a block ends depends
-/// on the time, the content of its rows does not. A scenario that cannot be made into a case, or be solved, is a row
-/// with its reason. Where `finished` returns kNo or throws, what is not handed over is given up.
+/// Runs the scenarios of a range and hands them over in blocks, as they are ready; where a block ends depends on the
+/// time, the content of its rows does not. A scenario that cannot be made into a case, or be solved, is a row with its
+/// reason. Where `finished` returns kNo or throws, what is not handed over is given up. It is called by one thread at a
+/// time.
 /// @returns the first scenario that was not handed over
 std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
                             const std::function<Continuation(const ScenarioBlock&)>& finished,

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <semaphore>
 #include <set>
 
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/result.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "study_example.hpp"
@@ -97,6 +100,58 @@ TEST(RunScenarios, StopsAfterTheBlockAndContinuesWithTheSameNumbers) {
     const ScenarioRow& row = i < begun.next ? begun.rows[i] : rest.rows[i - begun.next];
     EXPECT_EQ(row.values, whole.rows[i].values) << i;
   }
+}
+
+/// Two scenarios on two threads; one of them begins once a row has been handed over.
+std::vector<std::uint64_t> order_with_late(std::uint64_t late, RowOrder order) {
+  const std::vector<double> factors = {1.0, 1.1};
+  const Plan plan = speeds(factors);
+  std::counting_semaphore<8> has_row{0};
+  bool was_in_time = true;
+  StudyRunOptions options;
+  options.order = order;
+  options.longest_wait = 0.01;
+  options.batch.threads = 2;
+  options.batch.prepare = [&](const cycle::Case& c) {
+    const bool is_late = c.operating.speed == scenario_case(plan.study(), plan.point(late)).operating.speed;
+    if (is_late) was_in_time = has_row.try_acquire_for(std::chrono::seconds(60));
+    return cycle::prepare(c);
+  };
+  std::vector<std::uint64_t> firsts;
+  const auto finished = [&](const ScenarioBlock& block) {
+    firsts.push_back(block.first);
+    has_row.release();
+    return Continuation::kYes;
+  };
+  EXPECT_EQ(run_scenarios(plan, {0, 2}, finished, options), 2u);
+  EXPECT_TRUE(was_in_time);
+  return firsts;
+}
+
+// What a kill loses is bounded by time: a row that is ready waits neither for the next one nor for a slower one.
+TEST(RunScenarios, ARowIsHandedOverBeforeTheNextOneEnds) {
+  EXPECT_EQ(order_with_late(1, RowOrder::kOfPlan), (std::vector<std::uint64_t>{0, 1}));
+}
+
+TEST(RunScenarios, ARowIsHandedOverBeforeASlowerOneOfLowerNumber) {
+  EXPECT_EQ(order_with_late(0, RowOrder::kAsFinished), (std::vector<std::uint64_t>{1, 0}));
+}
+
+TEST(RunScenarios, ScenariosWhoseRowsExistAreNotRun) {
+  const Plan plan = speeds({1.0, 1.1, 1.2, 1.3, 1.4, 1.5});
+  StudyRunOptions options;
+  options.there = {{1, 3}, {4, 5}};
+  std::vector<std::uint64_t> run;
+  const auto finished = [&](const ScenarioBlock& block) {
+    for (std::size_t k = 0; k < block.rows.size(); ++k) run.push_back(block.first + k);
+    return Continuation::kYes;
+  };
+  EXPECT_EQ(run_scenarios(plan, {0, 6}, finished, options), 6u);
+  EXPECT_EQ(run, (std::vector<std::uint64_t>{0, 3, 5}));
+  options.there = {{0, 2}, {5, 6}};
+  run.clear();
+  EXPECT_EQ(run_scenarios(plan, {0, 6}, finished, options), 6u);
+  EXPECT_EQ(run, (std::vector<std::uint64_t>{2, 3, 4}));
 }
 
 TEST(RunScenarios, AnErrorOfTheObserverEndsTheRun) {

@@ -11,8 +11,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -241,14 +243,26 @@ ShardReader::ShardReader(ShardReader&& other) noexcept
       n_unsolved_(other.n_unsolved_),
       reason_bytes_(other.reason_bytes_),
       header_(std::move(other.header_)),
-      blocks_(std::move(other.blocks_)) {}
+      blocks_(std::move(other.blocks_)),
+      n_joined_(other.n_joined_),
+      next_(other.next_) {}
 
 ShardReader::~ShardReader() {
   if (file_ >= 0) ::close(file_);
 }
 
-std::uint64_t ShardReader::next() const {
-  return blocks_.empty() ? header_.first : blocks_.back().first + blocks_.back().n_rows;
+std::uint64_t ShardReader::n_rows() const {
+  return std::accumulate(blocks_.begin(), blocks_.end(), std::uint64_t{0},
+                         [](std::uint64_t n, const BlockPlace& block) { return n + block.n_rows; });
+}
+
+std::vector<study::ScenarioRange> ShardReader::beyond() const {
+  std::vector<study::ScenarioRange> ranges;
+  for (const BlockPlace& block : std::span(blocks_).subspan(n_joined_)) {
+    if (ranges.empty() || ranges.back().end != block.first) ranges.push_back({block.first, block.first});
+    ranges.back().end = block.end();
+  }
+  return ranges;
 }
 
 void ShardReader::read_bytes(std::uint64_t at, std::uint64_t n, char* to) const {
@@ -309,6 +323,7 @@ void ShardReader::read_header() {
     throw no_such_file;
   }
   header_bytes_ = intact_bytes_ = kFrame + n;
+  next_ = h.first;
 }
 
 bool ShardReader::read_block() {
@@ -323,8 +338,12 @@ bool ShardReader::read_block() {
   place.n_rows = number_at(content, 8);
   place.notes_size = number_at(content, 16);
   const std::uint64_t most_rows = (n - kBlockHead) / row_bytes(header_);
-  if (place.first != next() || place.n_rows == 0 || place.n_rows > most_rows ||
-      place.n_rows > header_.end - place.first) {
+  const auto later = std::partition_point(blocks_.begin() + static_cast<std::ptrdiff_t>(n_joined_), blocks_.end(),
+                                          [&](const BlockPlace& block) { return block.first < place.first; });
+  const std::uint64_t lowest = later == blocks_.begin() ? header_.first : std::prev(later)->end();
+  const std::uint64_t highest = later == blocks_.end() ? header_.end : later->first;
+  if (place.first < lowest || place.first >= highest || place.n_rows == 0 || place.n_rows > most_rows ||
+      place.n_rows > highest - place.first) {
     return false;
   }
   const std::uint64_t n_bytes = row_bytes(header_) * place.n_rows;
@@ -336,8 +355,12 @@ bool ShardReader::read_block() {
   place.notes_at = place.reasons_at + place.reasons_size;
   reason_bytes_ += place.reasons_size;
   const std::string_view reasons = std::string_view(content).substr(kBlockHead + n_bytes, place.reasons_size);
-  n_unsolved_ += static_cast<std::uint64_t>(std::count(reasons.begin(), reasons.end(), '\n'));
-  blocks_.push_back(place);
+  place.n_unsolved = static_cast<std::uint64_t>(std::count(reasons.begin(), reasons.end(), '\n'));
+  blocks_.insert(later, place);
+  for (; n_joined_ < blocks_.size() && blocks_[n_joined_].first == next_; ++n_joined_) {
+    next_ = blocks_[n_joined_].end();
+    n_unsolved_ += blocks_[n_joined_].n_unsolved;
+  }
   intact_bytes_ += kFrame + n;
   return true;
 }
@@ -346,9 +369,8 @@ std::span<const BlockPlace> ShardReader::blocks_of(const study::ScenarioRange& r
   if (range.first < header_.first || range.end > next()) {
     throw std::out_of_range(fmt::format("{}: scenarios {} to {} are not there", path_, range.first, range.end));
   }
-  const auto begin = std::partition_point(blocks_.begin(), blocks_.end(), [&](const BlockPlace& block) {
-    return block.first + block.n_rows <= range.first;
-  });
+  const auto begin = std::partition_point(blocks_.begin(), blocks_.end(),
+                                          [&](const BlockPlace& block) { return block.end() <= range.first; });
   const auto end =
       std::partition_point(begin, blocks_.end(), [&](const BlockPlace& block) { return block.first < range.end; });
   return {begin, end};
@@ -443,7 +465,9 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Ext
       check(there->header(), Extension::kRefused);
     }
     next_ = there->next();
+    n_rows_ = there->n_rows();
     n_unsolved_ = there->n_unsolved();
+    for (const study::ScenarioRange& range : there->beyond()) beyond_.emplace(range.first, range.end);
     length_ = there->intact_bytes();
     if (::ftruncate(file_, static_cast<off_t>(length_)) != 0) fail_to_write(path, errno);
   } catch (...) {
@@ -510,8 +534,17 @@ ShardWriter::~ShardWriter() { ::close(file_); }
 
 void ShardWriter::append(const study::ScenarioBlock& block) {
   write(framed(content_of(block, header_)));
-  next_ = block.first + block.rows.size();
+  beyond_.emplace(block.first, block.first + block.rows.size());
+  for (auto range = beyond_.find(next_); range != beyond_.end(); range = beyond_.find(next_))
+    next_ = beyond_.extract(range).mapped();
+  n_rows_ += block.rows.size();
   for (const study::ScenarioRow& row : block.rows) n_unsolved_ += row.reason.empty() ? 0 : 1;
+}
+
+std::vector<study::ScenarioRange> ShardWriter::beyond() const {
+  std::vector<study::ScenarioRange> ranges;
+  for (const auto& [first, end] : beyond_) ranges.push_back({first, end});
+  return ranges;
 }
 
 void ShardWriter::rename(const std::string& to) const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,6 +45,8 @@ struct BlockPlace {
   std::uint64_t curves_at = 0;  ///< then, in single precision, curves, angle by angle, each of all rows
   std::uint64_t reasons_at = 0, reasons_size = 0;
   std::uint64_t notes_at = 0, notes_size = 0;  ///< after the reasons
+  std::uint64_t n_unsolved = 0;
+  std::uint64_t end() const { return first + n_rows; }
 };
 
 /// A note that several scenarios carry.
@@ -54,7 +57,8 @@ struct SharedNote {
   std::uint64_t first = 0;               ///< of all scenarios that share it; may lie before the range
 };
 
-/// A file of rows that is there. Blocks after the first that is cut off or corrupted are not read.
+/// A file of rows that is there. Blocks may come in any order; those after the first that is cut off or corrupted are
+/// not read.
 class ShardReader {
  public:
   /// Throws InputError if it cannot be read or is not a such file.
@@ -65,12 +69,14 @@ class ShardReader {
 
   const std::string& path() const { return path_; }
   const ShardHeader& header() const { return header_; }
-  std::uint64_t next() const;  ///< first scenario that is not there
+  std::uint64_t next() const { return next_; }  ///< first scenario that is not there
   bool is_complete() const { return next() == header_.end; }
+  std::uint64_t n_rows() const;                                 ///< all that are there, also beyond next()
+  std::vector<study::ScenarioRange> beyond() const;             ///< the scenarios beyond next() that are there
   std::uint64_t header_bytes() const { return header_bytes_; }  ///< after which the blocks begin
   std::uint64_t intact_bytes() const { return intact_bytes_; }
   bool is_intact() const { return intact_bytes_ == size_; }  ///< is nothing cut off or corrupted?
-  std::uint64_t n_unsolved() const { return n_unsolved_; }
+  std::uint64_t n_unsolved() const { return n_unsolved_; }   ///< of the scenarios up to next()
 
   /// Value `i` of these scenarios, all of which must be there.
   void read_values(std::size_t i, const study::ScenarioRange& range, double* to) const;
@@ -108,7 +114,9 @@ class ShardReader {
   int file_ = -1;
   std::uint64_t size_ = 0, header_bytes_ = 0, intact_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
   ShardHeader header_;
-  std::vector<BlockPlace> blocks_;
+  std::vector<BlockPlace> blocks_;  ///< in the order of their scenarios
+  std::size_t n_joined_ = 0;        ///< of them follow each other from the first scenario
+  std::uint64_t next_ = 0;          ///< after these
 };
 
 /// Throws InputError if a process appends to the file of rows now.
@@ -134,8 +142,10 @@ class ShardWriter {
   ~ShardWriter();
 
   std::uint64_t next() const { return next_; }              ///< first scenario that is not there
+  std::uint64_t n_rows() const { return n_rows_; }          ///< all that are there, also beyond next()
   std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< of those that are there
-  /// Throws OutputError; the file then ends with the block before.
+  std::vector<study::ScenarioRange> beyond() const;         ///< the scenarios beyond next() that are there
+  /// The block may lie beyond next(). Throws OutputError; the file then ends with the block before.
   void append(const study::ScenarioBlock& block);
   /// Gives the file its final name while nobody else can lock it; throws OutputError.
   void rename(const std::string& to) const;
@@ -152,7 +162,8 @@ class ShardWriter {
   std::string path_;
   int file_ = -1;
   ShardHeader header_;
-  std::uint64_t next_, length_ = 0, n_unsolved_ = 0;
+  std::uint64_t next_, length_ = 0, n_rows_ = 0, n_unsolved_ = 0;
+  std::map<std::uint64_t, std::uint64_t> beyond_;  ///< from its first scenario the end of each range beyond next_
 };
 
 }  // namespace ringfilm::io

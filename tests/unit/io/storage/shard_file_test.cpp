@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
@@ -138,6 +139,72 @@ TEST(ShardFile, ContinuesWhereverItWasCutOff) {
     writer.append(block(13, 3));
     ASSERT_EQ(bytes_of_shard(path), all) << n;
   }
+}
+
+/// The rows of whole(), written out of turn.
+std::string out_of_turn(const ScratchFolder& folder, const std::string& name) {
+  const std::string path = folder / name;
+  ShardWriter writer(path, header());
+  writer.append(block(15, 1));
+  writer.append(block(11, 2));
+  EXPECT_EQ(writer.next(), 10u);
+  EXPECT_EQ(writer.n_rows(), 3u);
+  writer.append(block(10, 1));
+  EXPECT_EQ(writer.next(), 13u);
+  writer.append(block(13, 2));
+  EXPECT_EQ(writer.next(), 16u);
+  return path;
+}
+
+TEST(ShardFile, GivesBackInTheirOrderRowsThatWereAppendedOutOfTurn) {
+  const ScratchFolder folder;
+  const ShardReader one(whole(folder, "rows")), other(out_of_turn(folder, "out of turn"));
+  EXPECT_TRUE(other.is_complete());
+  EXPECT_TRUE(other.is_intact());
+  EXPECT_TRUE(other.beyond().empty());
+  EXPECT_EQ(other.n_rows(), 6u);
+  EXPECT_EQ(other.n_unsolved(), one.n_unsolved());
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<double> first, second;
+    one.append_values(i, first);
+    other.append_values(i, second);
+    first.erase(first.begin() + 2);  // not solved
+    second.erase(second.begin() + 2);
+    EXPECT_EQ(first, second);
+  }
+  std::vector<ShardReader::Unsolved> unsolved;
+  other.append_unsolved({11, 14}, unsolved);
+  EXPECT_EQ(unsolved.size(), 1u);
+}
+
+TEST(ShardFile, ContinuesWithTheRowsBeyondAGapWhereverItWasCutOff) {
+  const ScratchFolder folder;
+  const std::string all = bytes_of_shard(out_of_turn(folder, "rows"));
+  for (std::size_t n = 0; n < all.size(); n += 13) {
+    const std::string path = folder.write("cut", all.substr(0, n));
+    ShardWriter writer(path, header());
+    std::set<std::uint64_t> missing = {10, 11, 12, 13, 14, 15};
+    for (std::uint64_t i = 10; i < writer.next(); ++i) missing.erase(i);
+    for (const study::ScenarioRange& range : writer.beyond()) {
+      for (std::uint64_t i = range.first; i < range.end; ++i) ASSERT_EQ(missing.erase(i), 1u) << n;
+    }
+    ASSERT_EQ(missing.size(), 6 - writer.n_rows()) << n;
+    for (const std::uint64_t i : missing) writer.append(block(i, 1));
+    const ShardReader shard(path);
+    ASSERT_TRUE(shard.is_complete()) << n;
+    ASSERT_EQ(shard.n_unsolved(), 1u) << n;
+  }
+}
+
+TEST(ShardFile, DoesNotReadABlockOverRowsThatAreThere) {
+  const ScratchFolder folder;
+  const std::string all = bytes_of_shard(whole(folder, "rows"));
+  ShardWriter(folder / "empty", header());
+  const std::size_t begin = std::filesystem::file_size(folder / "empty");
+  const ShardReader shard(folder.write("twice", all + all.substr(begin)));
+  EXPECT_TRUE(shard.is_complete());
+  EXPECT_FALSE(shard.is_intact());
+  EXPECT_EQ(shard.n_rows(), 6u);
 }
 
 TEST(ShardFile, FindsACorruptedBlockAnywhere) {
