@@ -9,6 +9,7 @@
 #include "commands/commands.hpp"
 #include "exit_codes.hpp"
 #include "ringfilm/base/error.hpp"
+#include "stop_request.hpp"
 #include "text/terminal_text.hpp"
 
 namespace ringfilm::app {
@@ -39,6 +40,10 @@ int carry_out(const Request& request) {
     std::cout.flush();
     std::cerr << failed.what() << " (exit code " << kSomethingFailed << ")\n";
     return kSomethingFailed;
+  } catch (const Stopped& stop) {
+    const int code = kStopped + stop.signal();
+    std::cerr << stop.what() << " (exit code " << code << ")\n";
+    return code;
   } catch (const OutputError& error) {
     std::cerr << error.what() << "\nnot all output was written (exit code " << kCouldNotWrite << ")\n";
     return kCouldNotWrite;

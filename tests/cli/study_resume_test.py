@@ -102,7 +102,7 @@ class ResumedStudy(StudyFolder):
             time.sleep(0.01)
         run.send_signal(signal.SIGINT)
         _, printed = run.communicate(timeout=100)
-        self.assertEqual(run.returncode, 4, printed)
+        self.assertEqual(run.returncode, 130, printed)
         self.assertIn("to continue: ringfilm study study.toml -o out --resume", printed)
         self.assertFalse(rows.exists())
         kept = growing.stat().st_size
@@ -117,7 +117,7 @@ class ResumedStudy(StudyFolder):
             time.sleep(0.01)
         run.send_signal(signal.SIGINT)
         _, printed = run.communicate(timeout=100)
-        self.assertEqual(run.returncode, 4, printed)
+        self.assertEqual(run.returncode, 130, printed)
         self.assertGreater(growing.stat().st_size, kept)
 
     def test_a_report_of_a_study_names_its_page(self):
@@ -289,7 +289,7 @@ class ResumedStudy(StudyFolder):
             time.sleep(0.01)
         run.send_signal(signal.SIGINT)
         _, printed = run.communicate(timeout=100)
-        self.assertEqual(run.returncode, 4, printed)
+        self.assertEqual(run.returncode, 130, printed)
         self.assertIn("to continue: ringfilm study 'a b/study.toml' -o 'c d' --threads 2 --resume", printed)
 
     def test_choices_and_factors_of_like_names_have_variables_of_their_own(self):

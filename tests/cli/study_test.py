@@ -418,7 +418,8 @@ class StudyTest(ProgramTest):
     def test_ctrl_c_stops_and_reports_how_to_continue(self):
         self.write_study(STUDY.replace("SCENARIOS", "4096"))
         code, printed = self.killed("out", 3, signal.SIGINT)
-        self.assertEqual(code, 4, printed)
+        self.assertEqual(code, 128 + signal.SIGINT, printed)
+        self.assertIn("(exit code 130)", printed)
         self.assertIn("to continue: ringfilm study study.toml -o out --resume", printed)
         self.assertNotIn("out/study.nc", self.names())
         self.assert_refused(self.run_program("study", "study.toml", "-o", "out"), "was not finished", "--resume")

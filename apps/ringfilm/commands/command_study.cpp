@@ -178,7 +178,7 @@ void compute(const StudyOptions& options, const Loaded& study, io::ShardWriter& 
   };
   study::run_scenarios(study.plan, {writer.next(), range.end}, finished, run_options);
   if (writer.next() == range.end) return;
-  throw FailedChecks(fmt::format("stopped: {} of {} scenarios are kept; to continue: {}", writer.n_rows(), range.size(),
+  throw stop.stopped(fmt::format("stopped: {} of {} scenarios are kept; to continue: {}", writer.n_rows(), range.size(),
                                  resume_command(options)));
 }
 
@@ -252,7 +252,7 @@ std::optional<study::SampledError> estimated_error(const StudyOptions& options, 
   batch.threads = options.threads;
   batch.pulse = [&] {
     if (stop.is_made()) {
-      throw FailedChecks(fmt::format("stopped: all scenarios are kept; to continue: {}", resume_command(options)));
+      throw stop.stopped(fmt::format("stopped: all scenarios are kept; to continue: {}", resume_command(options)));
     }
   };
   return study::sampled_error(

@@ -55,7 +55,7 @@ class KilledStudy(StudyFolder):
         self.wait_for_rows(run, kept + 1)
         run.send_signal(signal.SIGINT)
         _, printed = run.communicate(timeout=100)
-        self.assertEqual(run.returncode, 4, printed)
+        self.assertEqual(run.returncode, 128 + signal.SIGINT, printed)
         found = re.search(r"stopped: (\d+) of 6001 scenarios are kept", printed)
         self.assertGreater(int(found.group(1)), kept)
         self.assertEqual(self.rows_there(), int(found.group(1)))
