@@ -8,10 +8,10 @@ import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const { settingWords } = await load('cycle/setting_words.js');
-const { closings, thinnestInWords } = await load('cycle/cycle_figures.js');
+const { asperityShare, closings, thinnestInWords } = await load('cycle/cycle_figures.js');
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
-const { Model } = await load('model.js');
+const { boundaryPowerShare, Model } = await load('model.js');
 const { logarithmic } = await load('plot/scales.js');
 
 test('usual ranges are those that the manual argues', () => {
@@ -96,6 +96,22 @@ test('the place of the thinnest film is named next to the peak of the gas pressu
   assert.equal(words(5, 20), '5° after firing TDC, 15° before the peak of the gas pressure');
   assert.equal(words(540, 20), '180° before firing TDC, away from the peak of the gas pressure');
   assert.equal(words(5, 0, [2, 2]), '5° after firing TDC');
+});
+
+test('the load that asperities carry and boundary friction are shares, without a load there is none', () => {
+  const share = asperityShare({
+    curves: { crank_angle: [0, 180, 360], asperity_load: [30, 0, 0], applied_load: [40, 20, 0] },
+  });
+  assert.deepEqual(
+    share.x.map((x, k) => [x, share.y[k]]).filter(([x]) => x > -360 && x <= 180),
+    [
+      [0, 75],
+      [180, 0],
+    ],
+  );
+  assert.equal(share.y[share.x.indexOf(360)], null);
+  assert.equal(boundaryPowerShare({ mean_boundary_power: 9, mean_power_loss: 10 }), 90);
+  assert.equal(boundaryPowerShare({ mean_boundary_power: 0, mean_power_loss: 0 }), null);
 });
 
 test('a cavity closes where the film is full again, if its mass is conserved', () => {

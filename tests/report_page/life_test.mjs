@@ -93,7 +93,7 @@ const kOverHours = [
   'lambda-ratio-at-peak-pressure',
   'min-film-thickness',
   'peak-friction-coefficient-firing',
-  'mixed-share',
+  'mean-boundary-power',
 ];
 const kOfWear = ['worn-area', 'largest-worn-depth', 'end-gap-growth', 'blow-by-flow'];
 

@@ -64,7 +64,7 @@ const kFigures = {
     'map-mean-total-friction',
     'map-fmep',
     'map-min-film-thickness',
-    'map-mixed-share',
+    'map-boundary-power-share',
     'stribeck',
     'comparison-figure',
   ],

@@ -14,7 +14,8 @@
 namespace ringfilm::cycle {
 namespace {
 
-/// Below this lambda ratio lubrication counts as mixed.
+/// Limit of mixed_share. Only of the law of greenwood1971, whose summits count from the mean plane of the surface, is
+/// it the upper end of mixed lubrication.
 constexpr double kMixedBelow = 3;
 constexpr double kFiringWindowDeg = 60;
 constexpr int kStrokeBins = 100;

@@ -32,6 +32,7 @@ double value(const std::string& name, double speed, double warmth, double roughn
   if (name == "mixed_share") return 1 / (1 + lambda * lambda / 4);
   if (name == "mean_stribeck_number") return 1e-6 * speed / 200 * std::exp(-0.02 * warmth);
   if (name == "mean_friction_coefficient") return friction / 900;
+  if (name == "mean_boundary_power") return 60 * std::exp(-lambda);
   if (name == "fmep") return 500 * friction;
   return friction;
 }

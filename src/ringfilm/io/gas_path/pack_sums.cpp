@@ -28,6 +28,7 @@ std::vector<RingSums> ring_sums(const ResultDocument& pack) {
     all.back().fmep += values.fmep;
     all.back().mean_power_loss += values.mean_power_loss;
     all.back().energy_per_cycle += values.energy_per_cycle;
+    all.back().mean_boundary_power += values.mean_boundary_power;
   }
   return all;
 }

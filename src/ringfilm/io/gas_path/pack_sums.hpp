@@ -9,10 +9,11 @@ namespace ringfilm::io {
 
 /// What the faces of one ring of a pack add up to.
 struct RingSums {
-  std::size_t ring = 0;         ///< number of the ring, from 1
-  double fmep = 0;              ///< of all its faces [Pa]
-  double mean_power_loss = 0;   ///< [W]
-  double energy_per_cycle = 0;  ///< [J]
+  std::size_t ring = 0;            ///< number of the ring, from 1
+  double fmep = 0;                 ///< of all its faces [Pa]
+  double mean_power_loss = 0;      ///< [W]
+  double energy_per_cycle = 0;     ///< [J]
+  double mean_boundary_power = 0;  ///< part of mean_power_loss by boundary friction [W]
 };
 
 /// The friction of each ring of a pack, the rails of an oil ring added up.

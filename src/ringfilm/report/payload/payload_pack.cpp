@@ -63,12 +63,15 @@ ordered_json oil_payload(const io::PackOil& oil) {
 
 ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case) {
   ordered_json by_ring = ordered_json::array();
+  double mean_boundary_power = 0;
   for (const io::RingSums& ring : io::ring_sums(pack)) {
+    mean_boundary_power += ring.mean_boundary_power;
     by_ring.push_back({{"ring", ring.ring},
                        {"values",
                         {{"fmep", exact(ring.fmep)},
                          {"mean_power_loss", exact(ring.mean_power_loss)},
-                         {"energy_per_cycle", exact(ring.energy_per_cycle)}}}});
+                         {"energy_per_cycle", exact(ring.energy_per_cycle)},
+                         {"mean_boundary_power", exact(ring.mean_boundary_power)}}}});
   }
   const cycle::CycleValues& sum = pack.result.values;
   const std::optional<io::PackOil> oil = io::pack_oil(pack);
@@ -77,7 +80,10 @@ ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case
           {"complete", pack.result.complete},
           {"first_case", first_case},
           {"ring_numbers", io::ring_numbers(pack)},
-          {"values", {{"fmep", exact(sum.fmep)}, {"mean_power_loss", exact(sum.mean_power_loss)}}},
+          {"values",
+           {{"fmep", exact(sum.fmep)},
+            {"mean_power_loss", exact(sum.mean_power_loss)},
+            {"mean_boundary_power", exact(mean_boundary_power)}}},
           {"by_ring", std::move(by_ring)},
           {"oil", oil ? oil_payload(*oil) : ordered_json(nullptr)},
           {"gas", pack.gas ? gas_payload(*pack.gas) : ordered_json(nullptr)}};

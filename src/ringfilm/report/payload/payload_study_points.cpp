@@ -13,8 +13,19 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kPointDigits = 5;
-const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness", "mixed_share"};
+const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness"};
 const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_friction_coefficient", "mean_lambda_ratio"};
+/// Not a value of the cycle: the ratio of two of them.
+const cycle::Quantity kBoundaryPowerShare = {
+    "boundary_power_share", "1", "%", "share of boundary friction in the friction power", "", "eq-mean"};
+
+/// Of all scenarios; NaN where one was not solved.
+std::vector<double> boundary_power_shares(const io::StudyRows& rows) {
+  std::vector<double> shares = rows.values(*rows.plan.values().index("mean_boundary_power"));
+  const std::vector<double> power = rows.values(*rows.plan.values().index("mean_power_loss"));
+  for (std::size_t i = 0; i < shares.size(); ++i) shares[i] /= power[i];
+  return shares;
+}
 
 /// A factor of the grid of one base, and which of its levels the page carries.
 struct Axis {
@@ -72,9 +83,13 @@ ordered_json grid_object(const io::StudyRows& rows) {
     if (!axes) return nullptr;
     all_axes.push_back(std::move(*axes));
   }
-  const std::vector<std::string>& mapped = plan.values().has_cycle ? kMapped : plan.values().main;
+  std::vector<std::string> mapped = plan.values().has_cycle ? kMapped : plan.values().main;
   std::vector<std::vector<double>> columns;
   for (const std::string& name : mapped) columns.push_back(rows.values(*plan.values().index(name)));
+  if (plan.values().has_cycle) {
+    mapped.push_back(kBoundaryPowerShare.name);
+    columns.push_back(boundary_power_shares(rows));
+  }
   ordered_json bases = ordered_json::array();
   for (std::size_t b = 0; b < plan.study().bases.size(); ++b) {
     const std::vector<Axis>& axes = all_axes[b];
@@ -144,6 +159,10 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
     for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kPointDigits));
     object[name] = std::move(list);
   }
+  const std::vector<double> shares = boundary_power_shares(rows);
+  ordered_json list = ordered_json::array();
+  for (const std::uint64_t i : drawn) list.push_back(rounded(shares[i], kPointDigits));
+  object[kBoundaryPowerShare.name] = std::move(list);
   return object;
 }
 
@@ -153,6 +172,12 @@ void add_study_points(const io::StudyRows& rows, ordered_json& payload) {
   const bool is_grid = rows.plan.study().sampling.method == study::Method::kGrid;
   payload["grid"] = is_grid ? grid_object(rows) : ordered_json(nullptr);
   payload["stribeck"] = stribeck_object(rows);
+  const cycle::Quantity& share = kBoundaryPowerShare;
+  payload["page_quantities"] = {{{"name", share.name},
+                                 {"unit", share.unit},
+                                 {"display_unit", share.display_unit},
+                                 {"long_name", share.long_name},
+                                 {"symbol", share.symbol}}};
 }
 
 }  // namespace ringfilm::report

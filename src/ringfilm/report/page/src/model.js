@@ -204,6 +204,11 @@ export function onCycleAxis(angles, values) {
   return { x, y };
 }
 
+/** Share of boundary friction in the mean friction power [%]; null without friction. */
+export function boundaryPowerShare({ mean_boundary_power: boundary, mean_power_loss: power }) {
+  return power > 0 && Number.isFinite(boundary) ? (100 * boundary) / power : null;
+}
+
 /** The part of a curve between two angles. */
 export function window(curve, low, high) {
   const x = [];

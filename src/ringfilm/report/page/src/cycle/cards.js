@@ -1,5 +1,6 @@
 // The numbers that matter, each with the error of the mesh and the range of the ledger.
 import { element, svgElement } from '../dom.js';
+import { boundaryPowerShare } from '../model.js';
 import { swatchSvg } from '../plot/svg.js';
 import { angleInWords, errorText, meaningful, number } from '../units.js';
 
@@ -8,27 +9,38 @@ const kMisprint = /polynomial-as-printed/;
 
 /**
  * Lowest and highest value among the case and its solved other choices, in display units; null where fewer than
- * two were computed.
+ * two were computed. @param of the value of a case or of another choice
  */
-export function modelBand(model, c, name) {
+export function modelBand(c, of) {
   const solved = c.ledger
     .flatMap((entry) => entry.variants)
     .filter((v) => v.solved && !kMisprint.test(v.setting));
-  const values = [c, ...solved]
-    .map((one) => model.value(one, name).value)
-    .filter((v) => v !== null && Number.isFinite(v));
+  const values = [c, ...solved].map(of).filter((v) => v !== null && Number.isFinite(v));
   if (solved.length < 2 || values.length < 3) return null;
   return { low: Math.min(...values), high: Math.max(...values), choices: solved.length };
 }
 
-function accuracy(model, c, name) {
-  const { value, unit } = model.value(c, name);
+/** A value of the cycle with its error and the range of the ledger. */
+const cycleValue = (model, name) => (c) => ({
+  ...model.value(c, name),
+  error: model.error(c, name),
+  band: modelBand(c, (one) => model.value(one, name).value),
+});
+
+/** Share of boundary friction in the friction power with the range of the ledger. */
+const boundaryShare = (c) => ({
+  value: boundaryPowerShare(c.values),
+  unit: '%',
+  error: null,
+  band: modelBand(c, (one) => boundaryPowerShare(one.values)),
+});
+
+function accuracy({ value, unit, error, band }) {
   if (value === null) return null;
-  const error = errorText(model.error(c, name));
-  const band = modelBand(model, c, name);
+  const mesh = errorText(error);
   const shownUnit = unit ? `\u00a0${unit}` : '';
   const parts = [
-    error ? `mesh ±\u00a0${error}${shownUnit}` : null,
+    mesh ? `mesh ±\u00a0${mesh}${shownUnit}` : null,
     band ? `model ${number(band.low, 3)} to ${number(band.high, 3)}${shownUnit}` : null,
   ].filter(Boolean);
   return parts.length
@@ -45,22 +57,22 @@ function shownValue(text, unit) {
   return element('span', { class: 'card-value' }, element('b', {}, text), unit ? ` ${unit}` : '');
 }
 
-/** The sum over the rings of a pack, under those of its rings. */
-function sumRow(model, pack, name, detail) {
-  const { value, unit } = model.value(pack, name);
+/** The rings of a pack together, under those of its rings. @param stated { value, unit } */
+function packRow(model, pack, { value, unit }, detail) {
   const isAlone = model.packs.length === 1 && pack.ring_numbers.length === model.cases.length;
   return element(
     'div',
     { class: 'card-row' },
     element('span', { class: 'card-name' }, `${isAlone ? '' : `${pack.title}: `}all ${pack.n_rings} rings`),
-    shownValue(meaningful(value, null), unit),
+    shownValue(meaningful(value, null), value === null ? '' : unit),
     element('span', { class: 'card-detail' }, detail(pack)),
   );
 }
 
-function card(model, heading, name, detail, sums = []) {
+/** A row for each case. @param of a case to its { value, unit, error, band } */
+function card(model, heading, of, detail, sums = []) {
   const rows = model.cases.map((c) => {
-    const { value, unit } = model.value(c, name);
+    const stated = of(c);
     return element(
       'div',
       { class: 'card-row' },
@@ -72,9 +84,9 @@ function card(model, heading, name, detail, sums = []) {
             c.name,
           )
         : null,
-      shownValue(meaningful(value, model.error(c, name)), value === null ? '' : unit),
+      shownValue(meaningful(stated.value, stated.error), stated.value === null ? '' : stated.unit),
       element('span', { class: 'card-detail' }, detail(c)),
-      accuracy(model, c, name),
+      accuracy(stated),
     );
   });
   return element('section', { class: 'card' }, element('h2', {}, heading), rows, sums);
@@ -83,7 +95,10 @@ function card(model, heading, name, detail, sums = []) {
 /** What the words "mesh" and "model" on the cards mean, as far as they occur. */
 function explanation(model) {
   const meshed = model.cases.some((c) => c.errors?.has_values);
-  const choices = Math.max(0, ...model.cases.map((c) => modelBand(model, c, 'fmep')?.choices ?? 0));
+  const choices = Math.max(
+    0,
+    ...model.cases.map((c) => modelBand(c, (one) => model.value(one, 'fmep').value)?.choices ?? 0),
+  );
   const parts = [
     meshed ? 'Mesh: what cells and crank steps may have moved.' : null,
     choices ? `Model: lowest and highest among ${choices} other choices of the ledger, one at a time.` : null,
@@ -103,15 +118,28 @@ export function cards(model) {
       card(
         model,
         'Mean friction power',
-        'mean_power_loss',
+        cycleValue(model, 'mean_power_loss'),
         fmep,
-        model.packs.map((pack) => sumRow(model, pack, 'mean_power_loss', fmep)),
+        model.packs.map((pack) => packRow(model, pack, model.value(pack, 'mean_power_loss'), fmep)),
       ),
-      card(model, 'Thinnest film', 'min_film_thickness', (c) =>
+      card(model, 'Thinnest film', cycleValue(model, 'min_film_thickness'), (c) =>
         c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '',
       ),
-      card(model, 'In mixed lubrication', 'mixed_share', () => 'of the cycle'),
-      card(model, 'Mean oil flow', 'mean_absolute_oil_flow', (c) =>
+      card(
+        model,
+        'Boundary friction',
+        boundaryShare,
+        () => 'of the friction power',
+        model.packs.map((pack) =>
+          packRow(
+            model,
+            pack,
+            { value: boundaryPowerShare(pack.values), unit: '%' },
+            () => 'of the friction power',
+          ),
+        ),
+      ),
+      card(model, 'Mean oil flow', cycleValue(model, 'mean_absolute_oil_flow'), (c) =>
         c.complete && model.hasFloodedInlet(c) ? 'flooded inlet: an upper bound' : '',
       ),
     ),

@@ -1,6 +1,6 @@
 // The figures over the engine cycle, as plain data that the screen, the SVG and the CSV are drawn from.
 import { angle, angleInWords, display, number, sentence, shortPath, withUnit, wrapped } from '../units.js';
-import { window } from '../model.js';
+import { boundaryPowerShare, onCycleAxis, window } from '../model.js';
 
 export const kCycleRange = [-360, 360];
 const kZoom = [-30, 90];
@@ -186,15 +186,55 @@ function filmFigure(model) {
   };
 }
 
+/** Share of the load that asperities carry over the cycle, on the axis of the charts [%]. */
+export function asperityShare(c) {
+  const { crank_angle: angles, asperity_load: asperities, applied_load: loads } = c.curves;
+  return onCycleAxis(
+    angles,
+    loads.map((load, k) => (load > 0 ? (100 * asperities[k]) / load : null)),
+  );
+}
+
 function lambdaRatioFigure(model) {
   return {
     id: 'lambda-ratio',
     title: 'Lambda ratio',
-    panels: [cyclePanel(model, 'lambda_ratio', { yMarks: [{ at: 3, label: 'mixed below 3' }] })],
+    panels: [cyclePanel(model, 'lambda_ratio')],
     caption:
-      'Minimum film over the composite roughness of the two surfaces. Under 3 the asperities ' +
-      'touch, lubrication is mixed. Share of the cycle: ' +
-      `${ofEachCycle(model, (c) => valueWithUnit(model, c, 'mixed_share'))}.`,
+      'Minimum film over the composite roughness of the two surfaces. Lowest: ' +
+      `${ofEachCycle(model, (c) => valueWithUnit(model, c, 'min_lambda_ratio'))}. At which lambda ratio asperities ` +
+      'begin to carry depends on the contact law.',
+  };
+}
+
+function asperityShareFigure(model) {
+  const range = (c) => {
+    const shares = asperityShare(c).y.filter((v) => v !== null);
+    return shares.length
+      ? `${number(Math.min(...shares), 2)} to ${number(Math.max(...shares), 2)}\u00a0%`
+      : 'no load';
+  };
+  return {
+    id: 'asperity-share',
+    title: 'Load carried by asperities',
+    panels: [
+      {
+        ...cyclePanel(model, 'lambda_ratio'),
+        id: 'asperity-share',
+        yLabel: 'share of the load carried by asperities',
+        yUnit: '%',
+        series: model.cases.map((c) => ({
+          caseIndex: c.series,
+          part: null,
+          label: c.name,
+          ...asperityShare(c),
+        })),
+      },
+    ],
+    caption:
+      'Load carried by asperities over the load on the ring; oil film and gas carry the rest. Range: ' +
+      `${forEachCase(model, range)}. Boundary friction in the friction power: ` +
+      `${ofEachCycle(model, (c) => withUnit(boundaryPowerShare(c.values), '%', 3))}.`,
   };
 }
 
@@ -302,6 +342,7 @@ export function cycleFigures(model) {
     frictionFigure,
     pressureFigure,
     lambdaRatioFigure,
+    asperityShareFigure,
     linerFrictionFigure,
     flowFigure,
   ];
@@ -322,7 +363,6 @@ export function otherQuantityFigure(model, name) {
   const signed = model.cases.some((c) => c.curves[name].some((v) => v < 0));
   return withBandSentence({
     id: 'other-quantity',
-    long: true,
     title: 'Any other quantity',
     group: 'cycle',
     panels: [cyclePanel(model, name, { zeroLine: signed, fromZero: false })],

@@ -10,7 +10,7 @@ const kReported = [
   ['fmep', 'FMEP'],
   ['min_film_thickness', 'min film'],
   ['lambda_ratio_at_peak_pressure', 'λ at peak'],
-  ['mixed_share', 'mixed share'],
+  ['mean_boundary_power', 'boundary power'],
   ['mean_absolute_oil_flow', 'oil flow'],
 ];
 

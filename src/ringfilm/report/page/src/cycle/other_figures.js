@@ -51,7 +51,7 @@ export function stribeckFigure(model) {
       'From −90° to 90° around firing TDC; arrows give the direction of time, the dead centre lies ' +
       'far out on the left. Highest within ±60° of firing TDC: ' +
       ofEachCycle(model, (c) => valueWithUnit(model, c, 'peak_friction_coefficient_firing')) +
-      '. High on the left is boundary lubrication, the low end on the right is the oil film.',
+      '. To the left asperities carry more of the load, to the right the oil film.',
   };
 }
 

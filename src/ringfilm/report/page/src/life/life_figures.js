@@ -12,7 +12,7 @@ const kDrawn = [
   'lambda_ratio_at_peak_pressure',
   'min_film_thickness',
   'peak_friction_coefficient_firing',
-  'mixed_share',
+  'mean_boundary_power',
   'worn_area',
   'largest_worn_depth',
   'coating_left',

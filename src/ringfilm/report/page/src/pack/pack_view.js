@@ -2,7 +2,8 @@
 import { element, svgElement } from '../dom.js';
 import { fileStem, save, savePng } from '../downloads.js';
 import { figure as numberCell, table } from '../tables.js';
-import { angleInWords, number } from '../units.js';
+import { boundaryPowerShare } from '../model.js';
+import { angleInWords, number, withUnit } from '../units.js';
 import { packSvg } from './pack_drawing.js';
 
 export class PackDrawing {
@@ -113,6 +114,7 @@ export function ringTable({ pack, model }) {
     numberCell(number(model.value({ values }, 'mean_power_loss').value, 4)),
     numberCell(number(model.value({ values }, 'fmep').value, 4)),
     numberCell(`${number((100 * values.mean_power_loss) / pack.values.mean_power_loss, 3)} %`),
+    numberCell(withUnit(boundaryPowerShare(values), '%', 3)),
   ];
   const head = (text) => ({ text, attributes: { class: 'number' } });
   return table(
@@ -121,7 +123,8 @@ export function ringTable({ pack, model }) {
       'ring',
       head(`mean friction power [${power.unit}]`),
       head(`friction mean effective pressure [${fmep.unit}]`),
-      head('share'),
+      head('share in the pack'),
+      head('boundary friction in the power'),
     ],
     [...pack.by_ring.map(({ ring, values }) => row(`ring ${ring}`, values)), row('pack', pack.values)],
   );

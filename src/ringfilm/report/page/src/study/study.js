@@ -250,7 +250,7 @@ legend hides that base.'
       const label = curve ? `Over ${curve.factor.name}` : 'Maps';
       add('maps', label, label, maps());
     },
-    stribeck: () => add('regimes', 'Stribeck curve', 'Regimes of lubrication', stribeck()),
+    stribeck: () => add('regimes', 'Stribeck curve', 'Stribeck curve', stribeck()),
     screening: () => add('screening', 'Screening', 'Which inputs matter', screening()),
     spread: () => add('spread', 'Spread', 'How far the values are spread', spread()),
     decides: () => add('decides', 'Which input decides', 'Which input decides', decides()),

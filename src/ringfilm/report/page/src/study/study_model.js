@@ -4,7 +4,9 @@ import { display, withUnit } from '../units.js';
 export class StudyModel {
   constructor(payload) {
     Object.assign(this, payload);
-    this.quantity = new Map(payload.quantities.map((q) => [q.name, { ...q, ...shownAs(q) }]));
+    this.quantity = new Map(
+      [...payload.quantities, ...payload.page_quantities].map((q) => [q.name, { ...q, ...shownAs(q) }]),
+    );
     this.factors = payload.factors.map((f, index) => ({ ...f, ...shownAs(f), index }));
     this.bases = payload.bases.map((b, index) => ({ ...b, index }));
     this.several = this.bases.length > 1;

@@ -1,14 +1,15 @@
-// One point a scenario: friction coefficient against Stribeck number, by the regime of its film.
+// One point a scenario: friction coefficient against Stribeck number, by its share of boundary friction.
 import { caseMark, markPath } from '../plot/palette.js';
 import { airy, extent, frame, legend, mark } from '../plot/plot_frame.js';
 import { kInk, px, safe } from '../plot/svg_shapes.js';
 import { number, percent } from '../units.js';
 
-/** By the lambda ratio, weighted with the load. */
-const kRegimes = [
-  { name: 'boundary (λ below 1)', from: -Infinity, to: 1, colour: '#8c2d1a' },
-  { name: 'mixed (λ 1 to 3)', from: 1, to: 3, colour: '#e0a21b' },
-  { name: 'hydrodynamic (λ above 3)', from: 3, to: Infinity, colour: '#2f6fc4' },
+/** Steps of the share of boundary friction in the friction power, in per cent. */
+const kSteps = [
+  { name: '75 to 100 %', from: 75, colour: '#8c2d1a' },
+  { name: '50 to 75 %', from: 50, colour: '#d9821f' },
+  { name: '25 to 50 %', from: 25, colour: '#7fa8d9' },
+  { name: '0 to 25 %', from: 0, colour: '#1f4e9c' },
 ];
 /** From so many times on a logarithmic axis shows more. */
 const kManyTimes = 15;
@@ -22,11 +23,12 @@ export function stribeckFigure(model) {
       x: s.mean_stribeck_number[k],
       y: s.mean_friction_coefficient[k],
       film: s.mean_lambda_ratio[k],
+      boundary: 100 * s.boundary_power_share[k],
     }))
     .filter((p) => p.x > 0 && p.y > 0);
   if (all.length < 3) return null;
-  const regime = (p) => kRegimes.find((r) => p.film >= r.from && p.film < r.to) ?? kRegimes[0];
-  const there = kRegimes.filter((r) => all.some((p) => regime(p) === r));
+  const step = (p) => kSteps.find((r) => p.boundary >= r.from) ?? kSteps[kSteps.length - 1];
+  const there = kSteps.filter((r) => all.some((p) => step(p) === r));
   const [low, high] = extent(all.map((p) => p.y));
   const log = high > kManyTimes * low;
   const span = extent(all.map((p) => p.x));
@@ -43,7 +45,7 @@ export function stribeckFigure(model) {
       const named = legend(
         [
           ...there.map((r) => ({
-            label: r.name,
+            label: `boundary friction ${r.name} of the power`,
             swatch: (x, y) => `<circle cx="${px(x + 14)}" cy="${px(y)}" r="5" fill="${r.colour}"/>`,
           })),
           ...bases,
@@ -75,12 +77,12 @@ export function stribeckFigure(model) {
       const points = all.map(
         (p) =>
           `<path d="${markPath(model.several ? caseMark(p.base) : 'circle', x(p.x), y(p.y), r)}" ` +
-          `fill="${regime(p).colour}" fill-opacity="0.75" ` +
-          `stroke="${caseMark(p.base) === 'cross' && model.several ? regime(p).colour : '#fff'}" ` +
+          `fill="${step(p).colour}" fill-opacity="0.75" ` +
+          `stroke="${caseMark(p.base) === 'cross' && model.several ? step(p).colour : '#fff'}" ` +
           'stroke-width="0.5"><title>' +
           safe(
             `scenario ${p.scenario}, ${model.bases[p.base].name}: S ${number(p.x, 3)}, µ ` +
-              `${number(p.y, 3)}, λ ${number(p.film, 3)}`,
+              `${number(p.y, 3)}, λ ${number(p.film, 3)}, boundary friction ${number(p.boundary, 3)} % of the power`,
           ) +
           '</title></path>',
       );
@@ -90,13 +92,11 @@ export function stribeckFigure(model) {
       'Each point is one scenario' +
       `${s.of > s.scenario.length ? `, ${all.length} of ${s.of} evenly picked` : ''}: mean ` +
       'friction over mean load against the Stribeck number of mean speed and mean load pressure. ' +
-      'Colours: lambda ratio λ = thinnest film over σ, weighted with the load; it is a mean of ' +
-      'the cycle, and near the dead centres asperities may carry in any of them. ' +
+      'Colours: share of boundary friction in the friction power. Scenarios by this share: ' +
       there
         .map(
           (r) =>
-            `${r.name}: ` +
-            percent(all.filter((p) => regime(p) === r).length / all.length, 0).replace('+', ''),
+            `${r.name}: ` + percent(all.filter((p) => step(p) === r).length / all.length, 0).replace('+', ''),
         )
         .join('; ') +
       `. Stribeck number ${number(span[0], 2)} to ${number(span[1], 2)}, friction coefficient ` +
@@ -107,7 +107,7 @@ export function stribeckFigure(model) {
       { title: 'Stribeck number', values: all.map((p) => p.x) },
       { title: 'friction coefficient', values: all.map((p) => p.y) },
       { title: 'lambda ratio', values: all.map((p) => p.film) },
-      { title: 'regime', values: all.map((p) => regime(p).name) },
+      { title: 'boundary friction in the power [%]', values: all.map((p) => p.boundary) },
     ],
   };
 }
