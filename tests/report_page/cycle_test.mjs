@@ -8,11 +8,11 @@ import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const { settingWords } = await load('cycle/setting_words.js');
-const { asperityShare, closings, thinnestInWords } = await load('cycle/cycle_figures.js');
+const { asperityShare, breakthroughs, closings, thinnestInWords } = await load('cycle/cycle_figures.js');
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
 const { boundaryPowerShare, Model } = await load('model.js');
-const { logarithmic } = await load('plot/scales.js');
+const { kSpanHeight, logarithmic, spanBars } = await load('plot/scales.js');
 
 test('usual ranges are those that the manual argues', () => {
   const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
@@ -115,9 +115,13 @@ test('the load that asperities carry and boundary friction are shares, without a
 });
 
 test('a cavity closes where the film is full again, if its mass is conserved', () => {
-  const at = (cavitation) => {
+  const at = (cavitation, edge = 'oil') => {
     const model = smallModel(
-      [{ key: 'film.cavitation', shown: cavitation }],
+      [
+        { key: 'film.cavitation', shown: cavitation },
+        { key: 'film.chamber_edge', shown: 'oil' },
+        { key: 'film.crankcase_edge', shown: edge },
+      ],
       { crank_angle: [0, 180, 190, 540], gas_pressure: [1, 2, 2, 1], cavitated_fraction: [0, 0.1, 0, 0] },
       {},
     );
@@ -125,6 +129,45 @@ test('a cavity closes where the film is full again, if its mass is conserved', (
   };
   assert.deepEqual(at('mass-conserving'), [190]);
   assert.deepEqual(at('reynolds-exit'), []);
+  // Gas fills a part of the face there, which counts as no cavity.
+  assert.deepEqual(at('mass-conserving', 'gas'), []);
+});
+
+test('gas breaks through from the first to the last angle of each stretch, also across gas-exchange TDC', () => {
+  const found = (gas_breakthrough) =>
+    breakthroughs({ curves: { crank_angle: [0, 90, 180, 350, 370, 540], gas_breakthrough } });
+  assert.deepEqual(found([0, 1, 1, 0, 0, 0]), [{ from: 90, to: 180, count: 2 }]);
+  assert.deepEqual(found([1, 0, 0, 1, 1, 0]), [
+    { from: 0, to: 0, count: 1 },
+    { from: 350, to: -350, count: 2 },
+  ]);
+  assert.deepEqual(found([0, 0, 0, 0, 0, 0]), []);
+  assert.deepEqual(found([1, 1, 1, 1, 1, 1]), [{ from: -360, to: 360, count: 6 }]);
+});
+
+test('stretches are bars within the window, a row for each case that is shown', () => {
+  const spans = [
+    { from: 350, to: -350, caseIndex: 0 },
+    { from: 10, to: 20, caseIndex: 1 },
+  ];
+  const bars = (window, shown) =>
+    spanBars({ spans }, window, shown).map(({ from, to, top }) => [from, to, top]);
+  assert.deepEqual(
+    bars([-360, 360], () => true),
+    [
+      [350, 360, 0],
+      [-360, -350, 0],
+      [10, 20, kSpanHeight + 1],
+    ],
+  );
+  assert.deepEqual(
+    bars([0, 15], ({ caseIndex }) => caseIndex === 1),
+    [[10, 15, 0]],
+  );
+  assert.deepEqual(
+    bars([30, 90], () => true),
+    [],
+  );
 });
 
 test('a logarithmic axis has no place for what is not positive', () => {

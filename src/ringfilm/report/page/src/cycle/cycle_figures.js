@@ -1,5 +1,15 @@
 // The figures over the engine cycle, as plain data that the screen, the SVG and the CSV are drawn from.
-import { angle, angleInWords, display, number, sentence, shortPath, withUnit, wrapped } from '../units.js';
+import {
+  angle,
+  angleInWords,
+  display,
+  howOften,
+  number,
+  sentence,
+  shortPath,
+  withUnit,
+  wrapped,
+} from '../units.js';
 import { boundaryPowerShare, onCycleAxis, window } from '../model.js';
 
 export const kCycleRange = [-360, 360];
@@ -241,12 +251,16 @@ function asperityShareFigure(model) {
 /** More marks than these would cover the curves. */
 const kMostMarks = 4;
 
+/** Is gas at an edge of the face? It may fill a part of it, which no cavity is. */
+const hasGasEdge = (model, c) =>
+  ['film.chamber_edge', 'film.crankcase_edge'].some((key) => model.input(c, key)?.shown === 'gas');
+
 /**
  * Crank angles where a cavity of a mass-conserving film closes, on the axis of the charts: the film is full from
- * there on, and friction has a kink.
+ * there on, and friction has a kink. None next to gas, where a film without a cavity need not be full.
  */
 export function closings(model, c) {
-  if (model.input(c, 'film.cavitation')?.shown !== 'mass-conserving') return [];
+  if (model.input(c, 'film.cavitation')?.shown !== 'mass-conserving' || hasGasEdge(model, c)) return [];
   const curve = model.curve(c, 'cavitated_fraction');
   return curve.x.filter((_, k) => k > 0 && curve.y[k] === 0 && curve.y[k - 1] > 0);
 }
@@ -265,20 +279,61 @@ function kinks(model) {
   };
 }
 
+/** Stretches of crank angles in which gas of an edge reaches the lowest place of the face: { from, to, count }. */
+export function breakthroughs(c) {
+  const angles = c.curves.crank_angle;
+  const blows = (c.curves.gas_breakthrough ?? []).map((v) => v > 0);
+  if (!blows.includes(true)) return [];
+  const n = angles.length;
+  const first = blows.findIndex((here, k) => here && !blows[(k + n - 1) % n]);
+  if (first < 0) return [{ from: -360, to: 360, count: n }];
+  const found = [];
+  for (let step = 0; step < n; step++) {
+    const k = (first + step) % n;
+    if (!blows[k]) continue;
+    if (!blows[(k + n - 1) % n]) found.push({ from: wrapped(angles[k]), count: 0 });
+    Object.assign(found[found.length - 1], {
+      to: wrapped(angles[k]),
+      count: found[found.length - 1].count + 1,
+    });
+  }
+  return found.sort((a, b) => a.from - b.from);
+}
+
+/** Stretches of gas breakthrough for a chart, and the sentence on them for its caption. */
+function gasBreakthrough(model) {
+  const found = model.cases.map((c) => ({ c, at: breakthroughs(c) })).filter(({ at }) => at.length > 0);
+  if (found.length === 0) return { spans: [], words: '' };
+  const stretch = ({ from, to }) => (from === to ? `${angle(from)}°` : `${angle(from)}° to ${angle(to)}°`);
+  const words = ({ c, at }) => {
+    const count = at.reduce((sum, one) => sum + one.count, 0);
+    const shown = at.slice(0, kMostMarks).map(stretch).join(', ');
+    return (
+      `${model.several ? `${c.name} ` : ''}at ${howOften(count, c.curves.crank_angle.length)} (${shown}` +
+      `${at.length > kMostMarks ? `, ${at.length - kMostMarks} more` : ''})`
+    );
+  };
+  return {
+    spans: found.flatMap(({ c, at }) => at.map(({ from, to }) => ({ from, to, caseIndex: c.series }))),
+    words: ` Bars on top: gas breaks through the film ${found.map(words).join('; ')}.`,
+  };
+}
+
 function frictionFigure(model) {
   const kink = kinks(model);
+  const gas = gasBreakthrough(model);
   return {
     id: 'total-friction',
     title: 'Friction',
     paper: 'Fig. 9',
     offersLog: true,
-    panels: [{ ...cyclePanel(model, 'total_friction'), xMarks: kink.marks }],
+    panels: [{ ...cyclePanel(model, 'total_friction'), xMarks: kink.marks, spans: gas.spans }],
     caption: `Boundary plus viscous friction of the whole ring, without sign. Peak: ${ofEachCycle(
       model,
       (c) =>
         `${valueWithUnit(model, c, 'peak_total_friction')} ` +
         `${angleInWords(c.values.peak_total_friction_angle)}`,
-    )}.${kink.words}${overlaySentence(model, 'total_friction')}`,
+    )}.${kink.words}${gas.words}${overlaySentence(model, 'total_friction')}`,
   };
 }
 

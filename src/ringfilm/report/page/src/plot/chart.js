@@ -10,9 +10,11 @@ import {
   kDeadCentres,
   kPeakLabel,
   kRoomForPeak,
+  kSpanHeight,
   kStrokeBands,
   markIndices,
   markPlaces,
+  spanBars,
   xRange,
   xTicks,
   yRange,
@@ -279,6 +281,15 @@ export class Chart {
       if (room > ctx.measureText(band.name).width + 3)
         ctx.fillText(band.name, (box.x(a) + box.x(b)) / 2, box.top - 7);
     });
+    for (const bar of spanBars(panel, this.window, this.visible)) {
+      ctx.fillStyle = caseColour(bar.caseIndex);
+      ctx.fillRect(
+        box.x(bar.from),
+        box.top + bar.top,
+        Math.max(1, box.x(bar.to) - box.x(bar.from)),
+        kSpanHeight,
+      );
+    }
     for (const centre of kDeadCentres) {
       if (centre.at > from && centre.at < to)
         line(

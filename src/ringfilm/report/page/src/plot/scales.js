@@ -185,6 +185,34 @@ export function markPlaces(marks, x, widthOf, left, right) {
     });
 }
 
+export const kSpanHeight = 4;
+
+/**
+ * Bars at the upper edge of a chart over crank angle for its stretches { from, to, caseIndex }, a row for each case;
+ * one that passes gas-exchange TDC is two bars. @returns { from, to, caseIndex, top }, top in pixels
+ */
+export function spanBars(panel, [low, high], visible) {
+  const spans = (panel.spans ?? []).filter(visible);
+  const rows = [...new Set(spans.map((span) => span.caseIndex))];
+  return spans
+    .flatMap(({ from, to, caseIndex }) => {
+      const pieces =
+        from <= to
+          ? [[from, to]]
+          : [
+              [from, 360],
+              [-360, to],
+            ];
+      return pieces.map(([a, b]) => ({
+        from: Math.max(a, low),
+        to: Math.min(b, high),
+        caseIndex,
+        top: rows.indexOf(caseIndex) * (kSpanHeight + 1),
+      }));
+    })
+    .filter((bar) => bar.to >= bar.from);
+}
+
 /** Outlines of the bands about a curve, one for each piece without a gap, in the units of the axes. */
 export function bandOutlines(series) {
   const bands = series.error

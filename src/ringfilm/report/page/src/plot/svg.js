@@ -10,9 +10,11 @@ import {
   kDeadCentres,
   kPeakLabel,
   kRoomForPeak,
+  kSpanHeight,
   kStrokeBands,
   markIndices,
   markPlaces,
+  spanBars,
   xRange,
   xTicks,
   yRange,
@@ -37,7 +39,7 @@ function linePanel(panel, box, visible, window, clip) {
   const x = scaler(panel.xScale === 'log', range[0], range[1], left, right);
   const y = scaler(panel.yScale === 'log', bottom, top, low, high);
   const out = [];
-  if (panel.crank) out.push(...crankFurniture(panel, range, x, high, low));
+  if (panel.crank) out.push(...crankFurniture(panel, range, visible, x, high, low));
   const across = xTicks(panel, range[0], range[1], (right - left) / 70);
   const up = yTicks(panel, bottom, top, (low - high) / 32);
   for (const v of up.values) {
@@ -93,7 +95,7 @@ function linePanel(panel, box, visible, window, clip) {
   return define + out.join('');
 }
 
-function crankFurniture(panel, [from, to], x, high, low) {
+function crankFurniture(panel, [from, to], visible, x, high, low) {
   const out = [];
   kStrokeBands.forEach((band, i) => {
     const [a, b] = [Math.max(band.from, from), Math.min(band.to, to)];
@@ -106,6 +108,12 @@ function crankFurniture(panel, [from, to], x, high, low) {
     if (x(b) - x(a) > 60)
       out.push(text((x(a) + x(b)) / 2, high - 8, band.name, { anchor: 'middle', size: 11, fill: kFaint }));
   });
+  for (const bar of spanBars(panel, [from, to], visible))
+    out.push(
+      `<rect class="span" x="${px(x(bar.from))}" y="${px(high + bar.top)}" ` +
+        `width="${px(Math.max(1, x(bar.to) - x(bar.from)))}" height="${kSpanHeight}" ` +
+        `fill="${caseColour(bar.caseIndex)}"/>`,
+    );
   for (const centre of kDeadCentres) {
     if (centre.at > from && centre.at < to)
       out.push(rule(x(centre.at), low, x(centre.at), high - (centre.at === 0 ? 6 : 0), '#aab1bb'));
