@@ -32,19 +32,32 @@ class Draw {
   std::mt19937 engine_;
 };
 
+/// Every third pack has ranges far beyond engines, where volumes follow their neighbours in an instant.
 Pack random_pack(unsigned seed) {
   Draw draw(seed);
+  const bool is_wide = seed % 3 == 0;
   Pack pack = two_ring_pack();
   pack.ring_motion = seed % 2 == 0 ? RingMotion::kSeated : RingMotion::kAxial;
-  pack.speed = draw.between(300, 9000) * std::numbers::pi / 30;
+  pack.speed = draw.between(is_wide ? 100 : 300, 9000) * std::numbers::pi / 30;
   pack.gas.choking_smoothing = draw.size(0, 1e-6, 0.1);
+  if (is_wide) {
+    pack.gas.viscosity = draw.size(0, 1e-6, 1e-3);
+    pack.gas.gas_constant = draw.size(0, 100, 5000);
+    pack.chamber_temperature = draw.between(150, 3000);
+  }
+  const double smallest = is_wide ? 1e-12 : 1e-10;
   for (Ring& ring : pack.rings) {
-    ring.gap_area = draw.between(0, 1) < 0.15 ? 0 : draw.between(0, 1e-6);
-    ring.volume_below = draw.size(0.2, 1e-10, 1e-5);
-    ring.groove_volume = draw.size(0.2, 1e-10, 1e-5);
+    const double gap = is_wide ? draw.size(0, 1e-12, 1e-5) : draw.between(0, 1e-6);
+    ring.gap_area = draw.between(0, 1) < 0.15 ? 0 : gap;
+    ring.volume_below = draw.size(0.2, smallest, 1e-5);
+    ring.groove_volume = draw.size(0.2, smallest, 1e-5);
     ring.mass = draw.size(0, 5e-4, 0.1);
-    ring.side_clearance = draw.size(0, 1e-5, 2e-4);
+    ring.side_clearance = is_wide ? draw.size(0, 1e-6, 2e-3) : draw.size(0, 1e-5, 2e-4);
     ring.bore_friction_coefficient = draw.between(0, 0.2);
+    if (is_wide) {
+      ring.temperature_below = draw.between(150, 1500);
+      ring.groove_temperature = draw.between(150, 1500);
+    }
   }
   if (draw.between(0, 1) < 0.3) pack.rings.pop_back();
   pack.rings.back().volume_below = 0;

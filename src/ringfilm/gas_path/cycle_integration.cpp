@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
@@ -52,6 +53,7 @@ CycleIntegration::CycleIntegration(const Network& network, PackState begin)
 
 void CycleIntegration::begin_cycle() {
   angle_ = kBeginDeg;
+  n_steps_ = 0;
   next_step_ = kFirstStep;  // the same in each cycle, so that equal beginnings have equal ends
   step_.forget();
   result_ = {};
@@ -77,7 +79,8 @@ void CycleIntegration::record_degree(int degree) {
   }
 }
 
-void CycleIntegration::integrate() {
+void CycleIntegration::integrate(long most_steps) {
+  most_steps_ = most_steps;
   begin_cycle();
   const auto stored = [&] {
     double mass = 0;
@@ -134,6 +137,9 @@ double CycleIntegration::attempt(double h) {
   }
   const double asked = h;
   for (;;) {
+    if (++n_steps_ > most_steps_) {
+      stop("a cycle takes more than " + std::to_string(most_steps_) + " steps, here of " + number_text(h) + " degree");
+    }
     const RadauStep::Outcome outcome = step_.solve(system_, angle_, y_, h, scale_);
     const double growth =
         outcome.solved ? std::clamp(0.9 * std::pow(std::max(outcome.error, 1e-8), -0.25), 0.2, 4.0) : 0.25;
@@ -144,12 +150,32 @@ double CycleIntegration::attempt(double h) {
     }
     h *= std::min(growth, 0.9);
     step_.forget();
-    if (h < kShortestStep) {
-      throw ConvergenceError("the gas between the rings was not found at " + number_text(wrapped_angle(angle_)) +
-                                 " degree of crank angle: no step is short enough",
-                             wrapped_angle(angle_));
-    }
+    if (h < kShortestStep) stop("no step is short enough");
   }
+}
+
+/// Names the volume that makes the steps short, and what the rings did.
+void CycleIntegration::stop(const std::string& reason) {
+  std::vector<double> conductance(result_.paths.size()), slope(network_.n_regions(), 0.0);
+  system_.conductances(angle_, y_, conductance);
+  for (std::size_t k = 0; k < conductance.size(); ++k) {
+    for (const std::size_t region : {result_.paths[k].from, result_.paths[k].to}) slope[region] += conductance[k];
+  }
+  std::string text = "the gas between the rings was not found at " + number_text(wrapped_angle(angle_)) +
+                     " degree of crank angle: " + reason;
+  const auto& inner = network_.inner();
+  const auto quickness = [&](std::size_t r) { return slope[r] / network_.regions()[r].capacity; };
+  const auto quickest =
+      std::max_element(inner.begin(), inner.end(), [&](auto a, auto b) { return quickness(a) < quickness(b); });
+  if (quickest != inner.end() && slope[*quickest] > 0) {
+    text += "; " + network_.regions()[*quickest].name + " follows its neighbours within " +
+            number_text(1 / quickness(*quickest)) + " s, state a larger volume or narrower gaps there";
+  }
+  if (network_.pack().ring_motion == RingMotion::kAxial) {
+    text += "; the rings have changed flanks " + std::to_string(result_.events.size()) +
+            " times in this cycle, state larger ring masses, or gas_path.ring_motion = \"seated\"";
+  }
+  throw ConvergenceError(text, wrapped_angle(angle_));
 }
 
 double CycleIntegration::event_value(std::size_t ring, FlankEvent event, double share, double h) {
@@ -220,8 +246,8 @@ double CycleIntegration::shorten_to(std::vector<Found>& found, double h) {
   return attempt(0.5 * length);
 }
 
-/// Takes the end of the step that was solved last. The masses change by what the quadrature finds along the paths, so
-/// that none is lost or made.
+/// Takes the end of the step that was solved last. The masses change by what passes along the paths, so that none is
+/// lost or made.
 void CycleIntegration::commit(double h) {
   update_peaks(h);
   const std::size_t n_paths = result_.paths.size(), n_inner = system_.n_inner();
@@ -240,16 +266,43 @@ void CycleIntegration::commit(double h) {
   }
   step_.carry(sensitivity_, n_inner);
   system_.take(step_.stage(2), state_);
-  std::vector<double> change(n_inner, 0.0);
-  for (std::size_t k = 0; k < n_paths; ++k) {
-    const Path& path = result_.paths[k];
-    result_.transported[k] += moved[k];
-    if (system_.is_inner(path.from)) change[network_.unknown(path.from)] -= moved[k];
-    if (system_.is_inner(path.to)) change[network_.unknown(path.to)] += moved[k];
+  close_balance(h, moved);
+  for (std::size_t k = 0; k < n_paths; ++k) result_.transported[k] += moved[k];
+}
+
+/// Masses at the end of a step and masses that the quadrature moves along the paths differ by rounding, and by what the
+/// iteration leaves. One more step of the iteration, eq-balance-closure, removes the difference: a slow region takes it
+/// as pressure, a fast one as flow. @param moved mass along each path [kg]
+void CycleIntegration::close_balance(double h, std::vector<double>& moved) {
+  const std::size_t n = system_.n_inner();
+  const double seconds = h * system_.seconds_per_degree();
+  std::vector<double> matrix(n * n, 0.0), missed(n), exchange(moved.size());
+  system_.conductances(angle_ + h, step_.stage(2), exchange);
+  for (double& one : exchange) one *= seconds;
+  for (std::size_t i = 0; i < n; ++i) {
+    matrix[i * n + i] = network_.regions()[network_.inner()[i]].capacity;
+    missed[i] = matrix[i * n + i] * PackSystem::kPressureUnit * (y_[i] - step_.stage(2)[i]);
   }
-  for (std::size_t i = 0; i < n_inner; ++i) {
-    const double capacity = network_.regions()[network_.inner()[i]].capacity;
-    state_.pressure[i] = y_[i] + change[i] / (capacity * PackSystem::kPressureUnit);
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const Path& path = result_.paths[k];
+    for (const auto& [region, other, sign] :
+         {std::tuple{path.from, path.to, -1.0}, std::tuple{path.to, path.from, 1.0}}) {
+      if (!network_.is_inner(region)) continue;
+      const std::size_t row = network_.unknown(region);
+      missed[row] += sign * moved[k];
+      matrix[row * n + row] += exchange[k];
+      if (network_.is_inner(other)) matrix[row * n + network_.unknown(other)] -= exchange[k];
+    }
+  }
+  LuFactors factors;
+  factors.factorize(matrix, n);
+  factors.solve(missed);
+  const auto change = [&](std::size_t region) {
+    return network_.is_inner(region) ? missed[network_.unknown(region)] : 0;
+  };
+  for (std::size_t i = 0; i < n; ++i) state_.pressure[i] += missed[i] / PackSystem::kPressureUnit;
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    moved[k] += exchange[k] * (change(result_.paths[k].from) - change(result_.paths[k].to));
   }
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "ringfilm/gas_path/pack_system.hpp"
@@ -16,8 +17,15 @@ class CycleIntegration {
 
   CycleIntegration(const Network& network, PackState begin);
 
-  /// One cycle, from kBeginDeg to a cycle later. Throws ConvergenceError where no step is short enough.
-  void integrate();
+  /// Steps that a cycle may take, those that are rejected included. Packs as in engines take some thousand, the hardest
+  /// of 1,200 random ones whose motion repeats 26,000: a light ring that bounces on little gas.
+  static constexpr long kMostSteps = 200'000;
+
+  /// One cycle, from kBeginDeg to a cycle later. Throws ConvergenceError where no step is short enough, or where it
+  /// takes more steps than `most_steps`.
+  void integrate(long most_steps = kMostSteps);
+
+  long n_steps() const { return n_steps_; }  ///< made in the last cycle, with those that were rejected
 
   const PackState& state() const { return state_; }
   void set_pressures(const std::vector<double>& pressure) { state_.pressure = pressure; }  ///< [bar]
@@ -41,12 +49,14 @@ class CycleIntegration {
   void record_degree(int degree);
   void advance_to(double end_deg);
   double attempt(double h);
+  [[noreturn]] void stop(const std::string& reason);
   void leave_flanks();
   std::vector<Found> first_events(double h);
   double event_value(std::size_t ring, FlankEvent event, double share, double h);
   double locate(std::size_t ring, FlankEvent event, double low, double high, double h);
   double shorten_to(std::vector<Found>& found, double h);
   void commit(double h);
+  void close_balance(double h, std::vector<double>& moved);
   void conclude(const Found& found);
   void update_peaks(double h);
   void reshape_sensitivity(const std::vector<std::size_t>& free_before);
@@ -56,6 +66,7 @@ class CycleIntegration {
   RadauStep step_;
   PackState state_;
   double angle_ = kBeginDeg, next_step_ = 0;
+  long n_steps_ = 0, most_steps_ = kMostSteps;
   std::vector<double> y_, scale_, at_, pressure_, flow_, sensitivity_;
   // of the cycle
   GasPathResult result_;

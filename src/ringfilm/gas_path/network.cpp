@@ -8,6 +8,10 @@
 namespace ringfilm::gas_path {
 namespace {
 
+/// A groove is not in balance with the land above its seated ring sooner [degree]. In that time no pressure of a cycle
+/// changes by more than some 1e-9 of itself, and in steps of a degree rounding stays below the error of a step.
+constexpr double kQuickestDeg = 1e-8;
+
 Region region(const std::string& name, double volume, double temperature, double gas_constant) {
   return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature), nullptr};
 }
@@ -81,7 +85,25 @@ Network::Network(const Pack& pack, GivenPressures given)
   for (std::size_t i = 0; i < n; ++i) {
     borders_[i].groove = groove[i];
     channels_.push_back(side_channel(pack, pack.rings[i]));
+    seated_clearance_.push_back(pack.rings[i].side_clearance);
     add_ring(i, i == 0 ? 0 : below[i - 1], below[i]);
+  }
+  narrow_quick_clearances();
+}
+
+/// The only path of a groove whose ring is seated is its side clearance. One that would bring the groove to the
+/// pressure above the ring within kQuickestDeg is narrowed to do so in that time: the quasi-steady limit of the groove.
+void Network::narrow_quick_clearances() {
+  double highest = 0;
+  for (const Region& region : regions_) {
+    if (region.given != nullptr) highest = std::max(highest, region.given->peak());
+  }
+  const double quickest = kQuickestDeg * std::numbers::pi / 180 / pack_.speed;
+  for (std::size_t i = 0; i < pack_.rings.size(); ++i) {
+    if (!has_groove(i)) continue;
+    const double slope = channels_[i].slope(seated_clearance_[i], highest);
+    const double largest = regions_[borders_[i].groove].capacity / quickest;
+    if (slope > largest) seated_clearance_[i] *= std::cbrt(largest / slope);
   }
 }
 
@@ -108,7 +130,7 @@ double Network::flow(const Path& path, double p_from, double p_to, double positi
   }
   if (path.kind == PathKind::kFace) return faces_[path.ring].limited_flow(law_, position, p_from, p_to);
   const models::GasChannel& channel = channels_[path.ring];
-  if (pack_.ring_motion == RingMotion::kSeated) return channel.flow(ring.side_clearance, p_from, p_to);
+  if (pack_.ring_motion == RingMotion::kSeated) return channel.flow(seated_clearance_[path.ring], p_from, p_to);
   const double clearance = path.kind == PathKind::kAboveRing ? ring.side_clearance - position : position;
   return channel.limited_flow(law_, clearance, p_from, p_to);
 }

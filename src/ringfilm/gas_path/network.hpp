@@ -90,6 +90,7 @@ class Network {
   double gas_and_friction(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
                           double p_crankcase) const;
   void add_ring(std::size_t ring, std::size_t above, std::size_t below);
+  void narrow_quick_clearances();
 
   const Pack& pack_;
   GivenPressures given_;
@@ -98,6 +99,7 @@ class Network {
   std::vector<std::size_t> inner_, unknown_;
   std::vector<Path> paths_;
   std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
+  std::vector<double> seated_clearance_;      ///< side clearance of each ring in RingMotion::kSeated [m]
   std::vector<models::GasChannel> channels_;  ///< likewise
   std::vector<models::GasChannel> faces_;     ///< over the face of each ring
 };

@@ -9,9 +9,11 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180;
 /// Relative change of an unknown by which slopes are found; they guide the iteration alone.
-constexpr double kProbe = 1e-6;
+constexpr double kProbe = 1e-8;
 /// No iterate of a pressure goes below [Pa].
 constexpr double kLeastPressure = 1.0;
+/// An iteration takes off this share of a pressure at the most.
+constexpr double kLongestFall = 0.8;
 
 }  // namespace
 
@@ -80,6 +82,15 @@ void PackSystem::flows(double angle, std::span<const double> y, std::span<double
   }
 }
 
+void PackSystem::conductances(double angle, std::span<const double> y, std::span<double> conductance) {
+  fill_pressures(angle, y, pressure_);
+  const auto& paths = network_.paths();
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const FlowSlopes slope = slopes(paths[k], place_of(paths[k], angle, y));
+    conductance[k] = std::max({slope.from, -slope.to, 0.0});
+  }
+}
+
 double PackSystem::acceleration_of(std::size_t ring, double angle, std::span<const double> pressure) const {
   const RingBorders& at = network_.borders(ring);
   const double unit = seconds_per_degree_ * seconds_per_degree_ / network_.pack().rings[ring].side_clearance;
@@ -111,7 +122,9 @@ void PackSystem::rates(double angle, std::span<const double> y, std::span<double
 
 PackSystem::FlowSlopes PackSystem::slopes(const Path& path, double at) const {
   const double p_from = pressure_[path.from], p_to = pressure_[path.to], m = flow(path, p_from, p_to, at);
-  const double d_from = kProbe * p_from, d_to = kProbe * p_to;
+  // Away from the pressure at which the flow turns, where its slope jumps.
+  const double away = p_from >= p_to ? kProbe : -kProbe;
+  const double d_from = away * p_from, d_to = -away * p_to;
   FlowSlopes slope{(flow(path, p_from + d_from, p_to, at) - m) / d_from,
                    (flow(path, p_from, p_to + d_to, at) - m) / d_to, 0};
   const bool is_at_flank = path.kind == PathKind::kAboveRing || path.kind == PathKind::kBelowRing;
@@ -144,6 +157,10 @@ void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<
     J[(row + 1) * n + network_.unknown(region)] = (acceleration_of(ring, angle, pressure_) - a) / d * kPressureUnit;
     pressure_[region] = p;
   }
+}
+
+void PackSystem::limit(std::span<const double> y, std::span<double> change) const {
+  for (std::size_t i = 0; i < n_inner_; ++i) change[i] = std::max(change[i], -kLongestFall * y[i]);
 }
 
 void PackSystem::jacobian(double angle, std::span<const double> y, std::span<double> J) {

@@ -33,6 +33,7 @@ class PackSystem : public OdeSystem {
   std::size_t size() const override { return n_inner_ + 2 * free_.size(); }
   void rates(double angle, std::span<const double> y, std::span<double> f) override;
   void jacobian(double angle, std::span<const double> y, std::span<double> J) override;
+  void limit(std::span<const double> y, std::span<double> change) const override;
 
   /// The unknowns of a state, and back.
   void unknowns(const PackState& state, std::vector<double>& y) const;
@@ -40,6 +41,9 @@ class PackSystem : public OdeSystem {
 
   /// Pressures of all regions [Pa] and flows along all paths [kg/s] with these unknowns.
   void flows(double angle, std::span<const double> y, std::span<double> pressure, std::span<double> flow) const;
+
+  /// Slope of the flow along each path over the pressure at one of its ends, the steeper one [kg/(s Pa)].
+  void conductances(double angle, std::span<const double> y, std::span<double> conductance);
 
   /// Acceleration that a ring would have if nothing supported it [side clearance/degree2].
   double acceleration(std::size_t ring, double angle, std::span<const double> y);

@@ -14,6 +14,8 @@ class OdeSystem {
   virtual void rates(double t, std::span<const double> y, std::span<double> f) = 0;
   /// df_i/dy_k, row by row
   virtual void jacobian(double t, std::span<const double> y, std::span<double> J) = 0;
+  /// Shortens a change of the unknowns that an iteration proposes, where it leads out of their range.
+  virtual void limit(std::span<const double> y, std::span<double> change) const = 0;
 };
 
 /// Factors of a square matrix with row exchanges.
@@ -57,13 +59,18 @@ class RadauStep {
   void forget() { has_guess_ = false; }
 
  private:
+  /// Where the iteration takes the Jacobian: at the begin of the step, or at each stage anew, which costs more and
+  /// converges where a flow turns within the step.
+  enum class Slopes { kOfBegin, kOfStages };
+
   bool factorize(double h);
+  bool factorize_at_stages(OdeSystem& system, double t, double h);
   void guess(std::span<const double> y, double h);
-  bool iterate(OdeSystem& system, double t, double h, std::span<const double> scale);
+  bool iterate(OdeSystem& system, double t, double h, std::span<const double> scale, Slopes slopes);
   double error(OdeSystem& system, double t, double h, std::span<const double> scale);
 
   std::size_t n_ = 0;
-  std::vector<double> begin_, stages_, rates_, jacobian_, matrix_, change_, before_;
+  std::vector<double> begin_, first_, stages_, rates_, jacobian_, matrix_, change_, before_;
   LuFactors all_, one_;
   double last_step_ = 0;
   bool has_guess_ = false;

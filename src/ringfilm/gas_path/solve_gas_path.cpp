@@ -18,6 +18,8 @@ constexpr double kRepeats = 1e-8;
 /// Where rings move, changes below that are taken once no more cycle makes them smaller.
 constexpr double kRepeatsInMotion = 1e-6;
 constexpr int kMostCycles = 50;
+/// No cycle begins after so many steps: half a minute with four rings.
+constexpr long kMostSteps = 500'000;
 /// More cycles that a motion is followed which does not repeat by then, the longest period that is looked for, and how
 /// near a ring comes to its place before [side clearance].
 constexpr int kMostFollowed = 100;
@@ -154,12 +156,14 @@ struct Followed {
 
 /// Follows a motion that does not repeat from cycle to cycle until it repeats after several: a ring that flutters may
 /// double its period.
-Followed follow_to_period(CycleIntegration& cycle) {
+/// @param n_steps made so far
+Followed follow_to_period(CycleIntegration& cycle, long n_steps) {
   std::vector<PackState> states{cycle.state()};
   std::vector<double> of_cycle;
   Followed followed;
-  for (int n = 0; n < kMostFollowed; ++n) {
+  for (int n = 0; n < kMostFollowed && n_steps < kMostSteps; ++n) {
     cycle.integrate();
+    n_steps += cycle.n_steps();
     states.push_back(cycle.state());
     of_cycle.push_back(cycle.result().blow_by);
     const auto change = [&states](std::size_t period) {
@@ -193,9 +197,11 @@ GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
   double change = 0, change_before = 0;
   bool repeats = false, has_jumped = false;
   int n = 0, n_to_follow = 0, n_to_wait = 1;
-  while (!repeats && n < kMostCycles) {
+  long n_steps = 0;
+  while (!repeats && n < kMostCycles && n_steps < kMostSteps) {
     const PackState begin = cycle.state();
     cycle.integrate();
+    n_steps += cycle.n_steps();
     ++n;
     const PackState& end = cycle.state();
     change = largest_change(begin.pressure, end.pressure);
@@ -214,7 +220,7 @@ GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
     }
     change_before = change;
   }
-  const Followed followed = repeats ? Followed{0, 1, change, 0} : follow_to_period(cycle);
+  const Followed followed = repeats ? Followed{0, 1, change, 0} : follow_to_period(cycle, n_steps);
   GasPathResult result = cycle.result();
   if (followed.period > 1) result.blow_by = followed.blow_by;
   result.periodicity = followed.change;

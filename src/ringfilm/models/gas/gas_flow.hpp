@@ -47,7 +47,10 @@ struct GasChannel {
   /// Mass flow from a to b [kg/s]. @param clearance between the flanks [m] @param p_a @param p_b absolute [Pa]
   double flow(double clearance, double p_a, double p_b) const;
 
-  /// The same limited by the orifice at the mouth of the channel; eq-limited-channel-flow [kg/s].
+  /// Slope of that flow over the pressure at one end, near equal pressures [kg/(s Pa)]. @param pressure [Pa]
+  double slope(double clearance, double pressure) const;
+
+  /// Flow limited by the orifice at the mouth of the channel; eq-limited-channel-flow [kg/s].
   double limited_flow(const OrificeLaw& law, double clearance, double p_a, double p_b) const;
 };
 
