@@ -11,8 +11,16 @@ const { settingWords } = await load('cycle/setting_words.js');
 const { asperityShare, breakthroughs, closings, thinnestInWords } = await load('cycle/cycle_figures.js');
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
+const { warnings } = await load('cycle/first_screen.js');
 const { boundaryPowerShare, Model } = await load('model.js');
 const { kSpanHeight, logarithmic, spanBars } = await load('plot/scales.js');
+
+test('a note that is only for information heads no page', () => {
+  const note = (message, rank, for_information) => ({ topic: message, message, rank, for_information });
+  const model = (...notes) => ({ cases: [{ name: 'a', notes, files: [] }], isSynthetic: () => false });
+  assert.deepEqual(warnings(model(note('of the solver', 60, true))), []);
+  assert.deepEqual(warnings(model(note('of the solver', 60, true), note('a limit', 9, false))), ['a limit.']);
+});
 
 test('usual ranges are those that the manual argues', () => {
   const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');

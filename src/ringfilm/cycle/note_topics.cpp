@@ -83,6 +83,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"beyond-property-fit", kFull, kOccurrences},
       {"bracketed-search", kFull, kOccurrences},
       {"shorter-steps", kFull, kOccurrences},
+      {"step-control-without-effect", kFull, kOccurrences},
       {"eased-start", kFull, kOccurrences},
   };
   return table;

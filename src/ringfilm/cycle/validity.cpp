@@ -414,16 +414,71 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   }
 }
 
-void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes) {
-  const long uncontrolled_steps = totals.uncontrolled_steps;
-  if (uncontrolled_steps > 0) {
-    notes.push_back({"step-control-at-its-limit",
-                     text("steps of 1/%d of the crank step with an error in time of more than %.3g %%, measured as for "
-                          "solver.step_error and beyond it: take a shorter solver.crank_step, or a finer "
-                          "solver.accuracy where one is stated",
-                          TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError),
-                     uncontrolled_steps});
+namespace {
+
+/// Error of the values of a cycle below which steps that are off do not count, where the case states no accuracy: that
+/// which a study asks of its values [%].
+constexpr double kUsualAccuracy = 0.5;
+
+/// Error in time of the film at each base angle [-]. It lasts until the oil under the face is renewed: oil enters at
+/// half the speed of the ring, so that this takes a path of twice the width of the face.
+std::vector<double> errors_in_time(const std::vector<Sample>& base, const std::vector<UncontrolledStep>& steps,
+                                   double face_width) {
+  constexpr double kRoundOff = 1e-9;  // [degree]
+  const std::size_t n = base.size();
+  std::vector<double> errors(n, 0.0);
+  for (const UncontrolledStep& step : steps) {
+    const auto next = std::find_if(base.begin(), base.end(), [&](const Sample& s) {
+      return s.crank_angle_deg >= step.crank_angle_deg - kRoundOff;
+    });
+    double path = 0;
+    for (std::size_t i = 0, k = (next - base.begin()) % n; i < n && path <= 2 * face_width; ++i, k = (k + 1) % n) {
+      errors[k] = std::max(errors[k], std::min(step.error, 1.0));
+      path += std::max(base[(k + 1) % n].sliding_distance - base[k].sliding_distance, 0.0);  // from 0 again at 720
+    }
   }
+  return errors;
+}
+
+/// By how much the friction work of the cycle or its smallest film may be off, whichever is more [-].
+double effect_of(const std::vector<Sample>& base, const std::vector<double>& errors) {
+  double work = 0, uncertain = 0;
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    work += base[k].power_loss;
+    uncertain += errors[k] * base[k].power_loss;
+  }
+  const auto lowest = std::min_element(base.begin(), base.end(), [](const Sample& a, const Sample& b) {
+    return a.min_film_thickness < b.min_film_thickness;
+  });
+  return std::max(work > 0 ? uncertain / work : 0.0, errors[lowest - base.begin()]);
+}
+
+}  // namespace
+
+void append_step_note(const Setup& setup, const std::vector<Sample>& base, const std::vector<UncontrolledStep>& steps,
+                      std::vector<Note>& notes) {
+  if (steps.empty() || base.empty()) return;
+  const auto angle = [](const UncontrolledStep& a, const UncontrolledStep& b) {
+    return a.crank_angle_deg < b.crank_angle_deg;
+  };
+  const auto [first, last] = std::minmax_element(steps.begin(), steps.end(), angle);
+  const UncontrolledStep worst =
+      *std::max_element(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
+  const double effect = effect_of(base, errors_in_time(base, steps, setup.input.ring.face_width));
+  const double accuracy = setup.input.solver.accuracy.value_or(kUsualAccuracy) / 100;
+  const std::string place = steps.size() == 1
+                                ? text("at %.1f degree", worst.crank_angle_deg)
+                                : text("between %.1f and %.1f degree", first->crank_angle_deg, last->crank_angle_deg);
+  const std::string off = text(effect < 0.1 ? "%.1g" : "%.0f", 100 * effect);
+  notes.push_back({effect < accuracy ? "step-control-without-effect" : "step-control-at-its-limit",
+                   text("steps of 1/%d of the crank step with an error in time of more than %.3g %%, %s, the largest "
+                        "%.0f %%: friction work and smallest film of the cycle may be off by %s %% (accuracy %.3g %%)",
+                        TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError, place.c_str(),
+                        100 * worst.error, off.c_str(), 100 * accuracy),
+                   static_cast<long>(steps.size())});
+}
+
+void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes) {
   if (effort.fallback_secant > 0) {
     notes.push_back({"bracketed-search", "steps on which Newton's method failed and a bracketed search solved the film",
                      effort.fallback_secant});

@@ -20,6 +20,12 @@ struct UntrustedContact {
 void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
                            const UntrustedContact& untrusted, std::vector<Note>& notes);
 
+/// The note on steps of the cycle that could not be cut as far as their error requires: a limit of the result, or for
+/// information where it changes the values by less than the accuracy of the case.
+/// @param base samples at the base angles of the cycle
+void append_step_note(const Setup& setup, const std::vector<Sample>& base, const std::vector<UncontrolledStep>& steps,
+                      std::vector<Note>& notes);
+
 /// Notes on remedies that the solver had to use.
 void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes);
 

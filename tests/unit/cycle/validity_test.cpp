@@ -124,14 +124,52 @@ TEST(Validity, NotesOfASetupAreInOrderOfSeverity) {
                              [](const Note& a, const Note& b) { return note_rank(a.topic) < note_rank(b.topic); }));
 }
 
-TEST(Validity, TheNoteOnStepControlHasTheLimitsOfTheTimeIntegration) {
-  TimeIntegration::Totals totals;
-  totals.uncontrolled_steps = 3;
+/// A cycle of one degree a sample, in which the ring slides by 0.25 mm a degree and loses the same power everywhere;
+/// its film is thinnest at 500 degree.
+std::vector<Sample> even_cycle() {
+  std::vector<Sample> base(720, usual_sample());
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    base[k].crank_angle_deg = static_cast<double>(k);
+    base[k].sliding_distance = 0.25e-3 * static_cast<double>(k);
+    base[k].power_loss = 20;
+    base[k].min_film_thickness = k == 500 ? 1e-6 : 2e-6;
+  }
+  return base;
+}
+
+Note note_of_steps(const std::vector<UncontrolledStep>& steps, std::optional<double> accuracy = {}) {
+  Case c = styles_new_ring();
+  c.ring.face_width = 1.2e-3;
+  Setup setup = prepare(c);
+  setup.input.solver.accuracy = accuracy;
   std::vector<Note> notes;
-  append_effort_notes({}, totals, notes);
-  ASSERT_EQ(notes.size(), 1u);
-  EXPECT_THAT(notes.front().message,
-              ::testing::HasSubstr("steps of 1/64 of the crank step with an error in time of more than 5 %"));
+  append_step_note(setup, even_cycle(), steps, notes);
+  return notes.size() == 1 ? notes.front() : Note{};
+}
+
+// A path of twice the face, 2.4 mm, has 10 samples of 720: with an error of 20 % these are 0.28 % of the work.
+TEST(Validity, TheNoteOnStepControlHasPlaceSizeAndEffectOfItsSteps) {
+  const Note one = note_of_steps({{100.5, 0.2}});
+  EXPECT_EQ(one.topic, "step-control-without-effect");
+  EXPECT_EQ(one.count, 1);
+  EXPECT_EQ(one.message,
+            "steps of 1/64 of the crank step with an error in time of more than 5 %, at 100.5 degree, the largest 20 "
+            "%: friction work and smallest film of the cycle may be off by 0.3 % (accuracy 0.5 %)");
+  EXPECT_EQ(note_of_steps({{100.5, 0.2}}, 0.1).topic, "step-control-at-its-limit") << "a finer accuracy";
+  const Note several = note_of_steps({{300.25, 0.3}, {100.5, 7}});
+  EXPECT_EQ(several.topic, "step-control-at-its-limit");
+  EXPECT_EQ(several.count, 2);
+  EXPECT_THAT(several.message, ::testing::HasSubstr("between 100.5 and 300.2 degree, the largest 700 %"));
+  EXPECT_THAT(several.message, ::testing::HasSubstr("off by 2 %")) << "(1 + 0.3) 10/720";
+  const Note of_thinnest = note_of_steps({{495.0, 0.06}});
+  EXPECT_EQ(of_thinnest.topic, "step-control-at-its-limit") << "the smallest film is off by 6 %";
+  EXPECT_THAT(of_thinnest.message, ::testing::HasSubstr("off by 6 %"));
+  EXPECT_EQ(note_of_steps({{480.0, 0.06}}).topic, "step-control-without-effect") << "too far before it";
+  EXPECT_EQ(note_of_steps({}).topic, "");
+  for (const Note& note : {one, several}) {
+    for (const char* key : {"solver.crank_step", "solver.accuracy"})
+      EXPECT_EQ(note.message.find(key), std::string::npos) << "no remedy that does not remove it";
+  }
 }
 
 TEST(Validity, TheNoteOnLongCellsCountsTheCellsOfTheGrid) {

@@ -73,6 +73,14 @@ TEST(ReportPage, HasTheSumOfTheFrictionOfAPack) {
   EXPECT_NEAR(data["packs"][0]["values"]["fmep"].get<double>(), sum, 1e-12 * sum);
 }
 
+TEST(ReportPage, MarksNotesThatAreOnlyForInformation) {
+  auto document = example::document("one");
+  document.result.notes = {{"synthetic-trace", "a limit", 1}, {"shorter-steps", "of the solver", 3}};
+  const json notes = example::data_of(report::report_page({document}, {}))["cases"][0]["notes"];
+  EXPECT_FALSE(notes[0]["for_information"].get<bool>());
+  EXPECT_TRUE(notes[1]["for_information"].get<bool>());
+}
+
 TEST(ReportPage, HasOneScriptAndOneDataElementWhateverTheTextsState) {
   const std::size_t harmless = count(report::report_page({example::document("harmless")}, {}), "</script");
   for (const std::string hostile : {"</script><img src=x onerror=alert(1)>", "<!--<script>",

@@ -33,6 +33,7 @@ Recorder::Recorder(const Setup& setup)
       step_deg_(setup.input.solver.crank_step_deg),
       base_(steps_per_cycle(setup.input.solver)),
       steps_(base_.size()),
+      uncontrolled_(base_.size()),
       is_passed_(base_.size(), false),
       untrusted_share_(base_.size(), 0.0),
       requested_deg_(requested_angles(setup.input.output)) {
@@ -98,12 +99,15 @@ void Recorder::before_step(TimeIntegration& integration, double from_deg, double
 
 void Recorder::after_step(const TimeIntegration& integration) {
   Instant instant = integration.instant();
+  if (const double error = integration.uncontrolled_error(); error > 0)
+    uncontrolled_on_the_way_.push_back({instant.crank_angle_deg, error});
   if (integration.at_base_angle()) {
     const auto k = static_cast<std::size_t>(std::lround(instant.crank_angle_deg / step_deg_)) % base_.size();
     instant.crank_angle_deg = static_cast<double>(k) * step_deg_;
     untrusted_share_[k] = keep(integration, instant, base_[k]);
     on_the_way_.push_back(base_[k]);
     steps_[k] = std::exchange(on_the_way_, {});
+    uncontrolled_[k] = std::exchange(uncontrolled_on_the_way_, {});
     is_passed_[k] = true;
     return;
   }
@@ -188,6 +192,9 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
   result.notes = setup_.notes;
   append_validity_notes(setup_, integration.unloaded_grid(), base, result.complete ? result.values.fmep : 0.0,
                         {polynomial_steps_, polynomial_share_, untrusted}, result.notes);
+  std::vector<UncontrolledStep> uncontrolled;
+  for (const auto& steps : uncontrolled_) uncontrolled.insert(uncontrolled.end(), steps.begin(), steps.end());
+  append_step_note(setup_, base, uncontrolled, result.notes);
   append_effort_notes(result.effort, totals, result.notes);
   sort_notes(result.notes);
   return result;

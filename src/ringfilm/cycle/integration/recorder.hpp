@@ -38,6 +38,8 @@ class Recorder : public StepObserver {
   std::vector<Sample> base_;                ///< at the base angles
   std::vector<std::vector<Sample>> steps_;  ///< at all steps on the way to each base angle, that included
   std::vector<Sample> on_the_way_;          ///< to the next base angle, so far
+  std::vector<std::vector<UncontrolledStep>> uncontrolled_;  ///< likewise
+  std::vector<UncontrolledStep> uncontrolled_on_the_way_;
   std::vector<bool> is_passed_;
   std::vector<double> untrusted_share_;              ///< of the asperity load, of each of base_
   std::map<double, std::optional<Sample>> between_;  ///< requested angles that are not base angles

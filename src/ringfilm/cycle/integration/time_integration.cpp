@@ -400,8 +400,8 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   ++effort_.steps;
   ++totals_.crank_steps;
   totals_.sub_steps += step_.ticks < kTicks;
-  totals_.uncontrolled_steps +=
-      adaptive() && error > std::max(1.0, kUncontrolledError / setup_.input.solver.step_error);
+  const double relative_error = error * setup_.input.solver.step_error;
+  uncontrolled_error_ = error > 1 && relative_error > kUncontrolledError ? relative_error : 0;
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
   const film::FilmState* previous = step_.is_second_order ? &history_ : &before_;
   instant_ = {wrapped(angle_deg_), step_.at, previous, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};

@@ -39,6 +39,12 @@ class NoBalance : public ConvergenceError {
   film::Failure failure;  ///< what physics or the iteration has no answer to
 };
 
+/// A step that could not be cut further, with an error in time that counts.
+struct UncontrolledStep {
+  double crank_angle_deg = 0;  ///< at its end, in [0, 720) [degree]
+  double error = 0;            ///< relative, as that of eq-time-error [-]
+};
+
 class TimeIntegration;
 
 /// Called after every accepted step.
@@ -112,6 +118,9 @@ class TimeIntegration {
   /// Throws ConvergenceError. `to` receives the film; the Instant refers to it and to memory of the integration.
   Instant side_step(double crank_angle_deg, film::FilmState& to);
 
+  /// Error in time of the last step if it is one of UncontrolledStep, else 0 [-].
+  double uncontrolled_error() const { return uncontrolled_error_; }
+
   /// The current instant.
   const Instant& instant() const { return instant_; }
   const film::FilmState& state() const { return state_; }
@@ -147,8 +156,7 @@ class TimeIntegration {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
     long relaxation_sweeps = 0;  ///< of point relaxation
     long fallback_secant = 0, fallback_sub_step = 0;
-    long exact_law_solves = 0;    ///< solves by the laws themselves because their fits did not reach
-    long uncontrolled_steps = 0;  ///< accepted at the finest level with an error in time that counts
+    long exact_law_solves = 0;  ///< solves by the laws themselves because their fits did not reach
     double max_newton_step = 0;
   };
   const Totals& totals() const { return totals_; }
@@ -201,6 +209,7 @@ class TimeIntegration {
   double angle_deg_ = 0;            ///< the same as an angle, within a base step too
   double longest_ticks_ = 0;        ///< that the next step may have
   int tick_ = kTicksPerBaseStep;    ///< of the base step, done
+  double uncontrolled_error_ = 0;   ///< of the last step [-]
   struct {
     int ticks = 0;  ///< length
     double to_deg = 0, time_step = 0, h_m = 0;

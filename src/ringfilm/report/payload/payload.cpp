@@ -214,6 +214,7 @@ ordered_json note_object(const cycle::Note& note) {
           {"message", note.message},
           {"count", note.count},
           {"counts", word_of(entry == nullptr ? cycle::NoteCount::kOccurrences : entry->count)},
+          {"for_information", entry != nullptr && entry->trust == cycle::Trust::kFull},
           {"rank", cycle::note_rank(note.topic)}};
 }
 

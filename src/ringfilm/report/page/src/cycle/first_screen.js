@@ -41,8 +41,8 @@ export function reportTitle(model) {
   return model.sharedTitle || `${model.cases.length} engine cycles compared`;
 }
 
-/** The most serious thing first. */
-function warnings(model) {
+/** The most serious thing first, without what is only for information. */
+export function warnings(model) {
   const list = [];
   const whom = (cases) =>
     cases.length === model.cases.length ? '' : `${cases.map((c) => c.name).join(', ')}: `;
@@ -52,7 +52,9 @@ function warnings(model) {
       `${whom(synthetic)}the cylinder pressure is SYNTHETIC: made by a formula, not measured on ` +
         'an engine. Levels of friction and film follow from it.',
     );
-  const notes = model.cases.flatMap((c) => c.notes.map((note) => ({ c, note })));
+  const notes = model.cases.flatMap((c) =>
+    c.notes.filter((note) => !note.for_information).map((note) => ({ c, note })),
+  );
   for (const { c, note } of notes.sort((a, b) => a.note.rank - b.note.rank)) {
     if (note.topic !== 'synthetic-trace') list.push(`${whom([c])}${withShortPaths(c, note.message)}.`);
   }
