@@ -133,9 +133,9 @@ def dotted_line(result):
 
 def new_figure(n_panels):
     """A figure for panels one above the other."""
-    from matplotlib.figure import Figure
+    from ._shown_figure import ShownFigure
 
-    figure = Figure(figsize=(7.5, 1.2 + 2.0 * n_panels), layout="constrained")
+    figure = ShownFigure(figsize=(7.5, 1.2 + 2.0 * n_panels), layout="constrained")
     figure.get_layout_engine().set(w_pad=0.1, h_pad=0.08)
     return figure
 
