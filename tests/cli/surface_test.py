@@ -134,6 +134,22 @@ class Numbers(SurfaceTest):
         self.assertAlmostEqual(covariance["covariance_with_roughness"]["values"][2], math.log(1.5) ** 2 / 2, delta=1e-7)
         self.assertAlmostEqual(covariance["covariance_with_asperity_density"]["values"][0], 0, delta=1e-7)
 
+    def test_rz_of_a_profile_is_the_mean_over_its_sampling_lengths(self):
+        # Five waves of 40 points, 1 to 5 um from pit to peak: a fifth of the profile each.
+        heights = [(1 + i // 40) / 2 * math.sin(math.pi * (i + 0.5) / 20) for i in range(200)]
+        (self.folder / "trace.csv").write_text("".join(f"{0.5 * i},{z:.9f}\n" for i, z in enumerate(heights)))
+        stated = ("trace.csv", "--layout", "profile", "--unit", "um", "--lateral-unit", "um")
+        of = self.json_of(*stated)
+        rounding = 1 - math.cos(math.pi / 40)  # by which the points next to a crest lie below it
+        self.assertAlmostEqual(of["Rz"], 3e-6 * (1 - rounding), delta=1e-14)
+        self.assertAlmostEqual(of["Rt"], 5e-6 * (1 - rounding), delta=1e-14)
+        self.assertEqual(of["sampling_lengths"], 5)
+        self.assertAlmostEqual(of["sampling_length"], 20e-6, delta=1e-18)
+        self.assertIn("mean of 5 sampling lengths of 20 um", of["values"]["Rz"]["remark"])
+        of = self.json_of(*stated, "--long-cutoff", "40 um")
+        self.assertEqual(of["sampling_lengths"], 2)
+        self.assertAlmostEqual(of["sampling_length"], 40e-6, delta=1e-18)
+
     def test_slopes_at_an_angle_and_cavities_of_a_depth(self):
         of = self.json_of("map.csv", *self.STATED, "--angle", "90 deg", "--cavity-depth", "0.39 um")
         self.assertAlmostEqual(of["m2_at_angle"] / of["m2_y"], 1, delta=0.02)  # another set of complete stencils

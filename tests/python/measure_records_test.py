@@ -51,6 +51,7 @@ def contact():
 
 MADE = {
     "HeightStatistics": lambda: surface.height_statistics(heights(), 1e-6),
+    "SampledHeights": lambda: surface.sampled_heights(heights()[0], 1e-6),
     "RowRoughness": lambda: surface.row_roughness(heights(), 1e-6),
     "CoreRoughness": lambda: surface.core_roughness(surface.material_ratio_curve(heights(), 1e-6)),
     "ProbabilityRoughness": lambda: surface.probability_roughness(two_steps()),

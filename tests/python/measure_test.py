@@ -27,6 +27,16 @@ def test_heights_of_a_sine():
     assert "Sq_m" in repr(reported) and reported.to_dict()["Sq_m"] == reported.Sq_m
 
 
+def test_rz_of_a_profile_is_a_mean_over_sampling_lengths():
+    profile = numpy.zeros(100)
+    profile[5::20] = [1e-6, 2e-6, 3e-6, 4e-6, 5e-6]
+    of = ringfilm.surface.sampled_heights(profile, 1e-6)
+    assert of.Rz_m == pytest.approx(3e-6, rel=1e-12) and of.count == 5
+    assert ringfilm.surface.height_statistics(profile, 1e-6).Sz_m == pytest.approx(5e-6, rel=1e-12)
+    of = ringfilm.surface.sampled_heights(profile, 1e-6, sampling_length=50e-6)
+    assert of.Rz_m == pytest.approx((3e-6 + 5e-6) / 2, rel=1e-12) and of.sampling_length_m == 50e-6
+
+
 def test_missing_points_are_nan():
     heights, step = waves()
     heights[10, 20] = numpy.nan

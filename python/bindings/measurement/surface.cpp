@@ -59,7 +59,8 @@ double from_zero_on(const char* name, const GivenNumber& given, const char* unit
 
 void bind_surface_records(py::module_& module) {
   Record<HeightStatistics>(module, "HeightStatistics",
-                           "Height statistics; Ra, Rq, ... of a profile. Source: docs/theory, eq-surface-heights.")
+                           "Height statistics of a map; of a profile Ra, Rq, ..., Rpt, Rvt and Rt. "
+                           "Source: docs/theory, eq-surface-heights.")
       .with("points", &HeightStatistics::points, "Measured points.")
       .with("missing", &HeightStatistics::missing, "Points without a height.")
       .with("mean_m", &HeightStatistics::mean_m, "Mean height [m].")
@@ -67,9 +68,16 @@ void bind_surface_records(py::module_& module) {
       .with("Sq_m", &HeightStatistics::Sq_m, "Rms deviation [m].")
       .with("Ssk", &HeightStatistics::Ssk, "Skewness [-].")
       .with("Sku", &HeightStatistics::Sku, "Kurtosis [-], 3 for a Gaussian.")
-      .with("Sp_m", &HeightStatistics::Sp_m, "Highest peak above the mean [m].")
-      .with("Sv_m", &HeightStatistics::Sv_m, "Deepest pit below the mean [m], positive.")
-      .with("Sz_m", &HeightStatistics::Sz_m, "Peak to pit [m].");
+      .with("Sp_m", &HeightStatistics::Sp_m, "Highest peak above the mean, Rpt of a profile [m].")
+      .with("Sv_m", &HeightStatistics::Sv_m, "Deepest pit below the mean, Rvt of a profile [m], positive.")
+      .with("Sz_m", &HeightStatistics::Sz_m, "Peak to pit, Rt of a profile [m].");
+  Record<SampledHeights>(module, "SampledHeights",
+                         "Means over the sampling lengths of a profile. Source: eq-surface-sampling-length.")
+      .with("Rp_m", &SampledHeights::Rp_m, "Highest peak above the mean [m].")
+      .with("Rv_m", &SampledHeights::Rv_m, "Deepest pit below the mean [m], positive.")
+      .with("Rz_m", &SampledHeights::Rz_m, "Peak to pit [m].")
+      .with("sampling_length_m", &SampledHeights::sampling_length_m, "Length of each [m].")
+      .with("count", &SampledHeights::count, "How many.");
   Record<RowRoughness>(module, "RowRoughness", "Roughness of the rows of a map, each about its own mean.")
       .with("Ra_m", &RowRoughness::Ra_m, "Mean of Ra [m].")
       .with("Rq_m", &RowRoughness::Rq_m, "Root of the mean square of Rq [m].")
@@ -157,6 +165,17 @@ Source: docs/theory, eq-surface-gaussian.)");
 
 heights: shape (y, x), or (x,) for a profile [m]; NaN where nothing was measured. step: a number or (x, y) [m].
 Raises InputError for fewer than 4 points or a flat surface. Source: docs/theory, eq-surface-heights.)");
+  module.def(
+      "sampled_heights",
+      [](const GivenNumbers& heights, const GivenStep& step, const GivenMaybeNumber& sampling_length) {
+        return sampled_heights(height_map(heights, step),
+                               maybe_number_of("sampling_length", sampling_length.value, "m"));
+      },
+      py::arg("heights"), py::arg("step"), py::arg("sampling_length") = py::none(),
+      R"(Rp, Rv and Rz of a profile: means over its sampling lengths.
+
+heights: shape (x,) [m]; NaN where nothing was measured. step: a number [m]. sampling_length: the long cut-off [m];
+None: a fifth of the profile. Raises InputError. Source: ISO 21920-2, docs/theory, eq-surface-sampling-length.)");
   module.def(
       "row_roughness",
       [](const GivenNumbers& heights, const GivenStep& step) { return row_roughness(height_map(heights, step)); },

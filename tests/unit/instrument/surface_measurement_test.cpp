@@ -22,6 +22,33 @@ TEST(SurfaceMeasurement, MomentsInUseAreThoseOfNAndBeta) {
   EXPECT_NEAR(value(measured, "asperity_radius") * std::sqrt(m4 / pi) * 8 / 3, 1, 1e-12);
 }
 
+TEST(SurfaceMeasurement, OfAProfileStatesItsSamplingLengths) {
+  SurfaceFile profile = rough("profile.csv", 1e-7, 1, {400, 1, 1e-6, 1e-6});
+  SurfaceAnalysis analysis;
+  const auto is_named = [&](const std::string& name) {
+    for (const io::MeasuredGroup& group : surface_measurement(profile, analysis, nullptr).groups) {
+      for (const io::MeasuredValue& one : group.values) {
+        if (one.name == name) return true;
+      }
+    }
+    return false;
+  };
+  const auto of = [&](const char* name) { return value(surface_measurement(profile, analysis, nullptr), name); };
+  EXPECT_EQ(of("sampling_lengths"), 5);
+  EXPECT_NEAR(of("sampling_length"), 80e-6, 1e-18);
+  EXPECT_NEAR(of("Rz"), of("Rp") + of("Rv"), 1e-20);
+  EXPECT_LT(of("Rz"), of("Rt"));
+  EXPECT_NEAR(of("Rt"), of("Rpt") + of("Rvt"), 1e-20);
+  analysis.preparation.long_cutoff_m = 60e-6;  // six of them fit
+  EXPECT_EQ(of("sampling_lengths"), 6);
+  EXPECT_NEAR(of("sampling_length"), 60e-6, 1e-18);
+  EXPECT_TRUE(is_named("Rz"));
+  profile = rough("map.x3p", 1e-7, 1);
+  analysis = {};
+  EXPECT_TRUE(is_named("Sz"));
+  EXPECT_FALSE(is_named("Rz") || is_named("Rt"));
+}
+
 TEST(SurfaceMeasurement, TakesTheTiltOffAFlatWhereTheSurfaceIsACylinder) {
   SurfaceFile ring = rough("ring.x3p", 1e-7, 1), flat = rough("flat.x3p", 3e-8, 2);
   for (std::size_t j = 0; j < kGrid.points_y; ++j) {

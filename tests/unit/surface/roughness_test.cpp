@@ -45,6 +45,45 @@ TEST(Roughness, OfFewHeightsIsWhatAHandComputes) {
   EXPECT_EQ(material_ratio_curve(map), (std::vector<double>{5, 2, 2, 1, 0}));
 }
 
+/// Five sampling lengths of 8 points about 0, each with its own peak and pit.
+HeightMap five_lengths() {
+  HeightMap profile{40, 1, 1e-6, 0, std::vector<double>(40, 0.0), {}};
+  const double peaks[] = {1e-6, 5e-6, 2e-6, 1e-6, 1e-6}, pits[] = {-2e-6, -1e-6, -1e-6, -4e-6, -2e-6};
+  for (std::size_t k = 0; k < 5; ++k) {
+    profile.height_m[8 * k + 1] = peaks[k];
+    profile.height_m[8 * k + 6] = pits[k];
+  }
+  return profile;
+}
+
+TEST(Roughness, RzOfAProfileIsAMeanOverSamplingLengthsAndRtIsNot) {
+  const SampledHeights of = sampled_heights(five_lengths());  // the heights add up to 0
+  EXPECT_EQ(of.count, 5u);
+  EXPECT_DOUBLE_EQ(of.sampling_length_m, 8e-6);
+  EXPECT_NEAR(of.Rp_m, 2e-6, 1e-20);
+  EXPECT_NEAR(of.Rv_m, 2e-6, 1e-20);
+  EXPECT_NEAR(of.Rz_m, 4e-6, 1e-20);
+  EXPECT_NEAR(height_statistics(five_lengths()).Sz_m, 9e-6, 1e-20);
+}
+
+TEST(Roughness, AsManySamplingLengthsAreUsedAsFitIntoTheMiddle) {
+  HeightMap profile = five_lengths();
+  const SampledHeights of = sampled_heights(profile, 19e-6);  // two of 19 points, one point is left at each end
+  EXPECT_EQ(of.count, 2u);
+  EXPECT_NEAR(of.Rz_m, (7e-6 + 5e-6) / 2, 1e-20);
+  profile.height_m.front() = profile.height_m.back() = 1e-3;
+  EXPECT_NEAR(sampled_heights(profile, 19e-6).Rz_m, (7e-6 + 5e-6) / 2, 1e-18);
+  EXPECT_EQ(sampled_heights(profile, 40e-6).count, 1u);
+  EXPECT_THAT([&] { sampled_heights(profile, 41e-6); }, ThrowsMessage<InputError>(HasSubstr("does not fit")));
+  EXPECT_THAT([&] { sampled_heights(profile, 1e-6); }, ThrowsMessage<InputError>(HasSubstr("fewer than 2")));
+  EXPECT_THAT([&] { sampled_heights(profile, 0.0); }, ThrowsMessage<InputError>(HasSubstr("does not fit")));
+  profile.missing.assign(40, 0);
+  for (std::size_t i = 8; i < 15; ++i) profile.missing[i] = 1;  // one point is left of the second
+  EXPECT_THAT([&] { sampled_heights(profile); }, ThrowsMessage<InputError>(HasSubstr("fewer than 2 measured")));
+  const HeightMap map = map_of(10, 4, 1e-6, 1e-6, [](double x, double) { return x; });
+  EXPECT_THAT([&] { sampled_heights(map); }, ThrowsMessage<InputError>(HasSubstr("no sampling lengths")));
+}
+
 TEST(Roughness, OfRowsIsTakenAboutTheirOwnMeans) {
   const HeightMap map = map_of(10, 4, 1e-6, 1e-6, [](double x, double y) {
     return 1e6 * y + (std::lround(x / 1e-6) % 2 == 0 ? 0.25 : -0.25);  // steps of 1 between rows of +-1/4

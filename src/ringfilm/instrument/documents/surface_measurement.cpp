@@ -34,9 +34,32 @@ io::MeasuredGroup height_group(const PreparedSurface& surface) {
   add("q", "rms height", heights.Sq_m, "m", "um");
   add("sk", "skewness", heights.Ssk, "1", "1");
   add("ku", "kurtosis", heights.Sku, "1", "1");
-  add("p", "highest peak above the mean", heights.Sp_m, "m", "um");
-  add("v", "deepest pit below the mean", heights.Sv_m, "m", "um");
-  add("z", "peak to pit", heights.Sz_m, "m", "um");
+  add(profile ? "pt" : "p", "highest peak above the mean", heights.Sp_m, "m", "um");
+  add(profile ? "vt" : "v", "deepest pit below the mean", heights.Sv_m, "m", "um");
+  add(profile ? "t" : "z", "peak to pit", heights.Sz_m, "m", "um");
+  return group;
+}
+
+io::MeasuredGroup sampled_height_group(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
+  const std::optional<double>& cutoff = analysis.preparation.long_cutoff_m;
+  const surface::SampledHeights heights = sampled_heights(surface.map, cutoff);
+  const std::string length = surface::length_text(heights.sampling_length_m);
+  const std::string with =
+      measured_with(surface) + "; " +
+      (heights.count == 1 ? "one sampling length of " + length
+                          : fmt::format("mean of {} sampling lengths of {}", heights.count, length));
+  const std::string rule = cutoff ? "the long cut-off" : "a fifth of the profile, without a long cut-off";
+  io::MeasuredGroup group{"Heights, means over sampling lengths", {}};
+  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
+                       double value, const std::string& remark) {
+    group.values.push_back(value_of(name, words, symbol, unit, display, value, remark));
+  };
+  add("Rp", "highest peak above the mean, of each sampling length", "Rp", "m", "um", heights.Rp_m, with);
+  add("Rv", "deepest pit below the mean, of each sampling length", "Rv", "m", "um", heights.Rv_m, with);
+  add("Rz", "peak to pit of each sampling length", "Rz", "m", "um", heights.Rz_m, with);
+  add("sampling_length", "sampling length", "", "m", "mm", heights.sampling_length_m, rule);
+  add("sampling_lengths", "how many are in the profile", "", "1", "1", static_cast<double>(heights.count),
+      "those that fit, in its middle");
   return group;
 }
 
@@ -147,6 +170,9 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     }
   };
   attempt("height statistics", [&] { all.groups.push_back(height_group(surface)); });
+  if (surface.map.is_profile()) {
+    attempt("Rp, Rv and Rz", [&] { all.groups.push_back(sampled_height_group(surface, analysis)); });
+  }
   {
     const std::vector<double> falling = surface::material_ratio_curve(surface.map);
     if (falling.size() >= kEnoughForMaterialRatio) {

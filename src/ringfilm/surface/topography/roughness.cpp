@@ -7,12 +7,14 @@
 #include <string>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/surface/topography/regions.hpp"
 
 namespace ringfilm::surface {
 namespace {
 
 constexpr std::size_t kLeastPointsOfRoughness = 4;
 constexpr std::size_t kLeastPointsOfARow = 8;
+constexpr std::size_t kUsualSamplingLengths = 5;  // of an evaluation length, ISO 21920-2 and ISO 4287
 
 /// Calls visit(heights of the measured points) row by row.
 template <class Visit>
@@ -86,6 +88,43 @@ HeightStatistics height_statistics(const HeightMap& map) {
   of.Sq_m = std::sqrt(variance) * of.Sz_m;
   of.Ssk = cubes / count / (variance * std::sqrt(variance));
   of.Sku = fourths / count / (variance * variance);
+  return of;
+}
+
+SampledHeights sampled_heights(const HeightMap& profile, std::optional<double> sampling_length_m) {
+  check_map(profile, kLeastPointsOfRoughness);
+  if (!profile.is_profile()) {
+    throw InputError("a map of several rows has no sampling lengths", "choose a profile, or use Sz of the map");
+  }
+  const double all = static_cast<double>(profile.points_x);
+  const double each = sampling_length_m ? *sampling_length_m / profile.step_x_m : all / kUsualSamplingLengths;
+  constexpr double kRounding = 1e-9;
+  SampledHeights of;
+  of.sampling_length_m = each * profile.step_x_m;
+  of.count = each > 0 && each <= all * (1 + kRounding) ? static_cast<std::size_t>(all / each * (1 + kRounding)) : 0;
+  const std::string name = "a sampling length of " + length_text(of.sampling_length_m);
+  if (of.count == 0) {
+    throw InputError(name + " does not fit into a profile of " + length_text(all * profile.step_x_m),
+                     "take a shorter long cut-off, or measure a longer profile");
+  }
+  const double start = (all - static_cast<double>(of.count) * each) / 2;
+  const auto edge = [&](std::size_t k) {
+    return static_cast<std::size_t>(std::clamp(std::round(start + static_cast<double>(k) * each), 0.0, all));
+  };
+  const double mean = extent(profile, measured_points(profile)).mean_m;
+  for (std::size_t k = 0; k < of.count; ++k) {
+    const std::size_t points = edge(k + 1) - edge(k);
+    const HeightMap part = points < 2 ? HeightMap() : part_of_map(profile, {edge(k), 0, points, 1, 0});
+    if (measured_points(part) < 2) {
+      throw InputError(name + " has fewer than 2 measured points: it has no peak and pit",
+                       "take a longer long cut-off, or measure a longer profile");
+    }
+    const Extent range = extent(part, measured_points(part));
+    of.Rp_m += (range.highest_m - mean) / static_cast<double>(of.count);
+    of.Rv_m += (mean - range.lowest_m) / static_cast<double>(of.count);
+  }
+  of.Rz_m = of.Rp_m + of.Rv_m;
+  if (!std::isfinite(of.Rz_m)) refuse_huge("their range");
   return of;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "ringfilm/surface/topography/topography.hpp"
 
 namespace ringfilm::surface {
 
-/// Height statistics of all measured points about their mean, eq-surface-heights. For a profile they are Ra, Rq, ...
-/// over its whole length, for a map Sa, Sq, ...
+/// Height statistics of all measured points about their mean, eq-surface-heights: Sa, Sq, ... of a map. Those of a
+/// profile are over its whole length: Ra, Rq, Rsk, Rku, and Rpt, Rvt, Rt in place of Sp, Sv, Sz.
 struct HeightStatistics {
   std::size_t points = 0;   ///< measured ones, which all the rest is of
   std::size_t missing = 0;  ///< not measured
@@ -23,6 +24,20 @@ struct HeightStatistics {
 
 /// @throws InputError for fewer than 4 points or a surface without any height differences
 HeightStatistics height_statistics(const HeightMap& map);
+
+/// Heights of a profile over its sampling lengths, eq-surface-sampling-length.
+struct SampledHeights {
+  double Rp_m = 0.0;               ///< mean of the highest peaks above the mean of the whole profile [m]
+  double Rv_m = 0.0;               ///< mean of the deepest pits below it, positive [m]
+  double Rz_m = 0.0;               ///< mean of the heights from pit to peak, Rp + Rv [m]
+  double sampling_length_m = 0.0;  ///< of each [m]
+  std::size_t count = 0;           ///< of sampling lengths, side by side in the middle of the profile
+};
+
+/// @param sampling_length_m the long cut-off of the profile; nothing: a fifth of its length [m]
+/// @throws InputError for a map of several rows, and where a sampling length is longer than the profile or has fewer
+/// than 2 measured points
+SampledHeights sampled_heights(const HeightMap& profile, std::optional<double> sampling_length_m = std::nullopt);
 
 /// Ra and Rq of the rows of a map, each about its own mean: the mean of Ra, the root of the mean square of Rq. Rows
 /// with fewer than 8 measured points are omitted.
