@@ -34,12 +34,12 @@ Every file and region of a side is one sample of that surface; the means go into
 /// The arguments of a surface command, as text.
 struct SurfaceArguments {
   MapArguments maps;
-  std::optional<std::string> grid, prominent, noise, angle, cavity_depth;
+  std::optional<std::string> grid, prominent, noise, angle, cavity_depth, sigma;
   std::vector<std::string> rectangles;
-  std::string direction = "mean", scheme = "neighbours", sigma = "Ra";
+  std::string direction = "mean", scheme = "neighbours";
   OutputArguments outputs;
 
-  void add_to(CLI::App& command) {
+  void add_to(CLI::App& command, const std::string& usual_sigma) {
     maps.add_to(command, "none");
     command.add_option("--direction", direction, "of slopes and curvatures: x, y, mean or geometric")
         ->capture_default_str()
@@ -52,7 +52,7 @@ struct SurfaceArguments {
     command.add_option("--cavity-depth", cavity_depth, "what lies deeper below the median is a cavity")
         ->type_name("LENGTH");
     command.add_option("--sigma", sigma, "which roughness is used as sigma: Ra or Rq")
-        ->capture_default_str()
+        ->default_str(usual_sigma)
         ->type_name("WORD");
     command
         .add_option("--region", rectangles,
@@ -85,8 +85,10 @@ struct SurfaceArguments {
     of.analysis.scheme = values.chosen<DifferenceScheme>(
         "--scheme", scheme,
         {{"neighbours", DifferenceScheme::neighbours}, {"seven-point", DifferenceScheme::seven_point}});
-    of.analysis.sigma_rule = values.chosen<surface::SigmaRule>(
-        "--sigma", sigma, {{"Ra", surface::SigmaRule::ra}, {"Rq", surface::SigmaRule::rq}});
+    if (sigma) {
+      of.analysis.sigma_rule = values.chosen<surface::SigmaRule>(
+          "--sigma", *sigma, {{"Ra", surface::SigmaRule::ra}, {"Rq", surface::SigmaRule::rq}});
+    }
     for (const std::string& text : rectangles) of.analysis.regions.rectangles_m.push_back(rectangle(text, units));
     if (grid) std::tie(of.analysis.regions.across, of.analysis.regions.down) = counts_of("--grid", *grid);
     if (prominent) add_prominent(of.analysis.regions, values);
@@ -205,7 +207,7 @@ void add_surface_commands(CLI::App& program, Actions& actions) {
             "give a mean and its scatter")
         ->required()
         ->type_name("...");
-    arguments->add_to(*command);
+    arguments->add_to(*command, "Ra");
     arguments->outputs.add_to(*command, false);
     command->add_option("--heights", *heights, "write the heights as read: x, y, z in metres")->type_name("OUT.csv");
     command->footer(kSurfaceFooter);
@@ -219,13 +221,14 @@ void add_surface_commands(CLI::App& program, Actions& actions) {
     const auto law = std::make_shared<LawArguments>();
     command->add_option("--ring", *ring, "maps of the ring's face")->required()->type_name("FILE ...");
     command->add_option("--liner", *liner, "maps of the liner")->required()->type_name("FILE ...");
-    arguments->add_to(*command);
+    arguments->add_to(*command, "Ra, with --hardness Rq");
     arguments->outputs.add_to(*command, true);
     law->add_to(*command);
     command->footer(kPairFooter);
     actions.emplace_back(command, [arguments, law, ring, liner] {
       SurfaceCommand of = arguments->command();
       law->fill(of);
+      if (of.analysis.hardness && !arguments->sigma) of.analysis.sigma_rule = surface::SigmaRule::rq;
       pair(*ring, *liner, of);
     });
   }

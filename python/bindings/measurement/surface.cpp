@@ -240,7 +240,8 @@ Raises InputError for fewer than 16 complete stencils. Source: docs/theory, eq-s
         return pair_parameters(one_of("first", first), one_of("second", second), chosen("rule", rule, kRules));
       },
       py::arg("first"), py::arg("second"), py::arg("rule") = "ra",
-      "N, beta, sigma of two surfaces in contact. rule: \"ra\" or \"rq\", what sigma is. Raises InputError. "
+      "N, beta, sigma of two surfaces in contact. rule: \"ra\" or \"rq\", what sigma is; contact laws other than the "
+      "default of a case take \"rq\". Raises InputError. "
       "Source: eq-asperity-pair.");
   module.def(
       "asperity_parameters",

@@ -23,6 +23,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"gas-compression-low", kLimited, kCase},
       {"roughness-parameter-unusual", kLimited, kCase},
       {"modulus-unusual", kLimited, kCase},
+      {"roughness-from-ra", kLimited, kCase},
       {"boundary-shear-strength-high", kLimited, kCase},
       {"boundary-friction-dry", kLimited, kCase},
       {"eyring-stress-high", kLimited, kCase},

@@ -351,6 +351,10 @@ class Refusals(ContactTest):
         self.assertIn("beyond the highest point", self.refused(*wave_at, "1.5 um", *MODULUS))
         self.assertIn("more than 50 %", self.refused(*wave_at, "1 nm", *MODULUS))
         self.assertIn("no unit", self.refused(*wave_at, "0.5", *MODULUS))
+        self.assertIn("root of the sum of squares of Rq", text)
+        result = self.run_program(*pair, "--hardness", "2.5 GPa", "--sigma", "Ra")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--sigma Ra and --hardness contradict", result.stderr)
         self.assertIn("above", self.refused(*wave_at, "-0.5 um", *MODULUS))
         self.assertIn("--composite-modulus is missing", self.refused(*wave_at, "0.5 um"))
         for hardness in ("0 GPa", "-2 GPa"):

@@ -40,6 +40,39 @@ TEST(ContactPlausibility, UnitsOfTheRoughnessAreNoted) {
   EXPECT_THAT(topics([](Case& c) { c.contact.asperity_density = 97000e12; }), unusual);
 }
 
+TEST(ContactPlausibility, RoughnessFromRaBesideALawOfTheRmsIsNoted) {
+  const auto measured_by = [](const char* rule, SummitPlane plane, RoughnessMeasure measure) {
+    return topics([&](Case& c) {
+      c.contact.measured.roughness_rule = rule;
+      c.contact.summit_plane = plane;
+      c.contact.roughness_measure = measure;
+    });
+  };
+  const char *const by_ra = "root of the sum of squares of Ra (Sa of a map)", *const by_rq = "Rq, root-sum-square";
+  const auto nayak = SummitPlane::kNayak, surface = SummitPlane::kSurface;
+  const auto as_given = RoughnessMeasure::kAsGiven, converted = RoughnessMeasure::kRaToRq;
+  EXPECT_THAT(measured_by(by_ra, nayak, as_given), ElementsAre("roughness-from-ra"));
+  EXPECT_THAT(measured_by(by_ra, nayak, converted), IsEmpty());
+  EXPECT_THAT(measured_by(by_ra, surface, as_given), IsEmpty()) << "as in the paper";
+  EXPECT_THAT(measured_by(by_rq, nayak, as_given), IsEmpty());
+  const auto other_law = [&](ContactLaw model, AsperityLaw asperity, ContactMoments moments) {
+    return topics([&](Case& c) {
+      c.contact.measured.roughness_rule = by_ra;
+      c.contact.model = model;
+      c.contact.asperity = asperity;
+      c.contact.moments = moments;
+    });
+  };
+  using enum ContactLaw;
+  const auto elastic = AsperityLaw::kElastic, flowing = AsperityLaw::kZhaoMaiettaChang;
+  const auto pair = ContactMoments::kPair, one = ContactMoments::kOneSurface;
+  EXPECT_THAT(other_law(kGreenwoodTripp, elastic, pair), IsEmpty());
+  for (const auto& noted : {other_law(kGreenwoodTripp, flowing, pair), other_law(kGreenwoodTripp, elastic, one),
+                            other_law(kGreenwoodWilliamson, elastic, pair), other_law(kPlastic, elastic, pair)}) {
+    EXPECT_THAT(noted, ElementsAre("roughness-from-ra"));
+  }
+}
+
 TEST(ContactPlausibility, ModuliOfNoSolidAreNoted) {
   const auto unusual = ElementsAre("modulus-unusual");
   EXPECT_THAT(topics([](Case& c) { c.ring.youngs_modulus = 203e6; }), unusual);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ringfilm/base/error.hpp"
 #include "synthetic_surfaces.hpp"
 
 namespace ringfilm::instrument {
@@ -12,6 +13,25 @@ TEST(PairMeasurement, KeepsTheDigestsOfItsFiles) {
   const io::Measurement pair = pair_measurement({ring}, {liner}, {}, nullptr);
   EXPECT_TRUE(holds(pair.sources, "SHA-256 digest of liner.x3p"));
   EXPECT_TRUE(holds({pair.fragment}, "# liner: liner.x3p, SHA-256 digest of liner.x3p"));
+}
+
+TEST(PairMeasurement, StatesALawWithTheRoughnessThatItTakes) {
+  const SurfaceFile ring = rough("ring.x3p", 3e-7, 1), liner = rough("liner.x3p", 4e-7, 2);
+  const auto rms = [](const SurfaceFile& file) {  // about the mean of the map
+    double sum = 0, squares = 0;
+    for (const double z : file.map.height_m) sum += z;
+    const double count = static_cast<double>(file.map.points()), mean = sum / count;
+    for (const double z : file.map.height_m) squares += (z - mean) * (z - mean);
+    return std::sqrt(squares / count);
+  };
+  SurfaceAnalysis analysis;
+  analysis.hardness = 2.5e9;
+  EXPECT_THROW(pair_measurement({ring}, {liner}, analysis, nullptr), InputError) << "sigma of Ra is 20 % less";
+  analysis.sigma_rule = surface::SigmaRule::rq;
+  const io::Measurement pair = pair_measurement({ring}, {liner}, analysis, nullptr);
+  EXPECT_NEAR(value(pair, "roughness"), std::hypot(rms(ring), rms(liner)), 1e-15);
+  EXPECT_TRUE(holds({pair.fragment}, "model = \"greenwood-williamson\""));
+  EXPECT_TRUE(holds({pair.fragment}, "squares of Rq"));
 }
 
 TEST(PairMeasurement, ReportsThatStepsAlongYDiffer) {

@@ -1,5 +1,8 @@
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
 
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "ringfilm/base/number_text.hpp"
@@ -28,6 +31,23 @@ void append_roughness_note(const Contact& contact, double sigma, std::vector<Not
                    1});
 }
 
+bool names_any(const std::string& words, std::initializer_list<const char*> names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const char* name) { return words.find(name) != std::string::npos; });
+}
+
+/// A root-sum-square of Ra lies 20 % below that of the rms heights of Gaussian surfaces.
+void append_measure_note(const Contact& contact, std::vector<Note>& notes) {
+  const std::optional<std::string>& rule = contact.measured.roughness_rule;
+  const bool is_of_ra = rule && names_any(*rule, {"Ra", "Sa"}) && !names_any(*rule, {"Rq", "Sq", "rms"});
+  if (!is_of_ra || is_closed_form(contact) || contact.roughness_measure != RoughnessMeasure::kAsGiven) return;
+  notes.push_back({"roughness-from-ra",
+                   "contact.roughness is of Ra (contact.measured.roughness_rule = \"" + *rule +
+                       "\"), and this contact law takes the rms height, for a Gaussian surface 1.25 times as much: "
+                       "measure the pair with --sigma Rq, or state contact.roughness_measure = \"ra-to-rq\"",
+                   1});
+}
+
 void append_modulus_note(const char* key, double modulus, std::vector<Note>& notes) {
   if (modulus >= kSoftest && modulus <= kHardest) return;
   notes.push_back({"modulus-unusual",
@@ -52,9 +72,17 @@ void append_modulus_notes(const Case& c, std::vector<Note>& notes) {
 
 }  // namespace
 
+bool is_closed_form(const Contact& contact) {
+  return contact.model == ContactLaw::kGreenwoodTripp && contact.asperity == AsperityLaw::kElastic &&
+         contact.summit_plane == SummitPlane::kSurface && contact.moments == ContactMoments::kPair;
+}
+
 void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes) {
   const Contact& contact = c.contact;
-  if (contact.model != ContactLaw::kTable) append_roughness_note(contact, sigma, notes);
+  if (contact.model != ContactLaw::kTable) {
+    append_roughness_note(contact, sigma, notes);
+    append_measure_note(contact, notes);
+  }
   append_modulus_notes(c, notes);
   if (contact.boundary_shear_strength_coefficient > kHighestShearStrength) {
     notes.push_back(

@@ -5,18 +5,13 @@
 #include <numbers>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/case/contact_plausibility.hpp"
 #include "ringfilm/models/contact/summit_contact.hpp"
 
 namespace ringfilm::cycle {
 namespace {
 
 const double kRqOverRa = std::sqrt(std::numbers::pi / 2);
-
-/// Is it the closed form of Greenwood and Tripp, as styles2014 feeds it?
-bool is_closed_form(const Contact& contact) {
-  return contact.model == ContactLaw::kGreenwoodTripp && contact.asperity == AsperityLaw::kElastic &&
-         contact.summit_plane == SummitPlane::kSurface && contact.moments == ContactMoments::kPair;
-}
 
 models::ContactModel summit_model(ContactLaw law) {
   switch (law) {

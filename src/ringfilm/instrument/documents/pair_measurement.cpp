@@ -96,6 +96,12 @@ io::MeasuredGroup pair_group(const surface::PairScatter& scatter, const std::str
 io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
                                  const std::vector<SurfaceFile>& liner_files, const SurfaceAnalysis& analysis,
                                  const SurfaceFile* flat) {
+  if (analysis.hardness && analysis.sigma_rule == surface::SigmaRule::ra) {
+    throw InputError(
+        "--sigma Ra and --hardness contradict each other: contact laws with a hardness take sigma as the rms "
+        "height, Rq",
+        "leave --sigma out, or --hardness");
+  }
   const Side ring = measured_side("ring", ring_files, analysis, flat);
   const Side liner = measured_side("liner", liner_files, analysis, flat);
   const surface::PairScatter scatter = scatter_of_pair(ring.measures, liner.measures, analysis.sigma_rule);

@@ -74,7 +74,7 @@ io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, cons
                                      const SurfaceFile* flat);
 
 /// N, beta and sigma of two surfaces in contact with their scatter, and the fragment for a case. Each side may have
-/// several files, each of them several regions.
+/// several files, each of them several regions. Throws InputError also for a hardness with sigma made of Ra.
 io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring, const std::vector<SurfaceFile>& liner,
                                  const SurfaceAnalysis& analysis, const SurfaceFile* flat);
 
