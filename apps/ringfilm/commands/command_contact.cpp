@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/contact_of_case.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/text/units.hpp"
@@ -12,6 +13,17 @@ namespace {
 
 void deliver_law(const io::Measurement& measurement, const MeasurementOutputs& outputs) {
   deliver(measurement, outputs, numbers_of(measurement), lists_of(measurement, io::kContactLawTable));
+}
+
+/// A file is for a case to read; what is only shown has a note.
+void check_law(io::Measurement& measurement, const MeasurementOutputs& outputs) {
+  try {
+    io::check_contact_law(measurement);
+  } catch (const InputError& refusal) {
+    if (outputs.netcdf) throw;
+    const Fault& fault = refusal.faults().front();
+    measurement.notes.push_back(fault.message + "; " + fault.remedy);
+  }
 }
 
 }  // namespace
@@ -27,7 +39,8 @@ void contact(const ContactCommand& command) {
   const auto first = instrument::read_surface_file(command.surfaces.front(), command.reading, units);
   std::optional<instrument::SurfaceFile> second;
   if (command.surfaces.size() > 1) second = read_surface_file(command.surfaces.back(), command.reading, units);
-  const io::Measurement measurement = contact_measurement(first, second ? &*second : nullptr, command.analysis);
+  io::Measurement measurement = contact_measurement(first, second ? &*second : nullptr, command.analysis);
+  check_law(measurement, command.outputs);
   deliver_law(measurement, command.outputs);
 }
 

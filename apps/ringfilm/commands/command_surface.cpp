@@ -12,6 +12,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/contact_measurement.hpp"
 #include "ringfilm/io/case/contact_fragment.hpp"
+#include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/measurement/measurement_netcdf.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
@@ -97,6 +98,7 @@ std::string write_law(const instrument::SurfaceFile& ring, const instrument::Sur
   analysis.regions_down = std::max<std::size_t>(command.analysis.regions.down, 1);
   analysis.has_flow = true;
   const io::Measurement law = contact_measurement(ring, &liner, analysis);
+  io::check_contact_law(law);
   io::write_measurement(command.law->path, law, io::this_program());
   namespace fs = std::filesystem;
   const fs::path folder = command.outputs.fragment ? fs::absolute(*command.outputs.fragment).parent_path() : fs::path();

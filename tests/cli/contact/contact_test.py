@@ -3,6 +3,7 @@
 import json
 import math
 import random
+import re
 import unittest
 
 import program
@@ -320,6 +321,28 @@ class BoundaryFriction(ContactTest):
             self.assertEqual(result.returncode, 2, result.stdout)
             self.assertIn(message, result.stderr)
 
+    def test_a_law_is_written_where_a_case_reads_it_and_only_there(self):
+        written = refused = 0
+        for seed in range(12):  # white noise, whose contact area hardly falls from one separation to the next
+            random.seed(seed)
+            (self.folder / "noise.csv").write_text(map_text(lambda i, j: random.gauss(0, 1e-7), 16, 16))
+            words = ("contact", "--surface", "noise.csv", *self.STATED, *MODULUS, "--periodic")
+            result = self.run_program(*words, "-o", f"law{seed}.nc")
+            shown = self.run_well(*words)
+            self.assertEqual("does not read this law" in " ".join(shown.split()), result.returncode == 2, shown)
+            if result.returncode == 2:
+                refused += 1
+                self.assertIn('contact.model = "table" does not read this law', result.stderr)
+                self.assertFalse((self.folder / f"law{seed}.nc").exists())
+            else:
+                written += 1
+                law = f'model = "table"\nlaw = "law{seed}.nc"\n'
+                numbers = re.compile(r"asperity_density = .*\nasperity_radius = .*\nroughness = .*\n")
+                (self.folder / "table.toml").write_text(numbers.sub(law, program.CASE))
+                self.run_well("check", "table.toml")
+        self.assertGreater(refused, 0)
+        self.assertGreater(written, 0)
+
     def test_a_pair_writes_what_the_laws_need(self):
         for name, seed in (("ring.x3p", "1"), ("liner.x3p", "2")):
             self.run_well("synthetic", "gaussian", name, "--points", "96x96", "--seed", seed)
@@ -328,6 +351,10 @@ class BoundaryFriction(ContactTest):
         text = (self.folder / "contact.toml").read_text()
         for line in ('model = "greenwood-williamson"', 'summit_plane = "nayak"', 'hardness = "2.5 GPa"'):
             self.assertIn(line, text)
+        self.assertIn("root of the sum of squares of Rq", text)
+        result = self.run_program(*pair, "--hardness", "2.5 GPa", "--sigma", "Ra")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--sigma Ra and --hardness contradict", result.stderr)
         law = ("--law", "law.nc", "--shifts", "2")
         self.run_well(*pair, "--hardness", "2.5 GPa", *MODULUS, *law, "--fragment", "contact.toml")
         text = (self.folder / "contact.toml").read_text()
@@ -351,10 +378,6 @@ class Refusals(ContactTest):
         self.assertIn("beyond the highest point", self.refused(*wave_at, "1.5 um", *MODULUS))
         self.assertIn("more than 50 %", self.refused(*wave_at, "1 nm", *MODULUS))
         self.assertIn("no unit", self.refused(*wave_at, "0.5", *MODULUS))
-        self.assertIn("root of the sum of squares of Rq", text)
-        result = self.run_program(*pair, "--hardness", "2.5 GPa", "--sigma", "Ra")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("--sigma Ra and --hardness contradict", result.stderr)
         self.assertIn("above", self.refused(*wave_at, "-0.5 um", *MODULUS))
         self.assertIn("--composite-modulus is missing", self.refused(*wave_at, "0.5 um"))
         for hardness in ("0 GPa", "-2 GPa"):

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 
 namespace ringfilm::io {
@@ -29,5 +30,8 @@ struct ContactLawFile {
 /// Reads what `ringfilm contact --output` wrote; rows without contact are omitted. Throws InputError: not such a file,
 /// altered, fewer than four separations with contact, pressures or areas that do not fall.
 ContactLawFile read_contact_law(const NamedFile& file);
+
+/// Is the document of a contact law one that read_contact_law() takes? Throws InputError with what it would refuse.
+void check_contact_law(const Measurement& law);
 
 }  // namespace ringfilm::io

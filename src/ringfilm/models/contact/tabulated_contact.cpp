@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -15,15 +16,21 @@ constexpr int kBefore = 8, kBeyond = 24;  // places before the first row and bey
 constexpr int kPieces = 256;
 constexpr double kTailWindow = 4.605170185988091;  // ln 100: rows whose slope and curvature the tail has
 
-void check_falling(const std::vector<double>& values, std::size_t rows, const char* name) {
+void check_falling(const std::vector<double>& values, const std::vector<double>& h, const char* name) {
+  const std::size_t rows = h.size();
   if (rows < kFewestRows) {
     throw InputError("a contact law of fewer than 4 rows with contact is not a law", "state more separations");
   }
-  bool falls = values.size() == rows && values.back() > 0;
-  for (std::size_t k = 1; falls && k < rows; ++k) falls = values[k] < values[k - 1];
-  if (falls) return;
-  throw InputError(std::string("the ") + name + " of a contact law does not fall from row to row, or is not above 0",
-                   "separations rise, pressures and areas fall; rows without contact are not part of a law");
+  const auto refuse = [&](const std::string& where) {
+    throw InputError(std::string("the ") + name + " of a contact law " + where,
+                     "separations rise, pressures and areas fall; rows without contact are not part of a law");
+  };
+  if (values.size() != rows || !(values.back() > 0)) refuse("is not above 0 in each row");
+  for (std::size_t k = 1; k < rows; ++k) {
+    if (values[k] < values[k - 1]) continue;
+    refuse("does not fall from row to row: " + number_text(values[k - 1]) + " at a separation of " +
+           number_text(h[k - 1] * 1e6) + " um, " + number_text(values[k]) + " at " + number_text(h[k] * 1e6) + " um");
+  }
 }
 
 /// ln of a value beyond the last row: its slope at the end, and the curvature of the last rows.
@@ -161,8 +168,8 @@ ContactPieces::Cubics cubics_of(const Root& root, double reach) {
 
 TabulatedContact::TabulatedContact(const ContactTable& table, double trusted_up_to_m)
     : trusted_up_to_(trusted_up_to_m) {
-  check_falling(table.pressure, table.h.size(), "pressure");
-  check_falling(table.area_share, table.h.size(), "area");
+  check_falling(table.pressure, table.h, "pressure");
+  check_falling(table.area_share, table.h, "area");
   ContactTable used = table;
   while (used.h.size() > kFewestRows && used.h.back() > trusted_up_to_m) {
     for (auto* const column : {&used.h, &used.pressure, &used.area_share}) column->pop_back();
