@@ -6,6 +6,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
@@ -33,7 +34,8 @@ Oil oil_of(const GivenOne<CaseObject>& given) {
   self.check();
   const cycle::Case& c = self.value();
   if (c.problem == cycle::Problem::kPad) return {pad::prepare_pad(c).oil, c.operating.oil_temperature, 0};
-  const cycle::OilSetup oil = cycle::prepare(c).ring.oil;
+  // The oil of a pack is the same at each ring; its pressures here are those of the first.
+  const cycle::OilSetup oil = cycle::prepare(c.is_pack() ? cycle::with_rails(c).rings.front() : c).ring.oil;
   return {oil.range->at(oil.temperature), oil.temperature, base::kAtmosphere};
 }
 

@@ -113,6 +113,19 @@ class VerifyTest(ProgramTest):
             "unknown key value.tolerance",
         )
 
+    def test_a_pack_has_no_single_value(self):
+        shipped = self.copy_of_shipped("rayleigh1918_step")
+        folder = shipped / "verification" / "rayleigh1918_step"
+        for name in ("cases", "data"):
+            shutil.copytree(SOURCES / name, shipped / name, dirs_exist_ok=True)
+        (folder / "reference.toml").write_text(
+            '[[value]]\nlabel = "friction"\ncase = "../../cases/ring-pack/three_rings.toml"\nquantity = "fmep"\n'
+            'expected = "9 kPa"\nrelative_tolerance = 0.5\nsource = "none"\nbecause = "of one ring"\n'
+        )
+        self.assert_refused(
+            self.verify_in(shipped), "reference.toml", "three_rings.toml is a pack of 3 rings", "a case of one ring"
+        )
+
     def test_ladders_times_and_columns_that_cannot_be_are_reported_with_their_place(self):
         shipped = self.copy_of_shipped(
             "roache2002_manufactured", "reynolds1886_squeezed_plates", "styles2014_independent_model"

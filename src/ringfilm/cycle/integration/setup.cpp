@@ -238,7 +238,26 @@ film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<fi
   return laws;
 }
 
+namespace {
+
+/// A setup has one face.
+void check_one_face(const Case& c) {
+  const char* remedy =
+      "ringfilm run and ringfilm.run compute a whole pack; by itself set up one of Case::rings, of with_gas_path(pack) "
+      "where the gas is computed";
+  if (c.is_pack()) {
+    throw InputError("the case is a pack of " + std::to_string(c.rings.size()) + " rings, and one ring is set up here",
+                     remedy);
+  }
+  if (c.ring.rails > 1) {
+    throw InputError("the ring has " + std::to_string(c.ring.rails) + " rails, and one face is set up here", remedy);
+  }
+}
+
+}  // namespace
+
 Setup prepare(const Case& c) {
+  check_one_face(c);
   if (c.problem == Problem::kClosure) {
     throw InputError("the case states the static closure of a ring alone, not a cycle",
                      "compute it with ringfilm conform, or state engine, gas, oil and surfaces, too");
@@ -250,6 +269,7 @@ Setup prepare(const Case& c) {
 }
 
 Setup prepare(const Case& c, const OwnOil& oil) {
+  check_one_face(c);
   if (c.thermal.is_stated()) {
     throw InputError("an own oil is known at one temperature, and the case has those of ring and liner ([thermal])",
                      "state operating.oil_temperature in place of [thermal]");

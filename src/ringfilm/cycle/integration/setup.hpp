@@ -94,8 +94,9 @@ std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal
 /// By what the film of a case differs from that of a Newtonian oil between smooth walls. @param sigma [m]
 film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<film::ThinningOil>& thinning);
 
-/// Builds the models of a checked case. Throws InputError where a value that is fine by itself cannot be used with the
-/// others (partial trace without intake pressure, peak that the Wiebe cycle cannot reach).
+/// Builds the models of a checked case. Throws InputError for a pack or a ring with several rails, which has several
+/// faces, and where a value that is fine by itself cannot be used with the others (partial trace without intake
+/// pressure, peak that the Wiebe cycle cannot reach).
 Setup prepare(const Case& c);
 
 /// An oil that the caller brings in place of the laws of a case.

@@ -235,6 +235,7 @@ class VerificationReader {
       const bool is_file = named == named_.end();
       c = read_case((folder_ / (is_file ? name : named->second.path)).string(),
                     is_file ? std::vector<Override>{} : named->second.overrides, units_, purpose);
+      if (purpose == CasePurpose::kFilm && c.is_pack()) refuse_pack(name, c.rings.size());
     }
     check_times();
     if (!faults_.empty()) throw InputError(std::move(faults_));
@@ -478,6 +479,12 @@ class VerificationReader {
     }
     return column.unit ? quantity_column(csv, column.name, si_unit, column.name + " [" + si_unit + "]", units_, faults_)
                        : column.values;
+  }
+
+  void refuse_pack(const std::string& run, std::size_t rings) {
+    faults_.push_back({{(folder_ / "reference.toml").string(), 0, 0, ""},
+                       fmt::format("{} is a pack of {} rings, of which a check has no single value", run, rings),
+                       "name a case of one ring, or ask for a quantity of the gas, such as blow_by_per_cycle"});
   }
 
   /// Records that the run must reach the time of a probe, until its case is read.

@@ -1,9 +1,11 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "../styles_case.hpp"
+#include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/oil_settling.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
@@ -39,6 +41,20 @@ void expect_passed_on(const std::vector<double>& left, int below_tdc, const std:
   for (int bin = 10; bin < kBins - 10; ++bin) {
     EXPECT_NEAR(met.at(bin - below_tdc_2), left.at(bin - below_tdc), 1e-6 * left.at(bin - below_tdc)) << bin;
   }
+}
+
+TEST(PackOil, APackIsNotSetUpAsItsFirstRing) {
+  Case pack = styles_new_ring();
+  pack.rings = std::vector<Case>(3, pack);
+  const auto refused = [](const char* words) {
+    return ::testing::ThrowsMessage<InputError>(
+        ::testing::AllOf(::testing::HasSubstr(words), ::testing::HasSubstr("one")));
+  };
+  EXPECT_THAT([&] { prepare(pack); }, refused("a pack of 3 rings"));
+  EXPECT_THAT([&] { prepare(pack, OwnOil{"mine", nullptr}); }, refused("a pack of 3 rings"));
+  Case oil_ring = styles_new_ring();
+  oil_ring.ring.rails = 2;
+  EXPECT_THAT([&] { prepare(oil_ring); }, refused("has 2 rails"));
 }
 
 TEST(PackOil, EachRingMeetsWhatTheRingBeforeItLeft) {
