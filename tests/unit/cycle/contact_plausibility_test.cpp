@@ -55,6 +55,7 @@ TEST(ContactPlausibility, RoughnessFromRaBesideALawOfTheRmsIsNoted) {
   EXPECT_THAT(measured_by(by_ra, nayak, converted), IsEmpty());
   EXPECT_THAT(measured_by(by_ra, surface, as_given), IsEmpty()) << "as in the paper";
   EXPECT_THAT(measured_by(by_rq, nayak, as_given), IsEmpty());
+  EXPECT_THAT(measured_by("mean of Random Samples", nayak, as_given), IsEmpty()) << "names no Ra";
   const auto other_law = [&](ContactLaw model, AsperityLaw asperity, ContactMoments moments) {
     return topics([&](Case& c) {
       c.contact.measured.roughness_rule = by_ra;

@@ -1,9 +1,12 @@
 #include "ringfilm/cycle/case/contact_plausibility.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "ringfilm/base/number_text.hpp"
 
@@ -31,9 +34,18 @@ void append_roughness_note(const Contact& contact, double sigma, std::vector<Not
                    1});
 }
 
-bool names_any(const std::string& words, std::initializer_list<const char*> names) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](const char* name) { return words.find(name) != std::string::npos; });
+/// Does a text hold one of these words?
+bool names_any(const std::string& text, std::initializer_list<std::string_view> names) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]));
+  };
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    std::size_t at = text.find(name);
+    while (at != std::string::npos && ((at > 0 && is_letter(at - 1)) || is_letter(at + name.size()))) {
+      at = text.find(name, at + 1);
+    }
+    return at != std::string::npos;
+  });
 }
 
 /// A root-sum-square of Ra lies 20 % below that of the rms heights of Gaussian surfaces.
