@@ -17,6 +17,12 @@ inline constexpr double kLongestTime = 1e6 * kHour;
 inline constexpr double kAssumedCoating = 100e-6;
 /// More jumps than a life can need: a coating of 1 mm takes a tenth.
 inline constexpr int kMostJumps = 100'000;
+/// No scan knows a face better than to some nanometres, nor does a depth below the size of an atom mean anything. A
+/// jump of this depth takes a usual coating off in kMostJumps [m].
+inline constexpr double kSmallestJumpDepth = 1e-9;
+/// The two stages of a jump differ with the square of its length: at this difference jumps are a tenth of the usual
+/// ones [m].
+inline constexpr double kSmallestJumpError = 1e-10;
 /// Wear coefficient above which each contact would remove more than all that it touches, 1/(3H), for any metal [m2/N].
 inline constexpr double kLargestCoefficient = 1e-9;
 

@@ -150,6 +150,14 @@ class ReportPoints(LifeTest):
         self.refused(LIFE + '[[report_point]]\nname = "duty"\n', "two operating points have the name duty")
         self.refused(LIFE + '[[report_point]]\nname = "a"\nweight = 1\n', "unknown key weight")
 
+    def test_many_points_are_refused_without_reading_all_their_cases(self):
+        points = "".join(f'[[report_point]]\nname = "p{k}"\nspeed = "-{k + 1} rpm"\n' for k in range(2000))
+        self.refused(LIFE + points, "1990 more operating points were not read", "11 errors")
+        (self.folder / "life.toml").write_text(LIFE.replace('"20 h"]', '"5 h"]') + points)
+        refused = self.run_program("life", "life.toml")
+        self.assert_refused(refused, "the running time 5 h does not follow 10 h")
+        self.assertNotIn("operating.speed", refused.stderr)
+
 
 class CommonDatum(LifeTest):
     def test_worn_area_and_depth_are_those_between_the_faces(self):
@@ -478,6 +486,14 @@ class Refusals(LifeTest):
 
     def test_a_coefficient_below_zero(self):
         self.refused(ARCHARD.replace("4e-18", "-4e-18"), "wear.coefficient", "is not above 0")
+
+    def test_jumps_below_the_size_of_an_atom(self):
+        self.refused(ARCHARD + 'largest_depth = "1e-9 um"\n', 'wear.largest_depth = "1e-9 um" is below 1 nm')
+        self.refused(ARCHARD + 'jump_error = "1e-9 um"\n', 'wear.jump_error = "1e-9 um" is below 0.1 nm')
+
+    def test_durations_beyond_a_century(self):
+        segment = '[[duty.segment]]\nname = "a"\nduration = "1e300 h"\n'
+        self.refused(ARCHARD + segment, 'duty.segment.duration = "1e300 h" is more than a century')
 
     def test_equal_jumps_and_their_error(self):
         self.refused(ARCHARD + 'jumps = 4\njump_error = "0.01 um"\n', "wear.jump_error means nothing with jumps")

@@ -26,9 +26,9 @@ values = { "operating.speed" = "3000 rpm", "operating.oil_temperature" = "120 de
 
 
 class OperatingPoints(program.ProgramTest):
-    def study(self, text=STUDY):
+    def study(self, text=STUDY, folder="out"):
         (self.folder / "study.toml").write_text(text)
-        return self.run_program("study", "study.toml", "-o", "out")
+        return self.run_program("study", "study.toml", "-o", folder)
 
     def test_each_point_is_the_case_with_its_values(self):
         done = self.study()
@@ -46,6 +46,16 @@ class OperatingPoints(program.ProgramTest):
         for name in ("idle", "full load", "weighted mean"):
             self.assertIn(name, lines)
         self.assertIn(b"mean_power_loss_weighted_mean", (self.folder / "out" / "study.nc").read_bytes())
+
+    def test_the_mean_does_not_depend_on_the_unit_of_the_weights(self):
+        def mean(text, folder):
+            printed = self.study(text, folder).stdout
+            return next(line.split() for line in printed.splitlines() if line.startswith("  weighted mean"))
+
+        expected = mean(STUDY, "one")
+        for one, three in (("5e307", "1.5e308"), ("1e-310", "3e-310")):
+            text = STUDY.replace("weight = 1", f"weight = {one}").replace("weight = 3", f"weight = {three}")
+            self.assertEqual(mean(text, one), expected)
 
     def test_texts_of_keys_are_choices(self):
         text = STUDY.replace('"operating.oil_temperature" = "90 degC"', '"film.cavitation" = "reynolds-exit"')

@@ -30,6 +30,28 @@ void scale_trace(double peak, cycle::Case& c) {
   c.gas.cylinder_pressure = std::move(trace);
 }
 
+/// @returns whether the case has such a trace
+bool put_peak(const StatedPoint& point, cycle::Case& input, std::vector<Fault>& faults) {
+  if (!point.peak) return true;
+  if (input.gas.model != cycle::GasModel::kTrace) {
+    faults.push_back({point.peak_mark, "peak_pressure scales a trace, and the gas model is not \"trace\"",
+                      "state it as set = { \"gas.peak_pressure\" = \"90 bar\" }"});
+    return false;
+  }
+  const std::vector<double>& values = (*input.gas.cylinder_pressure).value;
+  const double least = *std::min_element(values.begin(), values.end());
+  if (*point.peak <= least) {
+    faults.push_back(
+        {point.peak_mark,
+         fmt::format("the peak pressure {:.6g} bar is not above the least pressure of the trace, {:.6g} bar",
+                     *point.peak / 1e5, least / 1e5),
+         "state a higher peak_pressure, with the reference of the trace"});
+    return false;
+  }
+  scale_trace(*point.peak, input);
+  return true;
+}
+
 /// Keys of an operating point beside its length.
 std::vector<std::string> point_keys() {
   return {"name", "speed", "oil_temperature", "cylinder_pressure", "peak_pressure", "set"};
@@ -41,19 +63,21 @@ class PointReader {
   PointReader(const DutySources& sources, std::vector<Fault>& faults) : sources_(sources), faults_(faults) {}
 
   /// With a share of 0; nothing where it was refused. Names are each used once.
-  std::optional<life::OperatingPoint> read(StudyTable& part) {
+  std::optional<StatedPoint> read(StudyTable& part) {
     const std::size_t n_before = faults_.size();
-    const std::string name = part.needed_text("name", "\"idle\"");
-    if (!name.empty() && !names_.insert(name).second) {
-      part.refuse(part.find("name")->mark, fmt::format("two operating points have the name {}", name),
+    StatedPoint point;
+    point.mark = part.mark();
+    point.name = part.needed_text("name", "\"idle\"");
+    if (!point.name.empty() && !names_.insert(point.name).second) {
+      part.refuse(part.find("name")->mark, fmt::format("two operating points have the name {}", point.name),
                   "give each a name of its own");
     }
-    std::vector<Override> overrides = overrides_of(part);
-    const std::optional<double> peak = read_peak(part);
-    if (faults_.size() > n_before) return std::nullopt;
-    std::optional<cycle::Case> input = sources_.read_base(overrides, part.mark());
-    if (!input || !put_peak(part, peak, *input)) return std::nullopt;
-    return life::OperatingPoint{name, 0, std::move(*input)};
+    point.overrides = overrides_of(part);
+    if (const TomlValue* value = part.find("peak_pressure")) {
+      point.peak_mark = value->mark;
+      point.peak = life_quantity(part, "peak_pressure", *value, "Pa", "\"90 bar\"", sources_.units);
+    }
+    return faults_.size() > n_before ? std::nullopt : std::optional(std::move(point));
   }
 
   void reserve(const std::string& name) { names_.insert(name); }
@@ -88,33 +112,6 @@ class PointReader {
     return quoted(is_file ? locate(text, sources_.folder).shown : text);
   }
 
-  std::optional<double> read_peak(StudyTable& part) {
-    const TomlValue* value = part.find("peak_pressure");
-    if (value == nullptr) return std::nullopt;
-    return life_quantity(part, "peak_pressure", *value, "Pa", "\"90 bar\"", sources_.units);
-  }
-
-  static bool put_peak(StudyTable& part, std::optional<double> peak, cycle::Case& input) {
-    if (!peak) return true;
-    const SourceMark& mark = part.find("peak_pressure")->mark;
-    if (input.gas.model != cycle::GasModel::kTrace) {
-      part.refuse(mark, "peak_pressure scales a trace, and the gas model is not \"trace\"",
-                  "state it as set = { \"gas.peak_pressure\" = \"90 bar\" }");
-      return false;
-    }
-    const std::vector<double>& values = (*input.gas.cylinder_pressure).value;
-    const double least = *std::min_element(values.begin(), values.end());
-    if (*peak <= least) {
-      part.refuse(mark,
-                  fmt::format("the peak pressure {:.6g} bar is not above the least pressure of the trace, {:.6g} bar",
-                              *peak / 1e5, least / 1e5),
-                  "state a higher peak_pressure, with the reference of the trace");
-      return false;
-    }
-    scale_trace(*peak, input);
-    return true;
-  }
-
   const DutySources& sources_;
   std::vector<Fault>& faults_;
   std::set<std::string> names_;
@@ -144,7 +141,7 @@ class DutyReader {
     }
     read_repeat(form, n_before);
     if (faults_.size() > n_before) return {};
-    for (life::OperatingPoint& point : duty_.points) point.share /= total_;
+    share_out();
     return std::move(duty_);
   }
 
@@ -155,11 +152,18 @@ class DutyReader {
     StudyTable part(value, fmt::format("[[duty.{}]]", form.list), keys, faults_);
     const std::size_t n_before = faults_.size();
     const double length = read_length(part, form);
-    std::optional<life::OperatingPoint> point = points_.read(part);
+    std::optional<StatedPoint> point = points_.read(part);
     if (!point || faults_.size() > n_before) return;
-    total_ += length;
     point->share = length;
     duty_.points.push_back(std::move(*point));
+  }
+
+  /// Lengths as shares; relative to the largest, so that no sum of them runs out of range.
+  void share_out() {
+    double largest = 0, total = 0;
+    for (const StatedPoint& point : duty_.points) largest = std::max(largest, point.share);
+    for (const StatedPoint& point : duty_.points) total += point.share / largest;
+    for (StatedPoint& point : duty_.points) point.share = point.share / largest / total;
   }
 
   double read_length(StudyTable& part, const Form& form) {
@@ -178,6 +182,10 @@ class DutyReader {
                   fmt::format("write, for example, {} = {}; a point outside the duty is a [[report_point]]",
                               form.length, form.example));
     }
+    if (length && &form == &kSegments && *length > life::kLongestTime) {
+      part.refuse(value->mark, fmt::format("duty.segment.duration = {} is more than a century", value->as_written()),
+                  "durations are up to " + life::hours_text(life::kLongestTime));
+    }
     return length.value_or(0);
   }
 
@@ -191,7 +199,9 @@ class DutyReader {
       table_.refuse(value.key_mark, "duty.repeat means nothing with points, which have weights and no duration",
                     "leave it out, or give the parts as [[duty.segment]] with durations");
     } else if (faults_.size() == n_before) {
-      duty_.length = static_cast<double>(*repeat) * total_;
+      double total = 0;
+      for (const StatedPoint& part : duty_.points) total += part.share;
+      duty_.length = static_cast<double>(*repeat) * total;
     }
   }
 
@@ -199,8 +209,7 @@ class DutyReader {
   const DutySources& sources_;
   std::vector<Fault>& faults_;
   PointReader points_;
-  Duty duty_;
-  double total_ = 0;
+  Duty duty_;  ///< shares are lengths until all are known
 };
 
 }  // namespace
@@ -209,14 +218,39 @@ Duty read_duty_table(const TomlValue& value, const DutySources& sources, std::ve
   return DutyReader(value, sources, faults).read();
 }
 
-void read_report_points(const std::vector<TomlValue>& values, const DutySources& sources,
-                        std::vector<life::OperatingPoint>& points, std::vector<Fault>& faults) {
+std::vector<StatedPoint> read_report_points(const std::vector<TomlValue>& values,
+                                            const std::vector<std::string>& names_of_duty, const DutySources& sources,
+                                            std::vector<Fault>& faults) {
   PointReader reader(sources, faults);
-  for (const life::OperatingPoint& point : points) reader.reserve(point.name);
+  for (const std::string& name : names_of_duty) reader.reserve(name);
+  std::vector<StatedPoint> points;
   for (const TomlValue& value : values) {
     StudyTable table(value, "[[report_point]]", point_keys(), faults);
     if (auto point = reader.read(table)) points.push_back(std::move(*point));
   }
+  return points;
+}
+
+std::vector<life::OperatingPoint> operating_points(const std::vector<StatedPoint>& stated, const ReadBase& read_base,
+                                                   std::vector<Fault>& faults) {
+  constexpr int kMostRefused = 10;  // each costs the reading of a case, and one cause often refuses all
+  std::vector<life::OperatingPoint> points;
+  int refused = 0;
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    const StatedPoint& point = stated[i];
+    if (refused == kMostRefused) {
+      faults.push_back({point.mark, fmt::format("{} more operating points were not read", stated.size() - i),
+                        "correct those before it first"});
+      break;
+    }
+    std::optional<cycle::Case> input = read_base(point.overrides, point.mark);
+    if (input && put_peak(point, *input, faults)) {
+      points.push_back({point.name, point.share, std::move(*input)});
+    } else {
+      ++refused;
+    }
+  }
+  return points;
 }
 
 }  // namespace ringfilm::io

@@ -16,22 +16,35 @@ using ReadBase = std::function<std::optional<cycle::Case>(const std::vector<Over
 
 /// What the table [duty] is read with.
 struct DutySources {
-  const ReadBase& read_base;
   const std::string& folder;  ///< of the life's file, from which its file names count
   const Units& units;
 };
 
+/// An operating point as the file states it, before its case is read.
+struct StatedPoint {
+  std::string name;
+  double share = 0;  ///< of the running time; 0: reported, not part of the duty [-]
+  std::vector<Override> overrides;
+  std::optional<double> peak;  ///< to which the trace is scaled, with its reference [Pa]
+  SourceMark mark, peak_mark;
+};
+
 /// A duty as its table states it.
 struct Duty {
-  std::vector<life::OperatingPoint> points;  ///< shares of 1 in all; empty where it was refused
-  std::optional<double> length;              ///< of all repetitions [s]; nothing: as long as the life
+  std::vector<StatedPoint> points;  ///< shares of 1 in all; empty where it was refused
+  std::optional<double> length;     ///< of all repetitions [s]; nothing: as long as the life
 };
 
 /// The table [duty]: segments with durations, or points with weights. What is wrong goes to `faults`.
 Duty read_duty_table(const TomlValue& value, const DutySources& sources, std::vector<Fault>& faults);
 
-/// The tables [[report_point]]: operating points outside the duty, with a share of 0, after those of `points`.
-void read_report_points(const std::vector<TomlValue>& values, const DutySources& sources,
-                        std::vector<life::OperatingPoint>& points, std::vector<Fault>& faults);
+/// The tables [[report_point]]: operating points outside the duty, with a share of 0. @param names_of_duty not theirs
+std::vector<StatedPoint> read_report_points(const std::vector<TomlValue>& values,
+                                            const std::vector<std::string>& names_of_duty, const DutySources& sources,
+                                            std::vector<Fault>& faults);
+
+/// With the case of each, which is read here; after ten that are refused the others are not.
+std::vector<life::OperatingPoint> operating_points(const std::vector<StatedPoint>& stated, const ReadBase& read_base,
+                                                   std::vector<Fault>& faults);
 
 }  // namespace ringfilm::io

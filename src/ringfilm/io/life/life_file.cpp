@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 
 #include "ringfilm/cycle/accuracy.hpp"
@@ -40,6 +41,8 @@ class LifeReader : DocumentReader {
     read_wear(table);
     read_pack(table);
     read_end(table);
+    if (faults_.empty() && n_duty_ == 0) faults_ = faults_without_points();
+    if (faults_.empty()) read_points(table);
     state_accuracies();
     if (faults_.empty()) faults_ = life::faults_of(life_);
     if (!faults_.empty()) throw InputError(with_places(faults_));
@@ -47,6 +50,15 @@ class LifeReader : DocumentReader {
   }
 
  private:
+  /// What is wrong whatever the points next to the base case, of which each costs the reading of a case.
+  std::vector<Fault> faults_without_points() {
+    const life::Life as_read = life_;
+    state_accuracies();
+    std::vector<Fault> faults = life::faults_of(life_);
+    life_ = as_read;
+    return faults;
+  }
+
   /// What lies at no place of the file concerns it as a whole.
   std::vector<Fault> with_places(std::vector<Fault> faults) const {
     for (Fault& fault : faults) {
@@ -118,26 +130,28 @@ class LifeReader : DocumentReader {
 
   void read_base(StudyTable& table) {
     if (auto input = read_named_case(table, "\"new.toml\"")) {
-      life_.points.push_back({"duty", 1, std::move(*input)});
+      life_.points.push_back({kWholeDuty, 1, std::move(*input)});
     }
   }
 
-  /// After the base case, of which each part is another reading.
+  /// What the duty and the points next to it state.
   void read_duty(StudyTable& table) {
-    if (life_.points.empty()) return;
-    const std::string path = locate(table.find("case")->text, folder_).shown;
-    const ReadBase read_base = [&](const std::vector<Override>& overrides, const SourceMark& mark) {
-      return read_ring(path, overrides, mark);
-    };
-    const DutySources sources{read_base, folder_, units_};
-    if (const TomlValue* value = table.find("duty")) read_duty_of(*value, sources);
-    read_report_points(table.items("report_point"), sources, life_.points, faults_);
+    const DutySources sources{folder_, units_};
+    std::vector<std::string> names;
+    if (const TomlValue* value = table.find("duty")) {
+      Duty duty = read_duty_table(*value, sources, faults_);
+      check_end_of_duty(duty);
+      stated_points_ = std::move(duty.points);
+    } else {
+      names.push_back(kWholeDuty);
+    }
+    n_duty_ = stated_points_.size();
+    for (const StatedPoint& point : stated_points_) names.push_back(point.name);
+    std::ranges::move(read_report_points(table.items("report_point"), names, sources, faults_),
+                      std::back_inserter(stated_points_));
   }
 
-  void read_duty_of(const TomlValue& value, const DutySources& sources) {
-    Duty duty = read_duty_table(value, sources, faults_);
-    if (duty.points.empty()) return;
-    life_.points = std::move(duty.points);
+  void check_end_of_duty(const Duty& duty) {
     for (const life::ReportedTime& now : life_.times) {
       constexpr double kRounding = 1e-9;
       if (!duty.length || now.time <= *duty.length * (1 + kRounding)) continue;
@@ -146,6 +160,16 @@ class LifeReader : DocumentReader {
                                      life::hours_text(*duty.length)),
                          "ask for earlier hours, or repeat the segments more often"});
     }
+  }
+
+  /// The cases of the points, each another reading of the base case; a duty takes the place of that case.
+  void read_points(StudyTable& table) {
+    const std::string path = locate(table.find("case")->text, folder_).shown;
+    const ReadBase read_base = [&](const std::vector<Override>& overrides, const SourceMark& mark) {
+      return read_ring(path, overrides, mark);
+    };
+    if (n_duty_ > 0) life_.points.clear();
+    std::ranges::move(operating_points(stated_points_, read_base, faults_), std::back_inserter(life_.points));
   }
 
   void read_state(const TomlValue& value) {
@@ -268,8 +292,12 @@ class LifeReader : DocumentReader {
     }
   }
 
+  static constexpr const char* kWholeDuty = "duty";  // the point of a life without [duty]
+
   const std::vector<Override>& overrides_;
   life::Life life_;
+  std::vector<StatedPoint> stated_points_;  ///< those of the duty, then those next to it
+  std::size_t n_duty_ = 0;
 };
 
 }  // namespace

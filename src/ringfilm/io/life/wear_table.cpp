@@ -125,8 +125,20 @@ class WearReader {
       table_.refuse(table_.find("jump_error")->key_mark, "wear.jump_error means nothing with scheme = \"euler\"",
                     "leave it out, or take scheme = \"heun\"");
     }
-    wear_.largest_depth = above_zero("largest_depth", "m", "\"0.15 um\"").value_or(wear_.largest_depth);
-    wear_.jump_error = above_zero("jump_error", "m", "\"0.02 um\"").value_or(wear_.jump_error);
+    wear_.largest_depth =
+        depth_of_jump("largest_depth", life::kSmallestJumpDepth, "\"0.15 um\"").value_or(wear_.largest_depth);
+    wear_.jump_error = depth_of_jump("jump_error", life::kSmallestJumpError, "\"0.02 um\"").value_or(wear_.jump_error);
+  }
+
+  std::optional<double> depth_of_jump(const char* key, double smallest, const char* example) {
+    const auto depth = above_zero(key, "m", example);
+    if (!depth || *depth >= smallest) return depth;
+    const TomlValue& value = *table_.find(key);
+    table_.refuse(value.mark, fmt::format("wear.{} = {} is below {:g} nm", key, value.as_written(), 1e9 * smallest),
+                  fmt::format("faces are not known to the size of an atom, and each jump costs a cycle: state a larger "
+                              "one, for example {}",
+                              example));
+    return std::nullopt;
   }
 
   void read_tilt() {
