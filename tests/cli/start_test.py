@@ -1,6 +1,7 @@
 """Starting a case of one's own: start cases, traces, shipped oils, assumptions, settings and terms of the trade."""
 
 import json
+import math
 import re
 import shlex
 import unittest
@@ -170,6 +171,51 @@ class NewTest(StartTest):
         text = text.replace('# pressure_reference = "absolute"', 'pressure_reference = "absolute"')
         (self.folder / "mine.toml").write_text(text)
         self.run_well("check", "mine.toml")
+
+    def compressed(self, name, heading, offset=0.0, turn=0):
+        """Writes the motored trace of the passenger-car engine at a ratio of 10 and an index of 1.33 [bar]."""
+
+        def volume(deg):
+            crank, rod = 39.75, 138.1
+            angle = math.radians(deg)
+            way = crank * (1 - math.cos(angle)) + rod - math.sqrt(rod**2 - (crank * math.sin(angle)) ** 2)
+            return 2 * crank / 9 + way
+
+        rows = []
+        for deg in range(-360, 360):
+            closed = -180 <= deg <= 180
+            rows.append(f"{deg + turn};{offset + (0.95 * (volume(180) / volume(deg)) ** 1.33 if closed else 0.95):.5f}")
+        (self.folder / name).write_text(heading + "\n" + "\n".join(rows) + "\n")
+
+    def test_pressures_of_no_engine_and_a_shifted_tdc_are_noted(self):
+        for number, (offset, turn, note) in enumerate(
+            (
+                (0, 0, None),
+                (1, 0, "a polytropic index of 1 or less"),
+                (-0.5, 0, "lower than the atmosphere into which it flows"),
+                (0, -3, "about a peak at -3 degree"),
+            )
+        ):
+            with self.subTest((offset, turn)):
+                self.compressed("motored.csv", "CA [deg];p [bar]", offset, turn)
+                text, printed = self.new("--trace", "motored.csv")
+                self.assertEqual("note: " in printed, note is not None, printed)
+                self.assertIn(note or "found in", printed)
+                text = text.replace('# pressure_reference = "absolute"', 'pressure_reference = "absolute"')
+                name = f"stated{number}.toml"
+                (self.folder / name).write_text(text)
+                checked = self.run_well("check", name)
+                self.assertEqual("note: the cylinder pressure" in checked, bool(note), checked)
+                self.assertIn(note or "no errors", checked)
+
+    def test_german_exports_name_the_degree_grad(self):
+        for unit in ("Grad", "GRAD", "Grad KW", "° KW"):
+            self.compressed("export.csv", f"KW [{unit}];p [bar]")
+            _, printed = self.new("--trace", "export.csv")
+            self.assertIn("720 samples from -360 to 359 degree", printed)
+        for unit, remedy in (("grad", "write degree, or gon"), ("Mrad", "write degree, rad or rev")):
+            self.compressed("export.csv", f"KW angle [{unit}];p [bar]")
+            self.assertIn(remedy, self.refused("new", "none.toml", "--trace", "export.csv"))
 
     def test_a_trace_without_units_and_with_several_columns(self):
         rows = "".join(f"{angle};{20 if angle == 370 else 1};3\n" for angle in range(0, 720, 10))

@@ -133,6 +133,7 @@ void start_case(const NewOptions& options) {
   std::cout << "wrote " << path << "\n";
   for (const std::string& one : made.found) std::cout << "found in " << *options.trace << ": " << one << "\n";
   for (const std::string& one : made.missing) std::cout << "missing: " << one << "\n";
+  for (const std::string& one : made.notes) std::cout << "note: " << one << "\n";
   if (made.missing.empty()) {
     std::cout << "next: ringfilm run " << path << "\n";
   } else {

@@ -32,6 +32,28 @@ constexpr double kCompressionFromDeg = -75, kCompressionToDeg = -45;
 /// than that of historic engines (ratio 4, exponent 1.3), and weaker than one at a ratio of 10 that leaks as much as to
 /// an exponent of 0.85.
 constexpr double kLowestRatio = 6;
+/// The polytropic index of a compression follows from a trace and its compression ratio, which is not stated; it falls
+/// where a higher ratio is assumed. Charged engines have ratios of 8 and more, and seal; their index is 1.25 to 1.4. A
+/// trace that never falls to the atmosphere is that of a charged engine, or has an offset. Others may have any ratio,
+/// and leak at cranking speed.
+constexpr double kLowestChargedRatio = 8, kLowestIndex = 1.25;
+/// Cold air without losses has 1.4; the rest is scatter.
+constexpr double kHighestIndex = 1.43;
+/// Most intake valves are closed from here on.
+constexpr double kIndexFromDeg = -120;
+/// Where the pressure rises by less than with this index, the intake valve is still open.
+constexpr double kOpenIndex = 0.5, kOpenRatio = 10;
+
+/// Without combustion the pressure falls as it rises, about a peak that heat and leakage shift by 0.3 to 1.3 degree
+/// before TDC, by up to 2 at cranking speed; TDC is known to a few tenths of a degree. Where the peak lies later than 5
+/// degree, combustion has shifted it.
+constexpr double kEarliestMotoredDeg = -2, kLatestMotoredDeg = 0.5, kEarliestFiredDeg = 5;
+/// ln of the pressure after that peak over the one as far before it: heat and leakage lower it by less than 0.005 per
+/// degree, and nothing raises it. Combustion that leaves the peak before 5 degree raises it by more than 0.02.
+constexpr double kMotoredLoss = 0.005, kMotoredGain = 0.02;
+/// The peak lies in the middle of the pressures above this share of it, whatever the noise.
+constexpr double kTopOfPeak = 0.95;
+
 /// No manifold of a running engine falls below 0.2 bar absolute: a closed throttle on the overrun leaves 0.2 to 0.3.
 constexpr double kDeepestVacuum = 0.2 * kBar;
 /// The exhaust flows out against the atmosphere, which has 0.6 bar at a height of 4000 m.
@@ -102,12 +124,16 @@ class GasNotes {
   }
 
   void append() {
+    const std::size_t notes_before = notes_.size();
     if (is_wiebe()) append_angles();
     append_place_of_peak();
     append_weak_compression();
     append_low_pressures();
     append_high_pressures();
     append_jump();
+    // Each may follow from what has a note already.
+    if (!is_wiebe() && notes_.size() == notes_before) append_motored_peak();
+    if (!is_wiebe() && notes_.size() == notes_before) append_index();
   }
 
  private:
@@ -191,6 +217,82 @@ class GasNotes {
             " degree before firing TDC to " + in_bar(to) + " at " + number_text(-kCompressionToDeg) +
             " degree, less than by compression (" + number_text(least) + " times or more): " +
             check("are the unit of the trace and gas.pressure_reference right?", "is gas.intake_valve_closing right?"));
+  }
+
+  /// Middle of the pressures near the peak, in [-360, 360).
+  double middle_of_peak() const {
+    constexpr double kStep = 0.05;  // [degree]
+    double before = peak_deg_, after = peak_deg_;
+    while (cylinder_.pressure(before) > kTopOfPeak * highest_ && before > peak_deg_ - kCycleDeg / 4) before -= kStep;
+    while (cylinder_.pressure(after) > kTopOfPeak * highest_ && after < peak_deg_ + kCycleDeg / 4) after += kStep;
+    return (before + after) / 2;
+  }
+
+  /// Where no combustion shifts it.
+  void append_motored_peak() {
+    const bool has_compression = is_whole_ || first_deg_ <= kCompressionFromDeg;
+    if (!is_compressed() || !has_compression) return;
+    const double middle = middle_of_peak();
+    for (const double distance : {15.0, 30.0, 45.0}) {
+      const double ratio = cylinder_.pressure(middle + distance) / cylinder_.pressure(middle - distance);
+      if (std::log(ratio) > kMotoredGain || std::log(ratio) < -kMotoredLoss * distance) return;
+    }
+    if ((middle >= kEarliestMotoredDeg && middle <= kLatestMotoredDeg) || middle > kEarliestFiredDeg) return;
+    note("gas-peak-place", "the cylinder pressure falls as it rises, as without combustion, about a peak at " +
+                               number_text(std::round(10 * middle) / 10) + " degree; compression alone peaks 0 to " +
+                               number_text(-kEarliestMotoredDeg) +
+                               " degree before TDC: is TDC of the trace right? Correct its angles by the difference");
+  }
+
+  /// Polytropic index of the compression from an angle on, by least squares of ln p over ln V.
+  double index_from(double from_deg, double compression_ratio) const {
+    constexpr double kStepDeg = 5;
+    double n = 0, x_sum = 0, y_sum = 0, xx = 0, xy = 0;
+    for (double deg = from_deg; deg <= kCompressionToDeg; deg += kStepDeg, ++n) {
+      const double x = -std::log(volume_above(case_, deg, compression_ratio)), y = std::log(cylinder_.pressure(deg));
+      x_sum += x;
+      y_sum += y;
+      xx += x * x;
+      xy += x * y;
+    }
+    return (n * xy - x_sum * y_sum) / (n * xx - x_sum * x_sum);
+  }
+
+  /// Where compression begins: the trace, or the intake valve closes.
+  double start_of_compression() const {
+    constexpr double kStepDeg = 5;
+    double start = is_whole_ ? kIndexFromDeg : std::max(kIndexFromDeg, first_deg_);
+    const auto is_open = [&](double deg) {
+      const double rise = std::log(cylinder_.pressure(deg + 2 * kStepDeg) / cylinder_.pressure(deg));
+      return rise < kOpenIndex * std::log(volume_above(case_, deg, kOpenRatio) /
+                                          volume_above(case_, deg + 2 * kStepDeg, kOpenRatio));
+    };
+    while (start < kCompressionFromDeg && is_open(start)) start += kStepDeg;
+    return start;
+  }
+
+  void append_index() {
+    if (!is_compressed() || (!is_whole_ && first_deg_ > kCompressionFromDeg)) return;
+    const double start = start_of_compression();
+    const double largest = index_from(start, kLowestChargedRatio), least = index_from(start, kHighestRatio);
+    const bool is_weak = lowest_ > kHighestOpen && largest < kLowestIndex;
+    if (!is_weak && least <= kHighestIndex) return;
+    const std::string rise = "the cylinder pressure rises from " + in_bar(cylinder_.pressure(start)) + " absolute at " +
+                             number_text(-start) + " degree before firing TDC to " +
+                             in_bar(cylinder_.pressure(kCompressionToDeg)) + " at " + number_text(-kCompressionToDeg) +
+                             " degree, with a polytropic index of ";
+    const auto rounded = [](double index) { return number_text(std::round(100 * index) / 100); };
+    if (is_weak) {
+      note("gas-compression-low",
+           rise + rounded(largest) + " or less for a compression ratio of " + number_text(kLowestChargedRatio) +
+               " and more, where charged engines have 1.25 to 1.4: is a pressure added to the trace? Peg it to the "
+               "intake pressure at bottom dead centre, and check gas.pressure_reference and TDC");
+    } else {
+      note("gas-compression-high",
+           rise + rounded(least) + " or more for a compression ratio of " + number_text(kHighestRatio) +
+               " and less, above that of air without losses, 1.4: is a pressure missing from the trace, or TDC wrong? "
+               "Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and TDC");
+    }
   }
 
   void append_low_pressures() {

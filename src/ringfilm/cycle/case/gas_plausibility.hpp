@@ -23,8 +23,9 @@ std::optional<TraceStart> trace_start(const Case& c);
 /// Does the start contradict gas.intake_pressure whatever the engine?
 bool contradicts_intake(const TraceStart& start);
 
-/// Notes on an improbable cylinder pressure: a peak far from firing TDC, weak or no compression, pressures of another
-/// reference or unit, a jump where a trace is joined with the intake pressure; of Wiebe's cycle also on its angles.
+/// Notes on an improbable cylinder pressure: a peak far from firing TDC, or of compression alone not at it, weak, steep
+/// or no compression, pressures of another reference or unit, a jump where a trace is joined with the intake pressure;
+/// of Wiebe's cycle also on its angles.
 /// @param cylinder the pressure of the whole cycle
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes);
 

@@ -83,6 +83,20 @@ const Engine& engine_of(const std::string& name) {
       "one of: " + joined(names, ", "));
 }
 
+/// Crank of an engine.
+cycle::Engine dimensions(const Engine& engine, const Units& units) {
+  const auto length = [&](const std::string& key) {
+    const auto found = std::find_if(engine.values.begin(), engine.values.end(),
+                                    [&](const StartValue& value) { return value.key == key; });
+    return units.quantity(found->value.substr(1, found->value.size() - 2), "m", "89 mm");
+  };
+  cycle::Engine of;
+  of.bore = length("engine.bore");
+  of.stroke = length("engine.stroke");
+  of.connecting_rod_length = length("engine.connecting_rod_length");
+  return of;
+}
+
 std::string head(const Engine& engine) {
   return "# A case of ringfilm: " + std::string(engine.title) +
          ".\n"
@@ -119,10 +133,12 @@ StartCase start_case(const StartOptions& options) {
       {"conditions", quoted("engine"), kAssumed + ": gas at the edges, oil on the liner, hot walls at full load"}};
   append(engine.values, values);
   if (options.trace) {
-    TraceKeys trace = trace_keys(*options.trace, options.case_folder, Units());
+    const Units units;
+    TraceKeys trace = trace_keys(*options.trace, options.case_folder, dimensions(engine, units), units);
     append(trace.values, values);
     start.found = std::move(trace.found);
     start.missing = std::move(trace.missing);
+    start.notes = std::move(trace.notes);
   } else {
     values.push_back({"gas.model", "\"wiebe\"", "a computed pressure; a measured trace is better"});
     append(engine.gas, values);

@@ -18,6 +18,7 @@ struct StartCase {
   std::string text;
   std::vector<std::string> found;    ///< of the trace, sentences
   std::vector<std::string> missing;  ///< what the user has to state before the case can be run, sentences
+  std::vector<std::string> notes;    ///< why the pressures of the trace are improbable, sentences
 };
 
 /// The engines for which there are typical numbers.

@@ -8,6 +8,8 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/models/gas/gas.hpp"
@@ -31,7 +33,7 @@ std::string names_of(const std::vector<TraceColumn>& columns) {
 /// Gathers what a trace shows and what it does not.
 class TraceAnswers {
  public:
-  explicit TraceAnswers(TraceOutline seen) : seen_(std::move(seen)) {}
+  TraceAnswers(TraceOutline seen, const cycle::Engine& engine) : seen_(std::move(seen)) { case_.engine = engine; }
 
   TraceKeys answers(const std::string& name) {
     state("gas.model", quoted("trace"), "the cylinder pressure of a file");
@@ -43,8 +45,9 @@ class TraceAnswers {
       column("gas.angle_column", "gas.angle_unit", "crank angle", kAngleUnits, seen_.angle);
     }
     reference();
-    zero();
+    const bool has_zero = zero();
     span();
+    if (has_zero && seen_.is_in_pascal && models::covers_cycle(seen_.crank_angle_deg)) pressures();
     return std::move(keys_);
   }
 
@@ -97,9 +100,13 @@ class TraceAnswers {
     }
   }
 
-  void zero() {
+  /// @returns whether the file shows it
+  bool zero() {
     const auto& p = seen_.pressure_values;
-    if (p.empty()) return ask("gas.angle_zero", "firing-tdc or gas-exchange-tdc?");
+    if (p.empty()) {
+      ask("gas.angle_zero", "firing-tdc or gas-exchange-tdc?");
+      return false;
+    }
     const double peak =
         seen_.crank_angle_deg[static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin())];
     constexpr double kCycle = 720, kHalf = 360;
@@ -108,9 +115,34 @@ class TraceAnswers {
       return after >= kEarliestPeak && after <= kLatestPeak;
     };
     const std::string place = fmt::format("the highest pressure is at {:.4g} degree", peak);
-    if (follows(0)) return state("gas.angle_zero", quoted("firing-tdc"), kFromFile + ": " + place);
-    if (follows(kHalf)) return state("gas.angle_zero", quoted("gas-exchange-tdc"), kFromFile + ": " + place);
+    const bool at_firing = follows(0);
+    if (at_firing || follows(kHalf)) {
+      case_.gas.angle_zero = at_firing ? cycle::AngleZero::kFiringTdc : cycle::AngleZero::kGasExchangeTdc;
+      state("gas.angle_zero", quoted(at_firing ? "firing-tdc" : "gas-exchange-tdc"), kFromFile + ": " + place);
+      return true;
+    }
     ask("gas.angle_zero", "firing-tdc or gas-exchange-tdc? " + place + " of the file");
+    return false;
+  }
+
+  /// Notes where no reference that the pressures can have makes them probable; those of the first one.
+  void pressures() {
+    using enum cycle::PressureReference;
+    case_.gas.model = cycle::GasModel::kTrace;
+    case_.gas.cylinder_pressure = cycle::SampledTrace{seen_.crank_angle_deg, seen_.pressure_values};
+    const auto& p = seen_.pressure_values;
+    std::vector<cycle::PressureReference> possible = {kAbsolute, kGauge};
+    if (seen_.reference_of_unit) possible = {*seen_.reference_of_unit};
+    if (!(*std::min_element(p.begin(), p.end()) > 0)) possible = {kGauge};
+    std::vector<cycle::Note> noted;
+    for (const cycle::PressureReference reference : possible) {
+      case_.gas.pressure_reference = reference;
+      std::vector<cycle::Note> notes;
+      cycle::append_gas_notes(case_, cycle::cylinder_pressure(case_), notes);
+      if (notes.empty()) return;
+      if (noted.empty()) noted = std::move(notes);
+    }
+    for (cycle::Note& note : noted) keys_.notes.push_back(std::move(note.message));
   }
 
   void span() {
@@ -131,6 +163,7 @@ class TraceAnswers {
   }
 
   TraceOutline seen_;
+  cycle::Case case_;  ///< of engine and gas alone
   TraceKeys keys_;
 };
 
@@ -156,10 +189,11 @@ void check_span(const std::string& path, const std::vector<double>& crank_angle_
 
 }  // namespace
 
-TraceKeys trace_keys(const std::string& path, const std::string& case_folder, const Units& units) {
+TraceKeys trace_keys(const std::string& path, const std::string& case_folder, const cycle::Engine& engine,
+                     const Units& units) {
   TraceOutline seen = trace_outline({path, path}, units);
   check_span(path, seen.crank_angle_deg);
-  return TraceAnswers(std::move(seen)).answers(named_from(case_folder, path));
+  return TraceAnswers(std::move(seen), engine).answers(named_from(case_folder, path));
 }
 
 }  // namespace ringfilm::io

@@ -50,7 +50,7 @@ std::optional<Fault> crank_angle_fault(const CsvFile& csv, std::size_t i_column,
   if (angle.back() - angle.front() <= cycle::kCycleDeg * (1 + 1e-9)) return std::nullopt;
   return Fault{csv.cell_mark(angle.size() - 1, i_column),
                fmt::format("the crank angles span {:.8g} degree", angle.back() - angle.front()),
-               "one cycle of 720 degree is expected; cut or average the cycles"};
+               "one cycle of 720 degree is expected; cut or average the cycles, or correct the unit of the angles"};
 }
 
 }  // namespace ringfilm::io

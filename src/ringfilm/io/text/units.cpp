@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -40,7 +41,7 @@ std::mutex& udunits_mutex() {
 }
 
 /// Names that engineers write and UDUNITS does not contain, by the names that it contains.
-constexpr std::array<std::pair<const char*, const char*>, 11> kOurNames{{{"cP", "0.001 Pa.s"},
+constexpr std::array<std::pair<const char*, const char*>, 12> kOurNames{{{"cP", "0.001 Pa.s"},
                                                                          {"deg", "degree"},
                                                                          {"degCA", "degree"},
                                                                          {"degreeCA", "degree"},
@@ -48,9 +49,17 @@ constexpr std::array<std::pair<const char*, const char*>, 11> kOurNames{{{"cP", 
                                                                          {"degreeKW", "degree"},
                                                                          {"CAD", "degree"},
                                                                          {"rev", "revolution"},
+                                                                         {"gon", "0.9 degree"},
                                                                          {"bara", "bar"},
                                                                          {"psia", "psi"},
                                                                          {"mPas", "0.001 Pa.s"}}};
+
+/// The degree as German exports name it; UDUNITS would read Grad as 1e9 rad. Case matters: the grad of English texts is
+/// another unit, and is refused.
+constexpr std::array<const char*, 2> kGermanDegrees{"Grad", "GRAD"};
+
+/// Words that name the crank behind the unit of its angle: "Grad KW", "deg CA".
+constexpr std::array<const char*, 2> kOfTheCrank{" KW", " CA"};
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::any_of(words.begin(), words.end(), [&word](const char* w) { return word == w; });
@@ -85,13 +94,26 @@ std::string with_plain_spaces(std::string text) {
   return text;
 }
 
+/// "degree KW" as "degree".
+std::string without_crank(std::string unit) {
+  const bool is_angle = std::any_of(kGermanDegrees.begin(), kGermanDegrees.end(),
+                                    [&](const char* word) { return unit.starts_with(word); }) ||
+                        unit.starts_with("deg");
+  for (const std::string_view word : kOfTheCrank) {
+    if (is_angle && unit.ends_with(word)) unit.resize(unit.size() - word.size());
+  }
+  return trimmed(unit);
+}
+
 /// A unit as people write it that is not read, and the unit that it most likely means.
 struct Mistaken {
   const char* written;  ///< in small letters
   const char* unit;
   const char* si_unit;
 };
-constexpr std::array<Mistaken, 14> kMistaken{{{"rpm", "rpm", "rad/s"},
+constexpr std::array<Mistaken, 16> kMistaken{{{"grad", "degree, or gon", "degree"},
+                                              {"grad", "degree, or gon", "rad"},
+                                              {"rpm", "rpm", "rad/s"},
                                               {"u/min", "rpm", "rad/s"},
                                               {"umdr/min", "rpm", "rad/s"},
                                               {"r/min", "rpm", "rad/s"},
@@ -135,7 +157,7 @@ bool holds_number(const std::string& unit) {
 }
 
 bool names_rotation(const std::string& unit) {
-  constexpr std::array kWords{"rpm", "rps", "rev", "rad", "deg", "turn", "CAD", "arc"};
+  constexpr std::array kWords{"rpm", "rps", "rev", "rad", "RAD", "deg", "gon", "turn", "CAD", "arc"};
   return std::any_of(kWords.begin(), kWords.end(),
                      [&unit](const char* word) { return unit.find(word) != std::string::npos; });
 }
@@ -192,6 +214,8 @@ struct Units::System {
       const Unit unit(ut_parse(system, definition, UT_ASCII));
       ut_map_name_to_unit(name, UT_ASCII, unit.get());
     }
+    const Unit degree(ut_parse(system, "degree", UT_ASCII));
+    for (const char* name : kGermanDegrees) ut_map_symbol_to_unit(name, UT_ASCII, degree.get());
   }
   ~System() {
     const std::lock_guard lock(udunits_mutex());
@@ -215,7 +239,7 @@ Units::Units(Units&&) noexcept = default;
 Units& Units::operator=(Units&&) noexcept = default;
 
 Scale Units::scale(const std::string& written, const std::string& si_unit) const {
-  const std::string unit = in_ascii(trimmed(with_plain_spaces(written)));
+  const std::string unit = without_crank(in_ascii(trimmed(with_plain_spaces(written))));
   if (unit == si_unit) return {};
   if (is_gauge(unit)) {
     throw UnitError("is a gauge pressure",
@@ -244,6 +268,11 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
   if (converter == nullptr) throw wrong_dimension(unit, si_unit);
   const double factor = cv_convert_double(converter.get(), 1.0) - cv_convert_double(converter.get(), 0.0);
   if (!(std::isfinite(factor) && factor > 0)) throw wrong_dimension(unit, si_unit);
+  const double revolution = si_unit == "degree" ? 360 : 2 * std::numbers::pi;
+  if ((si_unit == "degree" || si_unit == "rad") && factor > revolution * (1 + 1e-9)) {
+    throw UnitError("has the unit \"" + unit + "\", of which one is more than a revolution",
+                    "write degree, rad or rev");
+  }
   const double inverse = snapped(1 / factor);
   return factor < 1 && inverse == std::round(inverse) ? Scale{1, inverse, 0} : Scale{snapped(factor), 1, 0};
 }

@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <string>
 
-/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, rev, bara, psia. A no-break
-/// space is a space.
+/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, Grad, rev, bara, psia. A
+/// no-break space is a space.
 namespace ringfilm::io {
 
 /// What is wrong with a quantity, as the end of a sentence ("has no unit"), and what to write instead.
@@ -36,8 +36,8 @@ class Units {
   Units& operator=(Units&&) noexcept;  ///< moved, not copied
 
   /// The value in `si_unit` of a text such as "82.5 mm". Throws UnitError for: no number, comma decimal, NaN, infinity,
-  /// no unit, unknown unit, gauge pressure, another dimension, a speed without rpm or rad, a temperature in other than
-  /// degC, K, degF. @param example what one could have written
+  /// no unit, unknown unit, gauge pressure, another dimension, an angle in units above a revolution, a speed without
+  /// rpm or rad, a temperature in other than degC, K, degF. @param example what one could have written
   double quantity(const std::string& text, const std::string& si_unit, const std::string& example) const;
 
   /// The scale of a unit alone ("mm", or "0.001 m") to `si_unit`. Throws UnitError.

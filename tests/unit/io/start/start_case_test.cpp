@@ -59,10 +59,19 @@ TEST(StartCase, OfAnUnknownEngineListsThoseThatAreKnown) {
   }
 }
 
+/// Of a trace that was measured in the passenger-car engine.
+TraceKeys keys_of(const std::string& path) {
+  cycle::Engine engine;
+  engine.bore = 89e-3;
+  engine.stroke = 79.5e-3;
+  engine.connecting_rod_length = 138.1e-3;
+  return trace_keys(path, "", engine, Units());
+}
+
 TEST(TraceKeys, AskForWhatTheFileDoesNotShow) {
   const ScratchFolder folder;
   write_text(folder / "p.csv", full_trace());
-  const TraceKeys keys = trace_keys(folder / "p.csv", "", Units());
+  const TraceKeys keys = keys_of(folder / "p.csv");
   ASSERT_EQ(keys.missing.size(), 1u);
   EXPECT_THAT(keys.missing.front(),
               HasSubstr("gas.pressure_reference: absolute or gauge? The lowest pressure is 1 bar"));
@@ -76,7 +85,7 @@ std::string reported(const std::string& heads, const std::vector<std::pair<doubl
   write_text(folder / "p.csv", text);
   try {
     std::string asked;
-    for (const std::string& one : trace_keys(folder / "p.csv", "", Units()).missing) asked += one + "\n";
+    for (const std::string& one : keys_of(folder / "p.csv").missing) asked += one + "\n";
     return asked;
   } catch (const InputError& error) {
     return error.what();

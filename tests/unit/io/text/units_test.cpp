@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -46,8 +47,11 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"5 mPa s", "Pa s", 5e-3}, Reading{"833.8 kg/m3", "kg/m3", 833.8},
         Reading{"0.8338 g/cm3", "kg/m3", 833.8}, Reading{"1e-8 m2/N", "Pa-1", 1e-8}, Reading{"10 1/GPa", "Pa-1", 1e-8},
         Reading{"1e-3 1/K", "K-1", 1e-3}, Reading{"1e-3 K-1", "K-1", 1e-3}, Reading{"20 degree", "degree", 20},
-        Reading{"20 deg", "degree", 20}, Reading{"20 degCA", "degree", 20},
-        Reading{"3.14159265358979312 rad", "degree", 180}));
+        Reading{"20 deg", "degree", 20}, Reading{"20 degCA", "degree", 20}, Reading{"20 Grad", "degree", 20},
+        Reading{"20 GRAD", "degree", 20}, Reading{"20 Grad KW", "degree", 20}, Reading{"20 \u00B0 KW", "degree", 20},
+        Reading{"20 deg CA", "degree", 20}, Reading{"3 mrad", "degree", 0.54 / std::numbers::pi},
+        Reading{"0.5 rev", "degree", 180}, Reading{"100 gon", "degree", 90},
+        Reading{"6 Grad/s", "rad/s", std::numbers::pi / 30}, Reading{"3.14159265358979312 rad", "degree", 180}));
 
 struct Refusal {
   const char* text;
@@ -84,6 +88,11 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"much", "N", "does not start with a number", "a force"},
         Refusal{"", "N", "does not start with a number", "a force"}, Refusal{"5 furlongs", "N", "", "a force"},
         Refusal{"5 xyz", "m", "unknown unit \"xyz\"", "a length"},
+        Refusal{"20 grad", "degree", "unknown unit", "write degree, or gon"},
+        Refusal{"2 Mrad", "degree", "more than a revolution", "write degree, rad or rev"},
+        Refusal{"20 grad", "rad", "unknown unit", "write degree, or gon"},
+        Refusal{"2 krad", "rad", "more than a revolution", "write degree, rad or rev"},
+        Refusal{"2 krev", "degree", "more than a revolution", "write degree, rad or rev"},
         Refusal{"2 barg", "Pa", "gauge pressure", "add the atmosphere"},
         Refusal{"30 psig", "Pa", "gauge pressure", "add the atmosphere"},
         Refusal{"1500 RPM", "rad/s", "unknown unit \"RPM\"", "write rpm"},
