@@ -22,6 +22,8 @@ struct LoadSearch {
     double load, thickness;
   };
   std::optional<Extreme> least, most;
+  double thickest = 0, thinnest = 0;  ///< smallest film thickness of the films that were searched, from ... to [m]
+  int n_unsolved = 0;                 ///< films of them that were not found
 };
 
 /// The steady film that carries `load` [N/m]. The load of a pad need not fall with its separation: films from the

@@ -140,24 +140,41 @@ bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effor
   return thicker && std::abs(film.load(*thicker) - load) <= kTheSame * load;
 }
 
-std::string no_film_at(const PadSetup& setup) {
-  std::string message = "no steady film was found, from slower motion and coarser grids either";
+/// Why no film is found where viscosity grows with pressure; empty where it does not.
+std::string limit_of_pressure(const PadSetup& setup) {
   const auto [eta, deta_dp] = viscosity(setup);
-  if (deta_dp > 0) {
-    message += text(
-        "; where viscosity grows with pressure there is none above a pressure of about 1/alpha = %.3g bar as a "
-        "constant "
-        "viscosity would make it: take a larger separation",
-        1e-5 * eta / deta_dp);
-  }
-  return message;
+  if (!(deta_dp > 0)) return "";
+  return text(
+      "; where viscosity grows with pressure there is no film above a pressure of about 1/alpha = %.3g bar as a "
+      "constant viscosity would make it",
+      1e-5 * eta / deta_dp);
 }
 
-std::string no_film_under(double load, const LoadSearch& search) {
-  std::string message = text("no separation was found at which the film carries %.6g N/m", load);
-  if (search.least) {
-    message += text("; the films that were tried carry from %.6g N/m (smallest film %.4g um) to %.6g N/m (%.4g um)",
-                    search.least->load, 1e6 * search.least->thickness, search.most->load, 1e6 * search.most->thickness);
+std::string no_film_at(const PadSetup& setup) {
+  std::string message = "no steady film was found, from slower motion and coarser grids either";
+  const std::string limit = limit_of_pressure(setup);
+  return limit.empty() ? message : message + limit + ": take a larger separation";
+}
+
+std::string no_film_under(const PadSetup& setup, double load, const LoadSearch& search) {
+  std::string message = text(
+      "no separation was found at which the film carries %.6g N/m; films were searched from %.4g um, the length "
+      "of the pad, to %.4g um, that of molecules",
+      load, 1e6 * search.thickest, 1e6 * search.thinnest);
+  if (search.n_unsolved > 0) message += text(", of which %d were not found", search.n_unsolved);
+  if (!search.most) return message;
+  if (search.least->load == search.most->load) {
+    return message + text("; each carries %.6g N/m: the gap makes no pressure of its own in this direction of motion",
+                          search.most->load);
+  }
+  const auto [least, thickness_of_least] = *search.least;
+  const auto [most, thickness_of_most] = *search.most;
+  message += text("; the largest load is %.6g N/m (smallest film %.4g um), the smallest one %.6g N/m (%.4g um)", most,
+                  1e6 * thickness_of_most, least, 1e6 * thickness_of_least);
+  if (search.n_unsolved > 0) message += limit_of_pressure(setup);
+  if (load > least && load < most) {
+    message +=
+        "; between these loads the film jumps or was not found: take other solver.cells, or state pad.separation";
   }
   return message;
 }
@@ -214,7 +231,7 @@ FirstFilm first_film(PadFilms& films, PadResult& result) {
     return {*film, std::numeric_limits<double>::quiet_NaN()};
   }
   LoadSearch search = steady_film_under(films, *pad.load, result.effort);
-  if (!search.film) stop(no_film_under(*pad.load, search));
+  if (!search.film) stop(no_film_under(setup, *pad.load, search));
   if (any_separation_carries(films, *search.film, result.effort)) {
     stop(
         text("any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
