@@ -34,7 +34,7 @@ bool BetweenSamples::is_smooth(std::size_t k) const {
 }
 
 BetweenSamples::Slope BetweenSamples::secant(std::size_t k) const {
-  return {{k, after(k), k}, {-1 / length_[k], 1 / length_[k], 0}};
+  return {{k, after(k), k}, {-1 / length_[k], 1 / length_[k], 0}, false};
 }
 
 /// Of the parabola through `first` and the two samples after it. @param at from the first one [degree]
@@ -43,7 +43,8 @@ BetweenSamples::Slope BetweenSamples::parabola(std::size_t first, double at) con
   const double x_1 = length_[first], x_2 = x_1 + length_[second];
   return {
       {first, second, after(second)},
-      {(2 * at - x_1 - x_2) / (x_1 * x_2), (2 * at - x_2) / (x_1 * (x_1 - x_2)), (2 * at - x_1) / (x_2 * (x_2 - x_1))}};
+      {(2 * at - x_1 - x_2) / (x_1 * x_2), (2 * at - x_2) / (x_1 * (x_1 - x_2)), (2 * at - x_1) / (x_2 * (x_2 - x_1))},
+      at != x_1};
 }
 
 void BetweenSamples::set_slopes() {

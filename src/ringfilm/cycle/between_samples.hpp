@@ -10,7 +10,8 @@ namespace ringfilm::cycle {
 /// What lies between the samples of a cycle: of any quantity a cubic from sample to sample with the slopes of the
 /// parabolas through a sample and its neighbours, eq-between-samples. At a dead centre, where curves have kinks, the
 /// slope of each side is that of its own stroke. Where a step holds a dead centre, or a stroke has fewer than three
-/// samples, it is a straight line.
+/// samples, it is a straight line. A quantity that is above zero and changes by factors between samples is passed as
+/// its logarithm, so that its curve stays above zero.
 class BetweenSamples {
  public:
   /// @param crank_angle_deg of the samples, increasing, within one cycle [degree]
@@ -71,6 +72,7 @@ class BetweenSamples {
   struct Slope {
     std::array<std::size_t, 3> sample;
     std::array<double, 3> weight;
+    bool is_extrapolated = false;  ///< beyond samples that are all on one side of the place
     template <class Value>
     double of(const Value& value) const {
       return weight[0] * value(sample[0]) + weight[1] * value(sample[1]) + weight[2] * value(sample[2]);
@@ -90,11 +92,14 @@ class BetweenSamples {
   Cubic cubic(std::size_t k, const Value& value) const {
     const std::size_t next = after(k);
     const double a = value(k), b = value(next), rise = b - a, length = length_[k];
-    // Next to a jump the slope of the parabola would overshoot on the side without the jump.
+    // Next to a jump the slope of the parabola would overshoot on the side without the jump. An extrapolated slope, as
+    // next to a dead centre, may come from a jump one step away: the rise over its own step limits it.
     const double rise_before = (a - value(before(k))) * length / length_[before(k)];
     const double rise_after = (value(after(next)) - b) * length / length_[next];
-    const double from = limited(length * slope_from_[k].of(value), rise, rise_after);
-    const double to = limited(length * slope_to_[k].of(value), rise, rise_before);
+    const auto slope = [&](const Slope& at, double rise_beyond) {
+      return limited(length * at.of(value), rise, at.is_extrapolated ? 0 : rise_beyond);
+    };
+    const double from = slope(slope_from_[k], rise_after), to = slope(slope_to_[k], rise_before);
     return {a, from, 3 * rise - 2 * from - to, -2 * rise + from + to};
   }
   static double limited(double slope, double rise, double rise_beyond) {

@@ -37,11 +37,21 @@ BetweenSamples between(const std::vector<Sample>& samples) {
   return BetweenSamples(std::move(angles));
 }
 
-/// Values of the curves through the samples of a cycle.
+/// Values of the curves through the samples of a cycle. Film thickness and lambda ratio change by factors between two
+/// steps where a ring lifts off or comes down: the curve is that of their logarithm.
 class Curves {
   using Member = double Sample::*;
-  auto of(Member member) const {
-    return [this, member](std::size_t k) { return samples_[k].*member; };
+  static bool is_logarithmic(Member member) {
+    return member == &Sample::min_film_thickness || member == &Sample::lambda_ratio;
+  }
+  /// A value as the curve has it, and back.
+  static double on_curve(double value, Member member) {
+    constexpr double kAboveZero = std::numeric_limits<double>::min();
+    return is_logarithmic(member) ? std::log(std::max(value, kAboveZero)) : value;
+  }
+  static double from_curve(double value, Member member) { return is_logarithmic(member) ? std::exp(value) : value; }
+  auto curve(Member member) const {
+    return [this, member](std::size_t k) { return on_curve(samples_[k].*member, member); };
   }
 
  public:
@@ -53,9 +63,15 @@ class Curves {
   double mean(const Value& value) const {
     return between_.mean([&](std::size_t k) { return value(samples_[k]); });
   }
-  double mean(Member member) const { return between_.mean(of(member)); }
-  double share_below(double limit, Member member) const { return between_.share_below(limit, of(member)); }
-  double at(double crank_angle_deg, Member member) const { return between_.at(crank_angle_deg, of(member)); }
+  double mean(Member member) const {
+    return mean([member](const Sample& s) { return s.*member; });
+  }
+  double share_below(double limit, Member member) const {
+    return between_.share_below(on_curve(limit, member), curve(member));
+  }
+  double at(double crank_angle_deg, Member member) const {
+    return from_curve(between_.at(crank_angle_deg, curve(member)), member);
+  }
 
   Place largest(Member member) const {
     return largest_where([](double) { return true; }, member);
@@ -67,9 +83,9 @@ class Curves {
   Place smallest(Member member) const {
     const auto least = std::min_element(samples_.begin(), samples_.end(),
                                         [&](const Sample& a, const Sample& b) { return a.*member < b.*member; });
-    const Place place = between_.largest_near(static_cast<std::size_t>(least - samples_.begin()),
-                                              [&](std::size_t k) { return -(samples_[k].*member); });
-    return {-place.value, place.angle_deg};
+    const auto k_least = static_cast<std::size_t>(least - samples_.begin());
+    const Place place = between_.largest_near(k_least, [curve = curve(member)](std::size_t k) { return -curve(k); });
+    return from_curve({-place.value, place.angle_deg}, *least, member);
   }
   /// Of a stroke over the crank angle [degree].
   double integral(int stroke, Member member) const {
@@ -80,6 +96,11 @@ class Curves {
   }
 
  private:
+  /// A place of the curve as a value, that of the sample without rounding where it is the place.
+  static Place from_curve(Place place, const Sample& sample, Member member) {
+    const bool is_sample = place.angle_deg == sample.crank_angle_deg;
+    return {is_sample ? sample.*member : from_curve(place.value, member), place.angle_deg};
+  }
   template <class Within>
   Place largest_where(const Within& is_within, Member member) const {
     std::optional<std::size_t> top;
@@ -88,8 +109,10 @@ class Curves {
       if (!top || samples_[k].*member > samples_[*top].*member) top = k;
     }
     if (!top) return {0, 0};
-    const Place place = between_.largest_near(*top, of(member));
-    return is_within(place.angle_deg) ? place : Place{samples_[*top].*member, samples_[*top].crank_angle_deg};
+    const Place place = between_.largest_near(*top, curve(member));
+    const Sample& sample = samples_[*top];
+    if (is_within(place.angle_deg)) return from_curve(place, sample, member);
+    return {sample.*member, sample.crank_angle_deg};
   }
 
   const std::vector<Sample>& samples_;

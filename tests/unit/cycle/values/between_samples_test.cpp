@@ -95,6 +95,26 @@ TEST(BetweenSamples, CurvesDoNotOvershootNextToAJump) {
   EXPECT_LE(-lowest.value, 0.3);
 }
 
+// A ring that lifts off behind the dead centre: the parabola through its first samples falls steeply at its beginning.
+TEST(BetweenSamples, CurvesDoNotOvershootBetweenADeadCentreAndAJump) {
+  for (const double mirror : {1.0, -1.0}) {  // behind the dead centre and before it
+    std::vector<double> angles, film;
+    for (int k = 0; k < 72; ++k) angles.push_back(10 * k);
+    for (int k = 0; k < 72; ++k) film.push_back(60);
+    const auto at = [&](int k) -> double& { return film[static_cast<std::size_t>(18 + mirror * k)]; };
+    at(0) = 0.33;
+    at(1) = 0.32;
+    at(2) = 14;
+    at(-1) = 0.34;
+    at(-2) = 0.35;
+    const BetweenSamples between(angles);
+    for (const int k : {17, 18, 19}) {
+      const auto lowest = between.largest_near(k, [&](std::size_t i) { return -film[i]; });
+      EXPECT_GT(-lowest.value, 0.31) << mirror << ", " << k;
+    }
+  }
+}
+
 TEST(BetweenSamples, VeryUnequalStepsAreNotJoined) {
   std::vector<double> angles;
   for (int k = 0; k < 72; ++k) angles.push_back(10 * k);

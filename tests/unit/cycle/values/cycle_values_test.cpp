@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include "../styles_case.hpp"
 
 namespace ringfilm::cycle {
@@ -41,6 +45,39 @@ TEST(CycleValues, ParabolasWithinStrokesAreExact) {
   const CycleValues values = cycle_values(setup, samples);
   EXPECT_NEAR(values.peak_total_friction, 60, 1e-12);
   EXPECT_NEAR(values.peak_total_friction_angle, 430, 1e-9);
+}
+
+// Steps of unequal lengths between which the film changes by factors of up to 1000, with dead centres anywhere.
+TEST(CycleValues, ExtremesOfFilmAndLambdaRatioAreAboveZero) {
+  const ringfilm::cycle::Setup setup = prepare(testing::styles_new_ring());
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int cycle = 0; cycle < 2000; ++cycle) {
+    std::vector<Sample> samples;
+    double ln_film = std::log(1e-6), angle = 0;
+    while (angle < 720) {
+      Sample& s = samples.emplace_back();
+      s.crank_angle_deg = angle;
+      s.applied_load = 1;
+      s.min_film_thickness = std::exp(ln_film);
+      s.lambda_ratio = s.min_film_thickness / 0.5e-6;
+      const double next_dead_centre = 180 * (std::floor(angle / 180) + 1);
+      angle = std::min(angle + std::pow(2, std::floor(-6 + 10 * uniform(random))), next_dead_centre);
+      const double jump = uniform(random) < 0.2 ? std::log(1000) : 0.1;
+      ln_film = std::clamp(ln_film + jump * (2 * uniform(random) - 1), std::log(1e-8), std::log(1e-3));
+    }
+    const auto [least, most] = std::minmax_element(
+        samples.begin(), samples.end(),
+        [](const Sample& a, const Sample& b) { return a.min_film_thickness < b.min_film_thickness; });
+    const CycleValues values = cycle_values(setup, samples);
+    EXPECT_GT(values.min_film_thickness, 0);
+    EXPECT_LE(values.min_film_thickness, least->min_film_thickness);
+    EXPECT_GE(values.max_film_thickness, most->min_film_thickness);
+    EXPECT_NEAR(values.min_lambda_ratio * 0.5e-6 / values.min_film_thickness, 1, 1e-9);
+    EXPECT_GT(values.lambda_ratio_at_peak_pressure, 0);
+    EXPECT_GE(values.mixed_share, 0);
+    EXPECT_LE(values.mixed_share, 1);
+  }
 }
 
 }  // namespace
