@@ -2,8 +2,9 @@
 #include "ringfilm/base/pack.hpp"
 
 /// The discrete balance of mass of a film (eq-discrete-balance): flux through a face, what a node stores, the step
-/// across the kink between film and cavity, shear of a cell. Written once, over the type of number: a double, or a pack
-/// of films, nodes or strips. Plain values, so that what is compiled for one machine holds no code that another shares.
+/// across the kink between film and cavity, shear and heat of a cell. Written once, over the type of number: a double,
+/// or a pack of films, nodes or strips. Plain values, so that what is compiled for one machine holds no code that
+/// another shares.
 namespace ringfilm::film {
 
 /// How far beyond the kink a node is put, and below which a change of sides does not count; relative to the scale of
@@ -277,6 +278,33 @@ RINGFILM_INLINE Real cell_shear(Real spacing, Real film_content, Real h, Real rh
   // Twice the mean viscosity, times K of both: one division serves viscosity and gap.
   const Real eta = rho_left * K_right + rho_right * K_left;
   return spacing * (Real(2) * film_content) * eta / (h * K_left * K_right);
+}
+
+/// Oil of a full cell, by the means over its two nodes.
+template <class Real>
+struct CellOil {
+  Real rho;          ///< [kg/m3]
+  Real eta;          ///< viscosity under shear, thinned where the oil thins [Pa s]
+  Real eta_of_flow;  ///< viscosity over mobility: the flow by pressure meets it [Pa s]
+};
+
+/// Heat made in a full cell, and what carries it away (eq-viscous-heating).
+template <class Real>
+struct CellHeating {
+  Real dissipation;  ///< [W/m]
+  Real conductance;  ///< int dx/h [-]
+  Real flow;         ///< int of the mass flux, in the frame of the face [kg/s]
+};
+
+/// @param length filled length of the cell [m]  @param slope of the pressure in it [Pa/m]  @param h height of its face
+/// @param stream height of the oil that the wall carries [m]  @param inverse_gap mean of 1/h between rough walls, over
+/// that between smooth ones: heat of sliding and conduction both go with it [-]
+template <class Real>
+RINGFILM_INLINE CellHeating<Real> cell_heating(Real U, Real length, Real slope, Real h, Real stream, Real inverse_gap,
+                                               const CellOil<Real>& oil) {
+  const Real pressure_flow = h * h * h * slope / (Real(12) * oil.eta_of_flow), per_h = length * inverse_gap / h;
+  return {per_h * oil.eta * (U * U) + length * pressure_flow * slope, per_h,
+          length * oil.rho * (Real(0.5) * U * stream - pressure_flow)};
 }
 
 }  // namespace ringfilm::film

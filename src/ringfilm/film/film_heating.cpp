@@ -9,6 +9,8 @@
 namespace ringfilm::film {
 namespace {
 
+using OneCell = base::Pack<1, base::InstructionSet::kBaseline>;
+
 /// As FilmView has it, of one strip.
 FilmView view_of_strip(const FilmProblem& problem, const FilmState& state, int strip, double rise) {
   const FilmGrid& grid = problem.grid;
@@ -20,6 +22,15 @@ FilmView view_of_strip(const FilmProblem& problem, const FilmState& state, int s
   film.p = state.p.data() + first;
   film.deficit = state.deficit.data() + first;
   film.h_m = state.h_m + rise;
+  if (state.factors) {
+    const FlowFactors& factors = *state.factors;
+    const auto from = [](const std::vector<double>& list, std::size_t i) { return list.empty() ? nullptr : &list[i]; };
+    const std::size_t first_face = strip * grid.face_height.size();
+    film.mobility = from(factors.mobility, first);
+    film.thinning = from(factors.thinning, first);
+    film.carried = from(factors.carried, first_face);
+    film.sliding_stress = from(factors.sliding_stress, first_face);
+  }
   return film;
 }
 
@@ -70,14 +81,13 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
     const int inside = cavity ? i : i - 1, outside = cavity ? i - 1 : i;
     const double fall = film.p[inside] - inputs.pressure_bound(grid, outside);
     const double slope = (cavity ? fall : -fall) / cell;
-    const double h = film.h_m + grid.face_height[i - 1];
-    const auto mean = [&](auto&& of) { return 0.5 * (of(film.p[i - 1]) + of(film.p[i])); };
-    const double eta = mean([&](double p) { return viscosity_at(*inputs.oil, laws, p); });
-    const double rho = mean([&](double p) { return density_at(*inputs.oil, laws, p); });
-    const double pressure_flow = h * h * h * slope / (12 * eta);
-    sums.dissipation += cell * (eta * inputs.U * inputs.U / h + pressure_flow * slope);
-    sums.conductance += cell / h;
-    flow += cell * rho * (0.5 * inputs.U * h - pressure_flow);
+    const auto& oil = *inputs.oil;
+    const double rho[] = {density_at(oil, laws, film.p[i - 1]), density_at(oil, laws, film.p[i])};
+    const double K[] = {rho[0] / viscosity_at(oil, laws, film.p[i - 1]), rho[1] / viscosity_at(oil, laws, film.p[i])};
+    const auto heat = heating_of_cell<OneCell>(film, inputs.U, rho, K, i - 1, cell, slope);
+    sums.dissipation += heat.dissipation.v;
+    sums.conductance += heat.conductance.v;
+    flow += heat.flow.v;
     length += cell;
   }
   if (length > 0) sums.mass_flow = std::abs(flow) / length;

@@ -6,8 +6,8 @@ namespace ringfilm::film {
 /// What heats the full part of a film and what carries the heat away, per unit length around the ring
 /// (eq-viscous-heating). Cavities and gas are not counted.
 struct FilmHeating {
-  double dissipation = 0;  ///< int eta U^2/h + h^3 (dp/dx)^2/(12 eta) dx [W/m]
-  double conductance = 0;  ///< int dx/h [-]
+  double dissipation = 0;  ///< int phi_f eta U^2/h + phi_x h^3 (dp/dx)^2/(12 eta) dx [W/m]
+  double conductance = 0;  ///< int phi_f dx/h [-]
   double mass_flow = 0;    ///< modulus of the mean mass flux, in the frame of the face [kg/(m s)]
 
   /// Mean temperature of the oil above the mean of its walls; 0 where there is no full film [K].

@@ -103,6 +103,76 @@ TEST(FilmHeating, TheEndOfAFilmBetweenNodesHasItsSlope) {
   EXPECT_NEAR(heating.dissipation, length * per_length, 1e-9 * heating.dissipation);
 }
 
+/// Factors that are the same everywhere.
+std::shared_ptr<const FlowFactors> uniform_factors(const FilmGrid& grid, double thinning, double pressure_flow) {
+  auto factors = std::make_shared<FlowFactors>();
+  factors->thinning.assign(grid.x.size(), thinning);
+  factors->mobility.assign(grid.x.size(), pressure_flow / thinning);
+  factors->carried.assign(grid.spacing.size(), 0.2 * kGap);
+  factors->sliding_stress.assign(grid.spacing.size(), 1.5);
+  return factors;
+}
+
+TEST(FilmHeating, OfAnOilThatThinsBetweenRoughWallsMatchesClosedForm) {
+  const SmoothFilm film = parallel_plates();
+  FilmInputs inputs = film.inputs();
+  inputs.U = -6.5;
+  inputs.p_cavitation = 0;
+  const double thinning = 0.7, pressure_flow_factor = 0.6, eta = thinning * kEta;
+  const auto expect = [&](const FilmState& state, double slope, double length) {
+    const double pressure_flow = pressure_flow_factor * std::pow(kGap, 3) * slope / (12 * eta);
+    const double per_length = 1.5 * eta * inputs.U * inputs.U / kGap + pressure_flow * slope;
+    const double flow = film.oil->density(0) * std::abs(0.5 * inputs.U * 1.2 * kGap - pressure_flow);
+    const FilmHeating heating = film_heating(film.problem, inputs, state);
+    EXPECT_NEAR(heating.dissipation, length * per_length, 1e-9 * heating.dissipation);
+    EXPECT_NEAR(heating.conductance, 1.5 * length / kGap, 1e-9 * heating.conductance);
+    EXPECT_NEAR(heating.mass_flow, flow, 1e-9 * flow);
+  };
+  FilmState state = film_between(film, 30e5, 1e5);
+  state.factors = uniform_factors(film.problem.grid, thinning, pressure_flow_factor);
+  expect(state, -29e5 / kLength, kLength);
+  // A film that begins between two nodes.
+  const double length = 0.513 * kLength, slope = -1e6 / length;
+  FilmState part = film_between(film, 1e6, 1e6 + slope * kLength);
+  part.factors = state.factors;
+  for (std::size_t i = 0; i < part.p.size(); ++i) {
+    if (part.p[i] > 0) continue;
+    part.p[i] = 0;
+    part.deficit[i] = 0.5;
+  }
+  expect(part, slope, length);
+  // Without flow of oil the rise is that of the thinned viscosity: both walls take the heat of the rough gap.
+  const FilmState even = [&] {
+    FilmState of = film_between(film, 1e5, 1e5);
+    of.factors = state.factors;
+    return of;
+  }();
+  const double rise = film_heating(film.problem, inputs, even).rise(0.14, 0);
+  EXPECT_NEAR(rise, eta * inputs.U * inputs.U / (12 * 0.14), 1e-9 * rise);
+}
+
+TEST(FilmHeating, OfAStripHasTheFactorsOfThatStrip) {
+  const SmoothFilm film = parallel_plates();
+  const FilmGrid& grid = film.problem.grid;
+  FilmInputs inputs = film.inputs();
+  inputs.U = 6.5;
+  FilmState alone = film_between(film, 1e5, 20e5), strips = alone;
+  strips.p.insert(strips.p.end(), alone.p.begin(), alone.p.end());
+  strips.deficit.resize(strips.p.size(), 0.0);
+  alone.factors = uniform_factors(grid, 0.7, 0.6);
+  auto of_both = std::make_shared<FlowFactors>(*uniform_factors(grid, 0.9, 0.8));
+  for (const auto list : kFactorLists) {
+    const std::vector<double>& second = (*alone.factors).*list;
+    ((*of_both).*list).insert(((*of_both).*list).end(), second.begin(), second.end());
+  }
+  strips.factors = of_both;
+  const FilmHeating expected = film_heating(film.problem, inputs, alone);
+  const FilmHeating second = film_heating(film.problem, inputs, strips, 1);
+  EXPECT_EQ(second.dissipation, expected.dissipation);
+  EXPECT_EQ(second.conductance, expected.conductance);
+  EXPECT_EQ(second.mass_flow, expected.mass_flow);
+}
+
 TEST(FilmHeating, OfAStripIsThatOfAFilmAcrossTheFace) {
   const SmoothFilm film = parallel_plates();
   FilmInputs inputs = film.inputs();

@@ -87,6 +87,10 @@ TEST(FlowFactors, AnOilAtItsSecondNewtonianViscosityIsAThinnerOil) {
   EXPECT_NEAR(thinned.integrals.hydrodynamic_load, load, 1e-6 * load);
   EXPECT_NEAR(thinned.integrals.shear_couette, expected.integrals.shear_couette,
               1e-6 * expected.integrals.shear_couette);
+  const FilmHeating &heat = thinned.integrals.heating, &heat_of_thinner = expected.integrals.heating;
+  EXPECT_NEAR(heat.dissipation, heat_of_thinner.dissipation, 1e-6 * heat_of_thinner.dissipation);
+  EXPECT_NEAR(heat.conductance, heat_of_thinner.conductance, 1e-6 * heat_of_thinner.conductance);
+  EXPECT_NEAR(heat.mass_flow, heat_of_thinner.mass_flow, 1e-6 * heat_of_thinner.mass_flow);
 }
 
 FactorLaws rough(double sigma, double gamma) {

@@ -18,7 +18,8 @@ struct FilmView {
   int left_gas_end = 0, right_gas_begin = 1 << 30;  ///< nodes before and from there on are next to gas of an edge
   double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
   bool is_steady = false;                                      ///< no storage: the inlet is limited as a whole
-  const double *mobility = nullptr, *carried = nullptr;        ///< FlowFactors; nullptr: none
+  /// FlowFactors; nullptr: none.
+  const double *mobility = nullptr, *carried = nullptr, *thinning = nullptr, *sliding_stress = nullptr;
 };
 
 /// Of the shear rate by a slope of the pressure: its root mean square across the film, eq-shear-rate.
@@ -146,6 +147,26 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   if (!is_steady_inlet) return flux;  // limit_inlet
   const double limit = 0.25 * U * supply;
   return (U >= 0 ? flux > limit : flux < limit) ? limit : flux;
+}
+
+/// Heat of cell i, over the `length` of it that oil fills. @param rho,K of node i and the one after it
+template <class Some>
+RINGFILM_INLINE CellHeating<Some> heating_of_cell(const FilmView& film, double U, const double* rho, const double* K,
+                                                  int i, Some length, Some slope) {
+  const Some h = Some(film.h_m) + Some::load(film.face_height + i);
+  const Some rho_left = Some::load(rho), rho_right = Some::load(rho + 1);
+  const Some left = rho_left / Some::load(K), right = rho_right / Some::load(K + 1);  // viscosities
+  const auto mean = [](Some a, Some b) RINGFILM_INLINE_BODY { return Some(0.5) * (a + b); };
+  CellOil<Some> oil{mean(rho_left, rho_right), mean(left, right), mean(left, right)};
+  if (film.thinning != nullptr) {
+    oil.eta = mean(left * Some::load(film.thinning + i), right * Some::load(film.thinning + i + 1));
+  }
+  if (film.mobility != nullptr) {
+    oil.eta_of_flow = mean(left / Some::load(film.mobility + i), right / Some::load(film.mobility + i + 1));
+  }
+  const Some stream = film.carried == nullptr ? h : h + Some::load(film.carried + i);
+  const Some inverse_gap = film.sliding_stress == nullptr ? Some(1) : Some::load(film.sliding_stress + i);
+  return cell_heating(Some(U), length, slope, h, stream, inverse_gap, oil);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.
@@ -396,15 +417,12 @@ class AlongFace {
     /// @param rho,K of node i and the one after it
     RINGFILM_INLINE void add(const FilmView& film, double U, const double* rho, const double* K, int i) {
       const auto cavity = max(Some::load(film.deficit + i), Some::load(film.deficit + i + 1)) > Some(kCavityThreshold);
-      const Some cell = select(cavity, Some(0), Some::load(film.spacing + i));
-      const Some h = Some(film.h_m) + Some::load(film.face_height + i);
-      const Some slope = (Some::load(film.p + i + 1) - Some::load(film.p + i)) / Some::load(film.spacing + i);
-      const Some rho_left = Some::load(rho), rho_right = Some::load(rho + 1);
-      const Some eta = Some(0.5) * (rho_left / Some::load(K) + rho_right / Some::load(K + 1));
-      const Some pressure_flow = h * h * h * slope / (Some(12) * eta), per_h = cell / h;
-      dissipation += per_h * eta * Some(U * U) + cell * pressure_flow * slope;
-      conductance += per_h;
-      flow += cell * Some(0.5) * (rho_left + rho_right) * (Some(0.5 * U) * h - pressure_flow);
+      const Some spacing = Some::load(film.spacing + i), cell = select(cavity, Some(0), spacing);
+      const Some slope = (Some::load(film.p + i + 1) - Some::load(film.p + i)) / spacing;
+      const CellHeating<Some> heat = heating_of_cell(film, U, rho, K, i, cell, slope);
+      dissipation += heat.dissipation;
+      conductance += heat.conductance;
+      flow += heat.flow;
       length += cell;
     }
   };

@@ -137,7 +137,9 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
   const FilmGrid& grid = problem.grid;
   const auto is_on_wall = [&](int node) { return inputs.carry(grid, node) == kOnWall; };
   const FlowFactors* factors = state.factors.get();
-  const auto given = [](const std::vector<double>& of) { return of.empty() ? nullptr : of.data(); };
+  const auto given = [factors](std::vector<double> FlowFactors::*list) {
+    return factors == nullptr || (factors->*list).empty() ? nullptr : (factors->*list).data();
+  };
   return {grid.n_cells(),
           grid.node_height.data(),
           grid.face_height.data(),
@@ -154,8 +156,10 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           std::min(4 * inputs.left.supply, kUnlimited),
           std::min(4 * inputs.right.supply, kUnlimited),
           inputs.is_steady(),
-          factors == nullptr ? nullptr : given(factors->mobility),
-          factors == nullptr ? nullptr : given(factors->carried)};
+          given(&FlowFactors::mobility),
+          given(&FlowFactors::carried),
+          given(&FlowFactors::thinning),
+          given(&FlowFactors::sliding_stress)};
 }
 
 FittedOilView fitted_oil_view(const models::OilAtTemperature& oil) {

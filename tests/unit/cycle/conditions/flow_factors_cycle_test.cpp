@@ -53,6 +53,24 @@ TEST(FlowFactorCycle, ThinningOilsAreThoseOfAnIndependentModel) {
   expect_fmep(thinning(0.6, 5e5), 21.7e3);
 }
 
+// Conduction alone would make the rise follow friction times film, the oil's flow alone friction over film: 0.81 and
+// 1.00 of the Newtonian rise here. With the Newtonian viscosity in the heat it would be 1.00, too.
+TEST(FlowFactorCycle, AFilmOfThinningOilIsHeatedByItsOwnFriction) {
+  const CycleResult newtonian = simulated(mass_conserving(5500)), thinned = simulated(thinning(0.7, 2.4e6, 5500));
+  int compared = 0;
+  for (std::size_t k = 0; k < newtonian.samples.size(); ++k) {
+    const Sample &a = newtonian.samples[k], &b = thinned.samples[k];
+    if (a.crank_angle_deg != 285 && a.crank_angle_deg != 435) continue;
+    ++compared;
+    ASSERT_EQ(a.crank_angle_deg, b.crank_angle_deg);
+    const double friction = b.viscous_friction / a.viscous_friction, film = b.min_film_thickness / a.min_film_thickness;
+    const double rise = b.viscous_heating_rise / a.viscous_heating_rise;
+    EXPECT_GT(rise, friction * film) << a.crank_angle_deg;
+    EXPECT_LT(rise, 0.95 * friction / film) << a.crank_angle_deg;
+  }
+  EXPECT_EQ(compared, 2);
+}
+
 TEST(FlowFactorCycle, RoughWallsAreThoseOfAnIndependentModel) {
   expect_fmep(rough(1), 18.6e3);
   expect_fmep(rough(1.0 / 3), 17.4e3);

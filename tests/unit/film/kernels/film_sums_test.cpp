@@ -128,6 +128,28 @@ TEST_P(FilmSumsOf, EveryNodeIsCountedOnce) {
     EXPECT_DOUBLE_EQ(sums.heating.flow, heating.flow);
     EXPECT_DOUBLE_EQ(sums.heating.length, heating.length);
 
+    const Numbers thinning = drawn(n_nodes, 0.5, 1), mobility = drawn(n_nodes, 0.5, 2);
+    const Numbers carried = drawn(n, -1e-7, 1e-7), sliding_stress = drawn(n, 1, 2);
+    FilmView with_factors = film;
+    with_factors.thinning = thinning.data();
+    with_factors.mobility = mobility.data();
+    with_factors.carried = carried.data();
+    with_factors.sliding_stress = sliding_stress.data();
+    double dissipation = 0, conductance = 0, flow = 0;
+    for (int i = 0; i < n; ++i) {  // eq-viscous-heating
+      const double h = h_m + face_height[i], slope = (p[i + 1] - p[i]) / spacing[i];
+      const double eta = 0.5 * (thinning[i] * rho[i] / K[i] + thinning[i + 1] * rho[i + 1] / K[i + 1]);
+      const double resistance = 0.5 * (rho[i] / (K[i] * mobility[i]) + rho[i + 1] / (K[i + 1] * mobility[i + 1]));
+      const double by_pressure = h * h * h * slope / (12 * resistance);
+      dissipation += spacing[i] * (sliding_stress[i] * eta * U * U / h + by_pressure * slope);
+      conductance += spacing[i] * sliding_stress[i] / h;
+      flow += spacing[i] * 0.5 * (rho[i] + rho[i + 1]) * (0.5 * U * (h + carried[i]) - by_pressure);
+    }
+    const HeatingSums heating_with_factors = kernels_.heating_of_given_oil(with_factors, oil, U);
+    EXPECT_NEAR(heating_with_factors.dissipation, dissipation, 1e-13 * dissipation);
+    EXPECT_NEAR(heating_with_factors.conductance, conductance, 1e-13 * conductance);
+    EXPECT_NEAR(heating_with_factors.flow, flow, 1e-12 * std::abs(flow));
+
     const models::ContactFit& fit = models::contact_fit();
     const double reach = 3e-6;
     const ContactSums contact =
