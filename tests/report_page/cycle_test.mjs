@@ -12,6 +12,7 @@ const { asperityShare, breakthroughs, closings, thinnestInWords } = await load('
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
 const { warnings } = await load('cycle/first_screen.js');
+const { massText, oilAbove } = await load('cycle/oil_above.js');
 const { boundaryPowerShare, Model } = await load('model.js');
 const { kSpanHeight, logarithmic, spanBars } = await load('plot/scales.js');
 
@@ -24,19 +25,31 @@ test('a note that is only for information heads no page', () => {
 
 test('usual ranges are those that the manual argues', () => {
   const page = readFileSync(join(process.argv[2], '../../../../docs/manual/guide/plausibility.md'), 'utf8');
-  const { kUsualFmep, kUsualDieselFmep, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
-  assert.ok(page.includes(`FMEP between ${kUsualFmep.low} and ${kUsualFmep.high} kPa for a top ring`));
-  assert.ok(
-    page.includes(
-      `| top ring alone, diesel engine | ${kUsualDieselFmep.low} to ${kUsualDieselFmep.high} kPa |`,
-    ),
-  );
+  const { kUsualFmep, kDieselFactor, kUsualCoefficient, kModifiedCoefficient, verdict } = usual;
+  const { top, second, oil, pack } = kUsualFmep;
+  assert.ok(page.includes(`FMEP between ${top.low} and ${top.high} kPa for a top ring`));
+  assert.ok(page.includes(`down to ${top.low} kPa`) && page.includes(`to ${top.high} kPa; down`));
+  for (const [words, { low, high }] of [
+    ['second compression ring', second],
+    ['oil ring with all its rails', oil],
+    ['ring pack', pack],
+  ])
+    assert.ok(page.includes(`| ${words}, car engine | ${low} to ${high} kPa |`), words);
+  for (const [words, { low, high }] of [
+    ['top ring alone', top],
+    ['second compression ring', second],
+    ['oil ring with all its rails', oil],
+    ['ring pack', pack],
+  ]) {
+    const row = `| ${words}, diesel engine | ${kDieselFactor * low} to ${kDieselFactor * high} kPa |`;
+    assert.ok(page.includes(row), row);
+  }
   assert.ok(page.includes(`a bore above ${usual.kLargestCarBore} mm or a peak pressure above`));
   assert.ok(page.includes(`a peak pressure above ${usual.kHighestCarPeak} bar`));
   assert.ok(page.includes(`| ${kUsualCoefficient.low} to ${kUsualCoefficient.high} |`));
   assert.ok(page.includes(`| down to ${kModifiedCoefficient} |`));
   assert.deepEqual(
-    [0.5, 7, 19.1, 22, null, NaN].map((v) => verdict(v, kUsualFmep)),
+    [0.5, 7, 19.1, 22, null, NaN].map((v) => verdict(v, top)),
     ['below', 'usual', 'upper end', 'above', null, null],
   );
 });
@@ -44,12 +57,76 @@ test('usual ranges are those that the manual argues', () => {
 test('the range of the friction is that of the engine of the case', () => {
   const range = (bore, peak) => {
     const model = smallModel([{ key: 'engine.bore', value_si: bore }], {}, { peak_gas_pressure: peak });
-    return usual.fmepRange(model, model.cases[0]);
+    return usual.fmepRange(model, model.cases[0], 'top');
   };
-  assert.deepEqual(range(0.089, 62e5), { ...usual.kUsualFmep, reason: '' });
-  assert.equal(range(0.13, 90e5).high, usual.kUsualDieselFmep.high);
-  assert.equal(range(0.13, 90e5).reason, ', for a bore of 130 mm');
-  assert.equal(range(0.083, 180e5).reason, ', for a peak pressure of 180 bar');
+  assert.deepEqual(range(0.089, 62e5), { low: 1, high: 20, words: 'a top ring of a car engine' });
+  assert.deepEqual(range(0.13, 90e5), {
+    low: 2,
+    high: 40,
+    words: 'a top ring of a diesel engine, for a bore of 130 mm',
+  });
+  assert.match(range(0.083, 180e5).words, /diesel engine, for a peak pressure of 180 bar$/);
+});
+
+test('rings of a pack are judged by their kind, rails together, and so is the pack', () => {
+  const ring = (kind, peak_gas_pressure) => ({
+    title: kind,
+    complete: true,
+    values: { peak_gas_pressure },
+    unrolled_values: {},
+    inputs: [
+      { key: 'engine.bore', value_si: 0.089 },
+      { key: 'ring.kind', shown: kind },
+    ],
+    curves: {},
+    errors: null,
+  });
+  const fmep = (kPa) => ({ fmep: 1e3 * kPa });
+  const verdicts = (peak) => {
+    const model = new Model({
+      curve_quantities: [],
+      cycle_quantities: [{ name: 'fmep', unit: 'Pa', display_unit: 'kPa', long_name: 'FMEP' }],
+      derived_quantities: [],
+      unrolled_quantities: [],
+      unrolled_cycle_quantities: [],
+      cases: [ring('compression', peak), ring('compression', 6e5), ring('oil', 1e5), ring('oil', 1e5)],
+      packs: [
+        {
+          title: 'pack',
+          complete: true,
+          first_case: 0,
+          ring_numbers: [1, 2, 3, 3],
+          values: fmep(42),
+          by_ring: [12, 12, 18].map((kPa, i) => ({ ring: i + 1, values: fmep(kPa) })),
+        },
+      ],
+    });
+    return usual.fmepVerdicts(model).map(({ name, found, text }) => `${name}: ${found}, ${text}`);
+  };
+  const [first, second, third, pack] = verdicts(62e5);
+  assert.match(first, /^ring 1: usual, .*1 to 20 kPa of a top ring of a car engine$/);
+  assert.match(second, /^ring 2: above, .*0\.5 to 8 kPa of a second compression ring of a car engine$/);
+  assert.match(third, /^ring 3: above, .*1 to 12 kPa of an oil ring of a car engine$/);
+  assert.match(pack, /^pack: above, .*4 to 40 kPa of a ring pack of a car engine$/);
+  // The peak of the cylinder decides for all, also for rings that hardly feel it.
+  verdicts(180e5).forEach((line) => assert.match(line, /diesel engine/));
+});
+
+test('oil above a ring is the film behind it on downstrokes, where the oil on the liner is followed', () => {
+  const stroke = {
+    film_behind_power: [1e-6, 2e-6],
+    film_behind_exhaust: [9e-6, 9e-6],
+    film_behind_intake: [3e-6, 4e-6],
+  };
+  assert.equal(oilAbove({ complete: true, stroke }).film.toFixed(9), '2.500000000');
+  assert.equal(oilAbove({ complete: true, stroke: {} }), null);
+  assert.equal(oilAbove({ complete: false, stroke }), null);
+  assert.deepEqual([7.237e-7, 8.8e-31, 0, null].map(massText), [
+    '0.724\u00a0mg',
+    'below 0.001\u00a0mg',
+    '0\u00a0mg',
+    '–',
+  ]);
 });
 
 test('the section is drawn from the numbers of the case at the peak of the gas pressure', () => {

@@ -36,11 +36,16 @@ ringfilm::io::Measurement closure() {
   return all;
 }
 
-/// A pack with the gas of formulas: piston land 2 at a tenth of the cylinder, a ring that rises from 200 to 300 degree.
+/// A pack with the gas of formulas and the oil of its first ring: piston land 2 at a tenth of the cylinder, a ring that
+/// rises from 200 to 300 degree.
 ringfilm::io::ResultDocument pack_with_gas() {
   using namespace ringfilm;
   io::ResultDocument pack = io::pack_document("a pack", {example::document("top"), example::document("second", 0.7)});
-  const auto& samples = pack.rings.front().result.samples;
+  cycle::CycleResult& top = pack.rings.front().result;
+  for (std::vector<double>& film : top.stroke.film_ahead) film.assign(top.stroke.liner_position.size(), 2e-6);
+  for (std::vector<double>& film : top.stroke.film_behind) film.assign(top.stroke.liner_position.size(), 1.5e-6);
+  top.values.oil_scraped_up = 0.25e-6;
+  const auto& samples = top.samples;
   io::PackGas gas;
   gas.regions = {
       {"chamber", 62e5, 20, 6e5}, {"groove 1", 61e5, 21, 6e5}, {"land 2", 6e5, 90, 2e5}, {"crankcase", 1e5, 0, 1e5}};

@@ -169,7 +169,7 @@ const std::vector<CycleQuantity>& cycle_quantities() {
       {{"net_oil_flow", "kg/s", "mg/s", "net oil flow at the middle section, positive to the crankcase", "m_net",
         "eq-mass-flow"},
        &V::net_oil_flow},
-      {{"mean_absolute_oil_flow", "kg/s", "mg/s", "mean absolute oil flow at the middle section", "m_abs",
+      {{"mean_absolute_oil_flow", "kg/s", "mg/s", "oil passing under the ring in its frame, mean without sign", "m_abs",
         "eq-mass-flow"},
        &V::mean_absolute_oil_flow},
       {{"peak_film_pressure", "Pa", "bar", "peak film pressure, absolute", "p_max", "eq-reynolds"},

@@ -1,6 +1,7 @@
 // The numbers that matter, each with the error of the mesh and the range of the ledger.
 import { element, svgElement } from '../dom.js';
 import { boundaryPowerShare } from '../model.js';
+import { massText, oilAbove } from './oil_above.js';
 import { swatchSvg } from '../plot/svg.js';
 import { angleInWords, errorText, meaningful, number } from '../units.js';
 
@@ -34,6 +35,9 @@ const boundaryShare = (c) => ({
   error: null,
   band: modelBand(c, (one) => boundaryPowerShare(one.values)),
 });
+
+/** Film on the liner behind a ring on its downstrokes [µm], where the oil on the liner is followed. */
+const oilFilm = (c) => ({ value: oilAbove(c)?.film ?? null, unit: 'µm', error: null, band: null });
 
 function accuracy({ value, unit, error, band }) {
   if (value === null) return null;
@@ -139,9 +143,13 @@ export function cards(model) {
           ),
         ),
       ),
-      card(model, 'Mean oil flow', cycleValue(model, 'mean_absolute_oil_flow'), (c) =>
-        c.complete && model.hasFloodedInlet(c) ? 'flooded inlet: an upper bound' : '',
-      ),
+      model.cases.some(oilAbove)
+        ? card(model, 'Oil left above the ring', oilFilm, (c) =>
+            oilAbove(c)
+              ? `on the liner; ${massText(c.values.oil_scraped_up)} a cycle at TDC`
+              : 'not followed',
+          )
+        : null,
     ),
     explanation(model),
   ];

@@ -11,7 +11,7 @@ const kReported = [
   ['min_film_thickness', 'min film'],
   ['lambda_ratio_at_peak_pressure', 'λ at peak'],
   ['mean_boundary_power', 'boundary power'],
-  ['mean_absolute_oil_flow', 'oil flow'],
+  ['mean_absolute_oil_flow', 'oil passing under'],
 ];
 
 /** From this relative change on a number is in bold. */

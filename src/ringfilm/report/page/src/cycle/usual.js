@@ -2,10 +2,15 @@
 import { element } from '../dom.js';
 import { number } from '../units.js';
 
-/** Friction mean effective pressure of one compression ring [kPa]. */
-export const kUsualFmep = { low: 1, high: 20, engine: 'car' };
-/** The same of a diesel engine, whose peak pressures are about twice as high. */
-export const kUsualDieselFmep = { low: 2, high: 40, engine: 'diesel' };
+/** Usual friction mean effective pressure in the engine of a car [kPa], by the kind of ring and of the pack. */
+export const kUsualFmep = {
+  top: { low: 1, high: 20, words: 'a top ring' },
+  second: { low: 0.5, high: 8, words: 'a second compression ring' },
+  oil: { low: 1, high: 12, words: 'an oil ring' },
+  pack: { low: 4, high: 40, words: 'a ring pack' },
+};
+/** Peak pressures and ranges of a diesel engine are about so many times those of a car. */
+export const kDieselFactor = 2;
 /** A larger bore [mm], or a higher peak pressure [bar], is that of a diesel engine. */
 export const kLargestCarBore = 100;
 export const kHighestCarPeak = 120;
@@ -32,8 +37,9 @@ const kWords = {
   above: 'not usual: above',
 };
 
-/** The range of FMEP of the engine of a case, by its bore and peak pressure, and in words by which of them. */
-export function fmepRange(model, c) {
+/** The range of FMEP of a kind in the engine of a case, by its bore and peak pressure, and in words by which. */
+export function fmepRange(model, c, kind) {
+  const { low, high, words } = kUsualFmep[kind];
   const bore = (model.input(c, 'engine.bore')?.value_si ?? 0) * 1e3;
   const peak = (c.values.peak_gas_pressure ?? 0) / 1e5;
   const reasons = [
@@ -41,23 +47,57 @@ export function fmepRange(model, c) {
     peak > kHighestCarPeak ? `a peak pressure of ${number(peak, 3)} bar` : null,
   ].filter(Boolean);
   return reasons.length
-    ? { ...kUsualDieselFmep, reason: `, for ${reasons.join(' and ')}` }
-    : { ...kUsualFmep, reason: '' };
+    ? {
+        low: kDieselFactor * low,
+        high: kDieselFactor * high,
+        words: `${words} of a diesel engine, for ${reasons.join(' and ')}`,
+      }
+    : { low, high, words: `${words} of a car engine` };
 }
 
-/** @returns { value, found, text } on the FMEP of a case, null without a cycle */
-export function fmepVerdict(model, c) {
-  const { value, unit } = model.value(c, 'fmep');
-  const range = fmepRange(model, c);
+/** @param values in SI @param range of fmepRange() @returns { value, found, text } of an FMEP; null without a cycle */
+export function fmepVerdict(model, values, range) {
+  const { value, unit } = model.value({ values }, 'fmep');
   const found = verdict(value, range);
   if (!found) return null;
   return {
     found,
     value: `${number(value, 3)} ${unit}`,
-    text:
-      `${kWords[found]} ${range.low} to ${range.high} kPa of one compression ring of a ${range.engine} engine` +
-      range.reason,
+    text: `${kWords[found]} ${range.low} to ${range.high} kPa of ${range.words}`,
   };
+}
+
+/** The kind of a ring by its place in its pack. */
+function kindOf(model, c, place) {
+  if (model.input(c, 'ring.kind')?.shown === 'oil') return 'oil';
+  return place === 1 ? 'top' : 'second';
+}
+
+/** Verdicts on the FMEP of all rings, rails of an oil ring together, and of packs: { name, ... } of fmepVerdict(). */
+export function fmepVerdicts(model) {
+  const inPacks = new Set(
+    (model.payload.packs ?? []).flatMap((pack) => pack.ring_numbers.map((_, i) => pack.first_case + i)),
+  );
+  const alone = model.cases
+    .filter((c) => !inPacks.has(c.index))
+    .map((c) => ({
+      name: c.name,
+      ...fmepVerdict(model, c.values, fmepRange(model, c, kindOf(model, c, 1))),
+    }));
+  const packed = model.packs.flatMap((pack) => {
+    const faces = model.cases.slice(pack.first_case, pack.first_case + pack.ring_numbers.length);
+    const before = model.packs.length > 1 ? `${pack.title}, ` : '';
+    return [
+      ...pack.by_ring.map(({ ring, values }) => {
+        const face = faces[pack.ring_numbers.indexOf(ring)];
+        // The peak of the cylinder, which the first ring has above it, decides on the engine.
+        const range = fmepRange(model, { ...face, values: faces[0].values }, kindOf(model, face, ring));
+        return { name: `${before}ring ${ring}`, ...fmepVerdict(model, values, range) };
+      }),
+      { name: `${before}pack`, ...fmepVerdict(model, pack.values, fmepRange(model, faces[0], 'pack')) },
+    ];
+  });
+  return [...alone, ...packed].filter(({ found }) => found);
 }
 
 /** The same on the boundary friction coefficient that the case states. */
@@ -79,25 +119,36 @@ export function coefficientVerdict(model, c) {
   };
 }
 
+function usualLine(label, { found, value, text }, whom) {
+  return element(
+    'li',
+    { class: ['above', 'below'].includes(found) ? 'unusual' : 'usual' },
+    whom ? `${whom}: ` : null,
+    `${label} `,
+    element('b', {}, value),
+    ` – ${text}`,
+  );
+}
+
 /** The lines on the first screen that state whether the results are usual; null where nothing can be stated. */
 export function usualCard(model) {
-  const line = (label, one) => {
-    const found = model.cases.map((c) => ({ c, ...one(model, c) })).filter((entry) => entry.found);
-    const texts = [...new Set(found.map((entry) => `${entry.value}: ${entry.text}`))];
-    return texts.map((shown) => {
-      const whose = found.filter((entry) => `${entry.value}: ${entry.text}` === shown);
-      const { found: kind, value, text } = whose[0];
-      return element(
-        'li',
-        { class: ['above', 'below'].includes(kind) ? 'unusual' : 'usual' },
-        whose.length < model.cases.length ? `${whose.map(({ c }) => c.name).join(', ')}: ` : null,
-        `${label} `,
-        element('b', {}, value),
-        ` – ${text}`,
-      );
-    });
-  };
-  const lines = [line('FMEP', fmepVerdict), line('boundary friction coefficient', coefficientVerdict)].flat();
+  const coefficients = model.cases
+    .map((c) => ({ name: c.name, ...coefficientVerdict(model, c) }))
+    .filter((entry) => entry.found);
+  const alike = (entry) => coefficients.filter((one) => one.value === entry.value && one.text === entry.text);
+  const lines = [
+    ...fmepVerdicts(model).map((entry) => usualLine('FMEP', entry, model.several ? entry.name : '')),
+    ...coefficients
+      .filter((entry) => alike(entry)[0] === entry)
+      .map((entry) => {
+        const whose = alike(entry).map(({ name }) => name);
+        return usualLine(
+          'boundary friction coefficient',
+          entry,
+          whose.length < model.cases.length ? whose.join(', ') : '',
+        );
+      }),
+  ];
   if (lines.length === 0) return null;
   return element(
     'section',

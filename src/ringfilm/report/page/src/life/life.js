@@ -41,7 +41,7 @@ function firstScreen(life) {
       'div',
       { class: 'cards' },
       numbers('Friction power', 'mean_power_loss'),
-      numbers('Oil flow', 'mean_absolute_oil_flow'),
+      numbers('Oil passing under the ring', 'mean_absolute_oil_flow'),
       numbers('Lambda ratio at peak pressure', 'lambda_ratio_at_peak_pressure'),
     ),
     headWarning('Read this first', claim),
@@ -82,7 +82,12 @@ function pointsTable(life) {
   const power = 'mean_power_loss';
   return table(
     `Operating points after ${hoursText(last.hours)}`,
-    ['operating point', right('share of the time'), right('friction power'), right('oil flow')],
+    [
+      'operating point',
+      right('share of the time'),
+      right('friction power'),
+      right('oil passing under the ring'),
+    ],
     last.points.map((point) => [
       point.name,
       right(point.share > 0 ? withUnit(100 * point.share, '%', 3) : 'reported only'),
