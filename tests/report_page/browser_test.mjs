@@ -263,7 +263,7 @@ for (const width of [420, 1400]) {
     assert.match(rows[2], /^pack/);
     assert.match(
       await page.textContent('.cards'),
-      /Oil left above the ring.*1\.50\s*µm.*0\.250\smg a cycle at TDC.*second.*–.*not followed/s,
+      /Oil left above the ring.*1\.50\s*µm.*0\.250\smg a cycle at TDC.*ring 2.*–.*not followed/s,
     );
     assert.match(
       await page.textContent('.plausibility'),

@@ -70,6 +70,7 @@ const kFigures = {
   ],
   study_screening: ['morris', 'ranking', 'comparison-figure', 'stribeck'],
   study_comparison: ['comparison-figure', 'stribeck'],
+  study_points: ['comparison-figure', 'stribeck'],
 };
 for (const [name, expected] of Object.entries(kFigures)) {
   for (const width of [390, 1400]) {
@@ -106,6 +107,32 @@ test('the accuracy of the sample is reported', async () => {
   assert.equal(rows.length, 2);
   assert.match(rows[0], /0\.21/);
   assert.match(rows[1], /4\.6/);
+  assert.deepEqual(faults, []);
+  await page.context().close();
+});
+
+test('operating points have their names, and their weighted mean heads the page', async () => {
+  const { page, faults } = await opened('study_points.html');
+  const card = await page.textContent('.card:first-child');
+  assert.match(card, /new2\.13 kPalowest 1\.00, idle; highest 5\.00, full speed/);
+  assert.match(card, /worn3\.13 kPa/);
+  const rows = await page.$$eval('#points tbody tr', (list) => list.map((row) => row.textContent));
+  assert.equal(rows.length, 2 * 4, 'points and mean of each base');
+  assert.match(rows[1], /^part load62\.5\s%2\.000/);
+  assert.match(rows[3], /^weighted mean2\.125/);
+  assert.match(await page.textContent('#comparison-figure'), /Mark: weighted mean/);
+  assert.doesNotMatch(await page.textContent('main'), /[Mm]edian/);
+  assert.deepEqual(faults, []);
+  await page.context().close();
+});
+
+test('a grid has its lowest and highest values with their places, and no median', async () => {
+  const { page, faults } = await opened('study_map.html');
+  assert.match(
+    await page.textContent('.card:nth-child(3)'),
+    /[\d.]+ to [\d.]+ µmlowest at speed 1000 rpm, warmth 13.33 K, law roelands; highest at speed 6000 rpm/,
+  );
+  assert.doesNotMatch(await page.textContent('#values'), /median/);
   assert.deepEqual(faults, []);
   await page.context().close();
 });

@@ -131,6 +131,19 @@ std::string screening_page() {
                     with({"speed", "warmth", "roughness"}));
 }
 
+std::string points_page() {
+  std::string lines =
+      "title = \"made-up duty\"\nkind = \"compare\"\n" + kBases + "[plan]\nmethod = \"operating-points\"\n";
+  for (const char* point : {"name = \"idle\"\nweight = 2\nvalues = { \"operating.speed\" = \"1000 rpm\" }\n",
+                            "name = \"part load\"\nweight = 5\nvalues = { \"operating.speed\" = \"2000 rpm\" }\n",
+                            "name = \"full speed\"\nweight = 1\nvalues = { \"operating.speed\" = \"5000 rpm\" }\n"})
+    lines.append("[[point]]\n").append(point);
+  return study_page(lines, [](const std::string& name, const study::Point& point) {
+    const double rpm = *point.values[0] * 30 / M_PI;
+    return name == "fmep" ? rpm + 1000 * static_cast<double>(point.base) : 1e-6;
+  });
+}
+
 std::string comparison_page() {
   return study_page("title = \"made-up comparison\"\nkind = \"compare\"\n" + kBases +
                         "[[factor]]\nname = \"law\"\nkey = \"lubricant.viscosity_pressure\"\n"

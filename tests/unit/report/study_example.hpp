@@ -24,5 +24,7 @@ std::string map_page();
 std::string screening_page();
 /// A law, as it is in each base.
 std::string comparison_page();
+/// Three operating points of both bases, whose weighted mean is not their median.
+std::string points_page();
 
 }  // namespace example

@@ -153,6 +153,26 @@ TEST(StudyPage, DrawsPointsOfEveryBaseAndOfEveryLevel) {
   EXPECT_NEAR(static_cast<double>(n_warm), 1000, 5 * std::sqrt(500.0));
 }
 
+TEST(StudyPage, HasTheWeightedMeanAndTheNamesOfOperatingPoints) {
+  const json data = example::data_of(example::points_page());
+  EXPECT_EQ(data.at("points").at(1), (json{{"name", "part load"}, {"share", 0.625}}));
+  const json& fmep = data.at("statistics").at("fmep");
+  // (2 x 1000 + 5 x 2000 + 1 x 5000)/8, and 1000 more; to the digits of the page.
+  EXPECT_NEAR(fmep.at(0).at("weighted_mean").get<double>(), 2125, 0.01);
+  EXPECT_NEAR(fmep.at(1).at("weighted_mean").get<double>(), 3125, 0.01);
+  EXPECT_NEAR(data.at("comparison").at("fmep").at(1).at("weighted_mean").get<double>(), 3125, 0.01);
+  EXPECT_EQ(data.at("extremes").at("fmep").at(0), (json{{"lowest", "idle"}, {"highest", "full speed"}}));
+  EXPECT_NEAR(data.at("point_values").at("fmep").at(1).at(2).get<double>(), 6000, 0.01);
+  EXPECT_TRUE(example::data_of(example::map_page()).at("points").empty());
+}
+
+TEST(StudyPage, NamesTheScenariosOfTheExtremesOfAGrid) {
+  const json extremes = example::data_of(example::map_page()).at("extremes");
+  EXPECT_EQ(extremes.at("min_film_thickness").at(0), (json{{"lowest", "speed 1000 rpm, warmth 13.33 K, law roelands"},
+                                                           {"highest", "speed 6000 rpm, warmth -20 K, law roelands"}}));
+  EXPECT_TRUE(example::data_of(example::uncertainty_page()).at("extremes").empty());
+}
+
 /// A full grid of ten factors.
 json grid_of_ten(int n_bases, const std::string& levels) {
   std::string lines = "kind = \"map\"\n";

@@ -212,6 +212,7 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
           {"notes", rows.notes()},
           {"scenario_notes", scenario_notes_object(rows)},
           {"error", error_object(rows)},
+          {"usual_accuracy", *study::Accuracy{}.asked / 100},
           {"bases", std::move(bases)},
           {"factors", std::move(factors)},
           {"correlations", std::move(correlations)},

@@ -14,6 +14,7 @@
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"
+#include "ringfilm/study/statistics/weighted_mean.hpp"
 
 namespace ringfilm::report {
 namespace {
@@ -61,12 +62,20 @@ ordered_json statistics_object(const std::vector<double>& values, const std::vec
   return object;
 }
 
+/// Of operating points.
+void add_weighted_mean(const study::Plan& plan, const std::vector<double>& all, std::size_t base,
+                       ordered_json& statistics) {
+  if (plan.study().sampling.method == study::Method::kOperatingPoints)
+    statistics["weighted_mean"] = number(study::weighted_mean(plan, all, base));
+}
+
 /// Everything about the main values that is drawn.
 class MainValues {
  public:
   MainValues(const io::StudyRows& rows, const io::Units& units, ordered_json& payload)
-      : plan_(rows.plan), payload_(payload), groups_(comparison_groups(rows.plan, units)) {
-    for (const char* part : {"histograms", "indices", "sensitivities", "convergence", "effects", "comparison"})
+      : plan_(rows.plan), units_(units), payload_(payload), groups_(comparison_groups(rows.plan, units)) {
+    for (const char* part :
+         {"histograms", "indices", "sensitivities", "convergence", "effects", "comparison", "extremes", "point_values"})
       payload_[part] = ordered_json::object();
     ordered_json names = ordered_json::array();
     for (const ComparisonGroup& group : groups_) names.push_back({{"name", group.name}, {"base", group.base}});
@@ -86,6 +95,10 @@ class MainValues {
       if (plan_.study().sampling.method == study::Method::kMorris)
         payload_["effects"][name].push_back(
             effects_object(study::values_of_base(plan_, all, b, study::Among::kAll), b));
+      if (!is_sample) payload_["extremes"][name].push_back(extremes_object(all, b));
+      if (plan_.study().sampling.method == study::Method::kOperatingPoints)
+        payload_["point_values"][name].push_back(
+            rounded_list(study::values_of_base(plan_, all, b, study::Among::kAll), kValueDigits));
     }
     if (!groups_.empty()) payload_["comparison"][name] = comparison_object(all);
   }
@@ -237,6 +250,8 @@ class MainValues {
     for (const ComparisonGroup& group : groups_) {
       const std::vector<double> values = picked(group);
       ordered_json object = statistics_object(values, study::sorted_values(values), study::has_sample(plan_));
+      if (!object.is_null() && group.scenarios.size() == plan_.n_points(group.base))
+        add_weighted_mean(plan_, all, group.base, object);
       // The same points in both: their differences are more certain than their levels.
       if (!object.is_null() && study::has_sample(plan_) && group.pairs_with_first && &group != &groups_.front()) {
         const auto difference = study::relative_difference(first, values);
@@ -247,7 +262,21 @@ class MainValues {
     return list;
   }
 
+  /// Where a value is lowest and highest in a base; null where no scenario was solved.
+  ordered_json extremes_object(const std::vector<double>& all, std::size_t base) const {
+    std::optional<std::uint64_t> lowest, highest;
+    for (std::uint64_t p = 0; p < plan_.n_points(base); ++p) {
+      const std::uint64_t i = plan_.scenario(base, p);
+      if (!std::isfinite(all[i])) continue;
+      if (!lowest || all[i] < all[*lowest]) lowest = i;
+      if (!highest || all[i] > all[*highest]) highest = i;
+    }
+    if (!lowest) return nullptr;
+    return {{"lowest", scenario_name(plan_, *lowest, units_)}, {"highest", scenario_name(plan_, *highest, units_)}};
+  }
+
   const study::Plan& plan_;
+  const io::Units& units_;
   ordered_json& payload_;
   std::vector<ComparisonGroup> groups_;
 
@@ -258,6 +287,18 @@ class MainValues {
   };
   std::vector<VariedFactors> varied_;
 };
+
+/// Operating points with their shares in the weights; empty for other plans.
+ordered_json points_array(const study::Plan& plan) {
+  const std::vector<study::WeightedPoint>& points = plan.study().sampling.points;
+  double largest = 0, sum = 0;  // relative to the largest: the sum of huge weights is not finite
+  for (const study::WeightedPoint& point : points) largest = std::max(largest, point.weight);
+  for (const study::WeightedPoint& point : points) sum += point.weight / largest;
+  ordered_json list = ordered_json::array();
+  for (const study::WeightedPoint& point : points)
+    list.push_back({{"name", point.name}, {"share", number(point.weight / largest / sum)}});
+  return list;
+}
 
 }  // namespace
 
@@ -274,10 +315,12 @@ void add_study_values(const io::StudyRows& rows, const io::Units& units, ordered
     for (std::size_t b = 0; b < rows.plan.study().bases.size(); ++b) {
       const std::vector<double> values = study::values_of_base(rows.plan, all, b, among);
       of_bases.push_back(statistics_object(values, study::sorted_values(values), is_sample));
+      if (!of_bases.back().is_null()) add_weighted_mean(rows.plan, all, b, of_bases.back());
     }
     statistics[quantities[i].name] = std::move(of_bases);
     if (std::find(names.begin(), names.end(), quantities[i].name) != names.end()) main.add(quantities[i].name, all);
   }
+  payload["points"] = points_array(rows.plan);
   payload["shares"] = io::band_shares();
   payload["converging_shares"] = kConvergingShares;
   payload["statistics"] = std::move(statistics);

@@ -12,6 +12,8 @@ namespace ringfilm::report {
 namespace {
 
 constexpr std::size_t kMostGroups = 30;
+/// Factors in the name of a scenario.
+constexpr std::size_t kMostNamed = 4;
 
 bool is_choice(const study::Factor& factor) { return std::holds_alternative<study::Choices>(factor.variation); }
 
@@ -45,6 +47,8 @@ std::string group_name(const study::Study& study, std::size_t base, const study:
 }
 
 std::string shown_value(const study::Factor& factor, double value, const io::Units& units) {
+  if (const auto* choices = std::get_if<study::Choices>(&factor.variation))
+    return short_name(choices->values.at(static_cast<std::size_t>(value)).text);
   if (factor.unit.empty() || factor.unit == "1") return fmt::format("{:.4g}", value);
   return fmt::format("{:.4g} {}", units.scale(factor.display_unit, factor.unit).from_si(value), factor.display_unit);
 }
@@ -79,7 +83,7 @@ std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io
       if (study::has_sample(plan) && !plan.is_sample(p)) continue;
       const std::uint64_t i = plan.scenario(b, p);
       if (each_alone) {
-        groups.push_back({"scenario " + std::to_string(i), b, {i}, false});
+        groups.push_back({scenario_name(plan, i, units), b, {i}, false});
         continue;
       }
       std::pair<std::size_t, std::vector<int>> key{b, {}};
@@ -99,19 +103,23 @@ std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io
   }
   if (groups.size() < 2) return {};
   for (ComparisonGroup& group : groups) group.pairs_with_first = is_paired(plan, groups.front(), group);
-  if (each_alone) {
-    for (ComparisonGroup& group : groups) {
-      const study::Point point = plan.point(group.scenarios.front());
-      std::string name;
-      for (std::size_t j = 0; j < study.factors.size(); ++j) {
-        if (!point.values[j]) continue;
-        name.append(name.empty() ? "" : ", ").append(study.factors[j].name).append(" ");
-        name.append(shown_value(study.factors[j], *point.values[j], units));
-      }
-      group.name = name.empty() ? "base" : name;
-    }
-  }
   return groups;
+}
+
+std::string scenario_name(const study::Plan& plan, std::uint64_t scenario, const io::Units& units) {
+  const study::Study& study = plan.study();
+  const std::uint64_t p = plan.point_of(scenario);
+  if (study.sampling.method == study::Method::kOperatingPoints) return study.sampling.points.at(p).name;
+  const study::Point point = plan.point(scenario);
+  std::optional<study::Point> start;
+  if (study.sampling.method == study::Method::kOneAtATime && p > 0) start = plan.point(plan.scenario(point.base, 0));
+  std::vector<std::string> parts;
+  for (std::size_t j = 0; j < study.factors.size(); ++j) {
+    if (!point.values[j] || (start && point.values[j] == start->values[j])) continue;
+    parts.push_back(study.factors[j].name + " " + shown_value(study.factors[j], *point.values[j], units));
+  }
+  if (parts.size() > kMostNamed) return "scenario " + std::to_string(scenario);
+  return parts.empty() ? "base" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace ringfilm::report

@@ -18,6 +18,10 @@ struct ComparisonGroup {
   bool pairs_with_first = false;
 };
 
+/// What a scenario is within its base: the name of its operating point, or its factors with their numbers; of one at a
+/// time the factor that moves; its number where these are too many to read.
+std::string scenario_name(const study::Plan& plan, std::uint64_t scenario, const io::Units& units);
+
 /// In the order in which the plan comes to them; of a sample its points alone. Where nothing but numbers varies in few
 /// scenarios that are not a sample, each of these is a group. Empty where there is nothing to compare, or more than a
 /// picture holds.

@@ -16,6 +16,7 @@ import {
   firstScreen,
   indicesTable,
   notesSection,
+  pointsSection,
   provenanceSection,
   statisticsSection,
   unsolvedSection,
@@ -218,10 +219,7 @@ the study and run it anew.',
         'p',
         { class: 'how' },
         `Drag across a chart to zoom all of them, double-click for the whole cycle.${
-          model.several
-            ? ' A name in a \
-legend hides that base.'
-            : ''
+          model.curves.scenarios || model.several ? ' A name in a legend hides its curve.' : ''
         }`,
       ),
       kept(figures.map((figure) => new FigureView(figure, { ...context, visibility, group }))),
@@ -260,6 +258,7 @@ legend hides that base.'
   };
   (order[model.kind] ?? order.uncertainty).forEach((name) => makers[name]());
   const rest = [
+    ['points', 'Operating points', any ? pointsSection(model) : null],
     ['values', 'Cycle values', any ? statisticsSection(model, context) : null],
     ['accuracy', 'Accuracy', accuracySection(model)],
     ['notes', 'Notes', notesSection(model)],

@@ -8,11 +8,28 @@ import { percent, withUnit } from '../units.js';
 
 const kRow = 22;
 
+/** Median of a group, of operating points their weighted mean; null where a point was not solved. */
+export function middleOf(model, s) {
+  if (model.has_sample) return s.quantiles[2][0];
+  return 'weighted_mean' in s ? s.weighted_mean : s.median;
+}
+
+/** What the middle of the groups is. */
+export function middleWord(model) {
+  const first = model.mainValues.flatMap((q) => model.comparison[q.name] ?? []).find(Boolean);
+  return first && 'weighted_mean' in first ? 'weighted mean' : 'median';
+}
+
 /** Middle, inner and outer ends of a group, in the unit that people read; null without a value. */
 function spread(model, q, s) {
   if (!s) return null;
   if (!model.has_sample)
-    return { middle: q.convert(s.median), outer: [s.lowest, s.highest].map(q.convert), inner: null, n: s.n };
+    return {
+      middle: q.convert(middleOf(model, s)),
+      outer: [s.lowest, s.highest].map(q.convert),
+      inner: null,
+      n: s.n,
+    };
   const [low, lower, middle, upper, high] = s.quantiles.map(([v]) => q.convert(v));
   return { middle, outer: [low, high], inner: [lower, upper], n: s.n };
 }
@@ -50,12 +67,7 @@ export function comparisonFigure(model) {
       const colour = caseColour(colourOf(g));
       const tooltip = safe(
         `${groups[g].name}: ` +
-          model.valueText(
-            q,
-            model.has_sample
-              ? model.comparison[q.name][g].quantiles[2][0]
-              : model.comparison[q.name][g].median,
-          ) +
+          model.valueText(q, middleOf(model, model.comparison[q.name][g])) +
           ` (${s.n} scenarios)`,
       );
       out.push(rule(x(s.outer[0]), at, x(s.outer[1]), at, colour, 1.6));
@@ -67,7 +79,7 @@ export function comparisonFigure(model) {
   const most = Math.max(...shown.flatMap((q) => model.comparison[q.name].map((s) => s?.n ?? 0)));
   return {
     id: 'comparison-figure',
-    title: 'Median and spread of the main values',
+    title: `${middleWord(model) === 'median' ? 'Median' : 'Weighted mean'} and spread of the main values`,
     draw(width) {
       const kLongName = 16;
       const grid = panelGrid(
@@ -96,7 +108,7 @@ export function comparisonFigure(model) {
         (model.has_sample
           ? 'Mark: median; thick: 25 % to 75 % of the scenarios; thin: 5 % to 95 %.'
           : most > 1
-            ? 'Mark: median; thin line: from the lowest to the highest of the scenarios.'
+            ? `Mark: ${middleWord(model)}; thin line: from the lowest to the highest of the scenarios.`
             : 'Each mark is one scenario.') + ends
       );
     },
@@ -105,7 +117,7 @@ export function comparisonFigure(model) {
       ...shown.flatMap((q) => {
         const all = model.comparison[q.name].map((s) => spread(model, q, s));
         return [
-          ['median', (s) => s.middle],
+          [middleWord(model), (s) => s.middle],
           [model.has_sample ? '5 %' : 'lowest', (s) => s.outer[0]],
           [model.has_sample ? '95 %' : 'highest', (s) => s.outer[1]],
         ].map(([words, of]) => ({
@@ -129,7 +141,7 @@ export function differenceOf(model, q, g) {
       sure: low > 0 || high < 0,
     };
   }
-  const middle = (s) => (model.has_sample ? s.quantiles[2][0] : s.median);
+  const middle = (s) => middleOf(model, s);
   return middle(first)
     ? { text: percent((middle(own) - middle(first)) / Math.abs(middle(first))), interval: null, sure: null }
     : null;

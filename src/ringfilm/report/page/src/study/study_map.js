@@ -6,10 +6,17 @@ import { airy, extent, fitted, frame, kLetter, legend, line, mark } from '../plo
 import { axisTitle } from '../plot/scales.js';
 import { shortWithUnit } from './study_model.js';
 import { kFaint, kInk, px, rule, safe, text } from '../plot/svg_shapes.js';
-import { ticks, tickText, withUnit } from '../units.js';
+import { number, ticks, tickText, withUnit } from '../units.js';
 
 let drawn = 0;
 const kLevels = 13;
+/** Place among the colours of a map that has one only. */
+const kFlat = 0.6;
+
+/** Share of a value within which it may be off: as estimated on the sample of the study, else as a study asks for. */
+function relativeError(model, name) {
+  return model.error?.quantiles?.[name] ?? model.usual_accuracy;
+}
 
 /** The values of one base of a grid, by the places of its levels. */
 export class GridValues {
@@ -83,13 +90,15 @@ export function mapFigure(model, q, choice) {
   };
   // One scale of colours for all slices and bases: what is moved with a choice can then be seen.
   const whole = extent(model.grid.bases.flatMap((b) => b.values[q.name].map(q.convert))) ?? [0, 1];
-  const { values: all, step } = ticks(
-    whole[0],
-    whole[1] === whole[0] ? whole[0] + (Math.abs(whole[0]) || 1) : whole[1],
-    kLevels,
-  );
+  const size = whole[1] - whole[0];
+  const error = relativeError(model, q.name) * Math.max(...whole.map(Math.abs));
+  // Steps of colour that are finer than the numerical error would draw noise as structure.
+  const steps = Math.min(kLevels, Math.floor(size / error));
+  const isFlat = !(steps >= 1);
+  const { values: all, step } = isFlat ? { values: [], step: 1 } : ticks(...whole, steps);
   const levels = all.filter((v) => v > whole[0] && v < whole[1]);
-  const colour = (band) => colourText(heightColour(0.04 + (0.96 * band) / Math.max(1, levels.length)));
+  const colour = (band) =>
+    colourText(heightColour(levels.length ? 0.04 + (0.96 * band) / levels.length : kFlat));
   const axes = () => [axisOf(choice.grid.axes[choice.across]), axisOf(choice.grid.axes[choice.up])];
   const geometry = (width) => {
     const [across, up] = axes();
@@ -217,7 +226,8 @@ export function mapFigure(model, q, choice) {
           : 'None of these scenarios was solved.',
         levels.length
           ? 'The steps of colour are the same for all choices.'
-          : 'One step of colour: the value hardly varies.',
+          : `One step of colour: the value hardly varies, by ${number(size, 2)}${q.shown ? ` ${q.shown}` : ''}, ` +
+            `${isFlat ? 'less than' : 'about'} its numerical error of ${number(100 * relativeError(model, q.name), 2)} %.`,
         n
           ? `Hatched: next to the ${n === 1 ? 'scenario' : `${n} scenarios`} (×) that ` +
             `${n === 1 ? 'was' : 'were'} not solved.`

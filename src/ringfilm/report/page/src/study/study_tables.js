@@ -1,10 +1,10 @@
 // First screen and tables of a study.
 import { code, element } from '../dom.js';
 import { columnsCsv, fileStem, save } from '../downloads.js';
-import { caseColour } from '../plot/palette.js';
 import { axisTitle } from '../plot/scales.js';
-import { differenceOf } from './study_compare.js';
+import { differenceOf, middleOf, middleWord } from './study_compare.js';
 import { count } from './study_model.js';
+import { card, cardsSentence, cardValues, swatch } from './study_cards.js';
 import { shareText } from './study_spread.js';
 import { section, table } from '../tables.js';
 import { number, percent, sentence, shortPath, typeset, withUnit } from '../units.js';
@@ -18,21 +18,9 @@ const kKinds = {
   screening: 'Screening: which inputs matter at all',
 };
 
-/** The values on the first screen. */
-const kCards = ['fmep', 'mean_power_loss', 'min_film_thickness'];
 const kNotesShown = 4;
 /** Values beside the main ones whose errors are the largest. */
 const kOtherErrors = 6;
-
-/** Of a study without one of them the values that it has instead. */
-function cards(model) {
-  if (kCards.every((name) => model.quantity.has(name))) return kCards;
-  return model.main_values.slice(0, kCards.length);
-}
-
-export function swatch(base) {
-  return element('span', { class: 'base-swatch', style: `background: ${caseColour(base)}` });
-}
 
 function points(model) {
   const n = model.scenarios / model.bases.length;
@@ -50,36 +38,6 @@ function points(model) {
       morris: `${rows}trajectories after Morris`,
     }[model.method] ?? model.method
   );
-}
-
-function card(model, name) {
-  const q = model.quantity.get(name);
-  const rows = model.bases.map((b) => {
-    const s = model.statistics[name][b.index];
-    const [middle, low, high] = !s
-      ? [null, null, null]
-      : model.has_sample
-        ? [s.quantiles[2][0], s.quantiles[0][0], s.quantiles[4][0]]
-        : [s.median, s.lowest, s.highest];
-    const [m, l, h] = [middle, low, high].map((v) => q.convert(v));
-    return element(
-      'div',
-      { class: 'card-row' },
-      model.several ? element('span', { class: 'card-name' }, swatch(b.index), b.name) : null,
-      element(
-        'span',
-        { class: 'card-value' },
-        element('b', {}, number(m, 3)),
-        q.shown && m !== null ? ` ${q.shown}` : '',
-      ),
-      element(
-        'span',
-        { class: 'card-detail' },
-        m === null ? 'not solved' : `${number(l, 3)} to ${number(h, 3)}`,
-      ),
-    );
-  });
-  return element('section', { class: 'card' }, element('h2', {}, q.short_name), rows);
 }
 
 /** Reasons that differ in their numbers alone are reported with those of the first. */
@@ -145,18 +103,10 @@ ${reasonText(model.unsolved.reasons[0])} `,
       ? element(
           'div',
           { class: 'cards' },
-          cards(model).map((name) => card(model, name)),
+          cardValues(model).map((name) => card(model, name)),
         )
       : null,
-    model.solved > 0
-      ? element(
-          'p',
-          { class: 'how' },
-          model.has_sample
-            ? 'Median, and 5 % to 95 % of the scenarios.'
-            : 'Median, lowest and highest of the scenarios.',
-        )
-      : null,
+    model.solved > 0 ? element('p', { class: 'how' }, cardsSentence(model)) : null,
     notes.length
       ? element(
           'div',
@@ -257,9 +207,11 @@ const interval = (q, triple, digits) => {
 
 export function statisticsSection(model, context) {
   const kShown = [0, 2, 4];
+  // A median of points that are no sample means nothing.
+  const chosen = [...(model.points.length ? ['weighted_mean'] : []), 'lowest', 'highest'];
   const heads = model.has_sample
     ? ['quantity', right('mean'), ...kShown.map((k) => right(shareText(model.shares[k])))]
-    : ['quantity', right('lowest'), right('median'), right('highest')];
+    : ['quantity', ...chosen.map((key) => right(key.replace('_', ' ')))];
   const rows = (b) =>
     model.quantities.map((described) => {
       const q = model.quantity.get(described.name);
@@ -268,8 +220,7 @@ export function statisticsSection(model, context) {
         text: [q.long_name, q.shown ? element('span', { class: 'unit' }, ` [${q.shown}]`) : ''],
       };
       if (!s) return [name, ...heads.slice(1).map(() => right('–'))];
-      if (!model.has_sample)
-        return [name, ...[s.lowest, s.median, s.highest].map((v) => right(number(q.convert(v), 4)))];
+      if (!model.has_sample) return [name, ...chosen.map((key) => right(number(q.convert(s[key]), 4)))];
       return [
         name,
         s.mean ? interval(q, s.mean, 4) : right('–'),
@@ -293,8 +244,8 @@ export function statisticsSection(model, context) {
     if (!model.has_sample)
       return [
         ...fixed,
-        ...['lowest', 'median', 'highest'].map((key) => ({
-          title: key,
+        ...chosen.map((key) => ({
+          title: key.replace('_', ' '),
           values: all.map(({ q, s }) => (s ? q.convert(s[key]) : null)),
         })),
       ];
@@ -344,7 +295,8 @@ ${counts.map((s) => count(s?.omitted ?? 0)).join(', ')} that were not solved`
                 : ''
             }); in small type the 95 % \
 confidence interval of each number, … where so few scenarios do not determine it.`
-          : 'Over all scenarios of the plan, which are not a sample: they do not show how likely a value is.',
+          : `Over all ${model.points.length ? 'operating points, with their weights' : 'scenarios of the plan'}: \
+they are not a sample and do not show how likely a value is.`,
       ),
       element('span', { class: 'downloads' }, button),
     ),
@@ -364,11 +316,42 @@ confidence interval of each number, … where so few scenarios do not determine 
   );
 }
 
+/** The operating points of each base with their main values, and the weighted means. */
+export function pointsSection(model) {
+  if (model.points.length === 0) return null;
+  const shown = model.mainValues;
+  const heads = [
+    'operating point',
+    right('weight'),
+    ...shown.map((q) => right(axisTitle(q.short_name, q.shown))),
+  ];
+  return section(
+    'points',
+    'Operating points',
+    element('p', {}, 'Weights are shares of their sum. A mean is missing where a point was not solved.'),
+    model.bases.map((b) => {
+      const rows = model.points.map((point, p) => [
+        point.name,
+        right(withUnit(100 * point.share, '%', 3)),
+        ...shown.map((q) => right(number(q.convert(model.point_values[q.name][b.index][p]), 4))),
+      ]);
+      const means = shown.map((q) => {
+        const mean = model.statistics[q.name][b.index]?.weighted_mean ?? null;
+        return { text: element('b', {}, number(q.convert(mean), 4)), attributes: { class: 'number' } };
+      });
+      const name = model.several ? `Operating points, ${b.name}` : 'Operating points';
+      return table(name, heads, [...rows, ['weighted mean', '', ...means]], {
+        folds: true,
+        classes: 'titled',
+      });
+    }),
+  );
+}
+
 export function differencesTable(model) {
   const shown = model.mainValues.filter((q) => model.comparison[q.name]);
   const groups = model.comparison_groups;
-  const middle = (q, s) =>
-    !s ? '–' : withUnit(q.convert(model.has_sample ? s.quantiles[2][0] : s.median), '', 4);
+  const middle = (q, s) => (!s ? '–' : withUnit(q.convert(middleOf(model, s)), '', 4));
   const others = groups
     .slice(1)
     .map((_, i) => shown.some((q) => model.comparison[q.name][i + 1]?.difference));
@@ -394,7 +377,7 @@ export function differencesTable(model) {
     element(
       'p',
       {},
-      `Median, and the change against ${groups[0].name}.`,
+      `${middleWord(model)[0].toUpperCase()}${middleWord(model).slice(1)}, and the change against ${groups[0].name}.`,
       paired
         ? ` ${whom} were run at the same points, so that what they have in common cancels: the change is that of the \
 mean, with its 95 % confidence interval below it; in bold where that leaves no doubt about the sign.${
