@@ -71,6 +71,16 @@ const kFigures = {
   study_screening: ['morris', 'ranking', 'comparison-figure', 'stribeck'],
   study_comparison: ['comparison-figure', 'stribeck'],
   study_points: ['comparison-figure', 'stribeck'],
+  study_sweep: [
+    'band-min-film-thickness',
+    'band-friction-on-liner',
+    'map-mean-total-friction',
+    'map-fmep',
+    'map-min-film-thickness',
+    'map-boundary-power-share',
+    'comparison-figure',
+    'stribeck',
+  ],
 };
 for (const [name, expected] of Object.entries(kFigures)) {
   for (const width of [390, 1400]) {
@@ -133,6 +143,18 @@ test('a grid has its lowest and highest values with their places, and no median'
     /[\d.]+ to [\d.]+ µmlowest at speed 1000 rpm, warmth 13.33 K, law roelands; highest at speed 6000 rpm/,
   );
   assert.doesNotMatch(await page.textContent('#values'), /median/);
+  assert.deepEqual(faults, []);
+  await page.context().close();
+});
+
+test('curves of a sweep have the names of its scenarios', async () => {
+  const { page, faults } = await opened('study_sweep.html');
+  const names = await page.$$eval('#band-min-film-thickness .legend .label', (list) =>
+    list.map((label) => label.textContent),
+  );
+  assert.equal(names.length, 8);
+  assert.deepEqual([names[0], names[7]], ['speed 1000 rpm', 'speed 5000 rpm']);
+  assert.match(await page.textContent('#band-min-film-thickness figcaption'), /8 of 9 scenarios, evenly/);
   assert.deepEqual(faults, []);
   await page.context().close();
 });

@@ -144,7 +144,7 @@ int main(int argc, char** argv) {
        {std::pair{"study_uncertainty.html", example::uncertainty_page()},
         std::pair{"study_map.html", example::map_page()}, std::pair{"study_screening.html", example::screening_page()},
         std::pair{"study_comparison.html", example::comparison_page()},
-        std::pair{"study_points.html", example::points_page()},
+        std::pair{"study_points.html", example::points_page()}, std::pair{"study_sweep.html", example::sweep_page()},
         std::pair{"hostile_study.html", example::uncertainty_page(hostile.title)}})
     studies_written = write(name, page) && studies_written;
   return three_written && studies_written && around_written && hostile_written && coarse_written && pack_written &&

@@ -12,7 +12,7 @@ std::string study_page(const io::StudyRows& rows, const io::Units& units, const 
   ordered_json payload = study_head(rows, units, provenance);
   add_study_values(rows, units, payload);
   add_study_points(rows, payload);
-  add_study_curves(rows, payload);
+  add_study_curves(rows, units, payload);
   const page_template::PageTemplate parts = page_template::study();
   std::string page(parts.before_title);
   page += html_text(rows.plan.study().title);

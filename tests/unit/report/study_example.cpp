@@ -144,6 +144,17 @@ std::string points_page() {
   });
 }
 
+std::string sweep_page() {
+  return study_page("title = \"made-up sweep\"\nkind = \"map\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" +
+                        kSpeed + "range = [\"1000 rpm\", \"5000 rpm\"]\npoints = 9\n" +
+                        "[plan]\nmethod = \"grid\"\n[keep]\ncurves = \"all\"\ncrank_step = \"10 degree\"\n"
+                        "quantities = [\"min_film_thickness\", \"friction_on_liner\"]\n",
+                    [](const std::string& name, const study::Point& point) {
+                      const double share = *point.values[0] / 100;
+                      return name == "min_film_thickness" ? 1e-6 * share : 1 + 1e-6 * share;
+                    });
+}
+
 std::string comparison_page() {
   return study_page("title = \"made-up comparison\"\nkind = \"compare\"\n" + kBases +
                         "[[factor]]\nname = \"law\"\nkey = \"lubricant.viscosity_pressure\"\n"

@@ -26,5 +26,7 @@ std::string screening_page();
 std::string comparison_page();
 /// Three operating points of both bases, whose weighted mean is not their median.
 std::string points_page();
+/// Speeds of one base with all curves, more than are drawn; every value but the film is the same to a millionth.
+std::string sweep_page();
 
 }  // namespace example

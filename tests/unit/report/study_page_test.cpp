@@ -173,6 +173,20 @@ TEST(StudyPage, NamesTheScenariosOfTheExtremesOfAGrid) {
   EXPECT_TRUE(example::data_of(example::uncertainty_page()).at("extremes").empty());
 }
 
+TEST(StudyPage, DrawsTheCurvesOfFewScenariosUnderTheirNames) {
+  const json curves = example::data_of(example::sweep_page()).at("curves");
+  const json& scenarios = curves.at("scenarios");
+  EXPECT_EQ(scenarios.at("of"), 9);
+  ASSERT_EQ(scenarios.at("list").size(), report::kMostDrawnCurves);
+  EXPECT_EQ(scenarios.at("list").front().at("name"), "speed 1000 rpm");
+  EXPECT_EQ(scenarios.at("list").back().at("name"), "speed 5000 rpm");
+  for (const json& one : scenarios.at("list")) ASSERT_EQ(one.at("values").size(), 2u);
+  // The made-up curve is the film times 2.5 at firing TDC + 180 degree.
+  const double highest = scenarios.at("list").back().at("values").at(0).at(18).get<double>();
+  EXPECT_NEAR(highest, 2.5e-6 * 5000 * M_PI / 30 / 100, 1e-10);
+  EXPECT_TRUE(example::data_of(example::uncertainty_page()).at("curves").at("scenarios").is_null());
+}
+
 /// A full grid of ten factors.
 json grid_of_ten(int n_bases, const std::string& levels) {
   std::string lines = "kind = \"map\"\n";

@@ -4,7 +4,7 @@ import { DrawingView, picker } from '../measurement/drawing_view.js';
 import { element } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
 import { comparisonFigure } from './study_compare.js';
-import { bandFigures } from './study_curves.js';
+import { curveFigures } from './study_curves.js';
 import { effectsFigure, indicesFigure, rankingFigure, sensitivityFigure } from './study_decides.js';
 import { gridCurvesFigure, GridValues, MapChoice, mapFigure } from './study_map.js';
 import { StudyModel } from './study_model.js';
@@ -200,7 +200,7 @@ function buildPage(model) {
     return figure.length ? [figure, differencesTable(model)] : [];
   };
   const curves = () => {
-    const figures = bandFigures(model);
+    const figures = curveFigures(model);
     if (figures.length === 0)
       return any && (model.kind === 'uncertainty' || model.kind === 'compare')
         ? [
