@@ -106,6 +106,17 @@ class Numbers(FaceTest):
         reported = self.json_of(*PLACED, "--unit", "um", "--lateral-unit", "mm", path="bare.csv")
         self.assertEqual(reported["polynomial_end_0"], self.json_of(*PLACED)["polynomial_end_0"])
 
+    def test_a_height_far_from_all_others_is_noted_in_the_fragment_too(self):
+        rows = (self.folder / "trace_of_face.csv").read_text().splitlines()
+        rows[101] = rows[101].split(",")[0] + ",1000"
+        (self.folder / "spike.csv").write_text("\n".join(rows) + "\n")
+        found = "1 height lies far from the rest, for example 1000 um in point 101"
+        self.assertIn(found, " ".join(self.run_well("face", "spike.csv", *PLACED, "--fragment", "face.toml").split()))
+        self.assertIn(found, " ".join((self.folder / "face.toml").read_text().split()))
+        rows[101] = rows[101].split(",")[0] + ",-9999"
+        (self.folder / "spike.csv").write_text("\n".join(rows) + "\n")
+        self.assert_refused(self.run_program("face", "spike.csv", *PLACED), "-9999 um in point 101", "write nan")
+
     def test_the_table_for_people(self):
         reported = self.run_well("face", "trace_of_face.csv", *PLACED)
         for words in (

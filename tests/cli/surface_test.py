@@ -193,6 +193,76 @@ class Files(SurfaceTest):
         self.assertIn("min_film_thickness", shown)
 
 
+def uneven(i, j):
+    """Heights without any order, 0.6 um at the most [m]."""
+    return 0.3e-6 * (math.sin(1.7 * i * i + j) + math.cos(2.3 * j * j + 0.9 * i))
+
+
+class Doubts(SurfaceTest):
+    """What was read without an error and may not be a surface is noted wherever it is used, or refused."""
+
+    def setUp(self):
+        super().setUp()
+        rows = heights(uneven)
+        (self.folder / "good.csv").write_text(matrix_text(rows))
+        rows[10][20] = rows[30][40] = 9e-6
+        rows[-1] = [-0.7e-6] * SIZE
+        (self.folder / "odd.csv").write_text(matrix_text(rows))
+        counted = [[1e-6 * j, *row] for j, row in enumerate(heights(uneven))]
+        (self.folder / "counted.csv").write_text(matrix_text(counted))
+
+    SPIKE = "2 points far from the rest repeat one value, 9 um, the first of them row 11, column 21"
+    LINE = "row 48 holds one value throughout, -0.7 um"
+
+    def assert_noted(self, notes, *fragments):
+        for fragment in fragments:
+            self.assertTrue(any(fragment in note for note in notes), notes)
+
+    def test_in_surface(self):
+        self.assertFalse(any("far from the rest" in note for note in self.json_of("good.csv", *self.STATED)["notes"]))
+        self.assert_noted(self.json_of("odd.csv", *self.STATED)["notes"], self.SPIKE, self.LINE)
+        both = self.json_of("good.csv", "odd.csv", *self.STATED)["notes"]
+        self.assert_noted(both, "odd.csv: " + self.SPIKE)
+        self.assert_noted(
+            self.json_of("good.csv", *self.STATED, "--noise", "odd.csv")["notes"], "odd.csv: " + self.SPIKE
+        )
+
+    def test_in_a_pair_and_in_its_fragment(self):
+        words = ("--ring", "good.csv", "--liner", "odd.csv", *self.STATED, "--fragment", "contact.toml", "--json")
+        self.assert_noted(json.loads(self.run_well("pair", *words))["notes"], "odd.csv: " + self.SPIKE)
+        fragment = (self.folder / "contact.toml").read_text()
+        self.assertIn("odd.csv: 2 points far from the rest repeat one value, 9 um", " ".join(fragment.split()))
+
+    def test_in_the_law_of_a_pair(self):
+        words = ("--surface", "good.csv", "--surface", "odd.csv", "--composite-modulus", "134.8 GPa", "--json")
+        self.assert_noted(json.loads(self.run_well("contact", *words, *self.STATED))["notes"], "odd.csv: " + self.SPIKE)
+
+    def test_an_option_against_the_file_is_noted(self):
+        self.run_well("surface", "good.csv", *self.STATED, "--heights", "in_metres.csv")
+        words = ("--ring", "in_metres.csv", "--liner", "good.csv", *self.STATED[:-2], "--json")
+        # The unit of the liner holds for the ring, too, whose heights are then a millionth.
+        self.assert_refused(
+            self.run_program("pair", *words),
+            "the file states the heights in m, and um is used in its place",
+            "below the size of an atom",
+        )
+
+    def test_row_numbers_are_refused_in_all_commands(self):
+        for words in (
+            ("surface", "counted.csv"),
+            ("pair", "--ring", "good.csv", "--liner", "counted.csv", "--fragment", "contact.toml"),
+            ("contact", "--surface", "counted.csv", "--composite-modulus", "134.8 GPa"),
+        ):
+            with self.subTest(words):
+                before = self.names()
+                self.assert_refused(
+                    self.run_program(*words, *self.STATED),
+                    "counted.csv: column 1 goes in even steps from 0 um to 47 um",
+                    "remove this column",
+                )
+                self.assertEqual(self.names(), before)
+
+
 class Refusals(SurfaceTest):
     def refused(self, *words, fragments):
         before = self.names()

@@ -150,13 +150,19 @@ Source: docs/theory/face.md.)");
          const GivenMaybeText& step) {
         const auto options = file_options(height_unit, lateral_unit, "step", step);
         const auto file = instrument::read_trace_file(path_of("path", path.value), options, io::Units());
+        for (const std::string& doubt : file.origin.doubts) {
+          if (PyErr_WarnEx(PyExc_UserWarning, (file.origin.path + ": " + doubt).c_str(), 1) != 0) {
+            throw py::error_already_set();
+          }
+        }
         return py::make_tuple(array_of(file.trace.x_m), array_of(file.trace.height_m));
       },
       py::arg("path"), py::arg("height_unit") = py::none(), py::arg("lateral_unit") = py::none(),
       py::arg("step") = py::none(),
       R"(Places and heights of a trace, two arrays of shape (points,) [m], from a file of any known format.
 
-height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not state it. Raises InputError, TypeError.)");
+height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not state it. Warns (UserWarning) where the
+heights may not be those of the surface. Raises InputError, TypeError.)");
 }
 
 }  // namespace ringfilm::python

@@ -322,6 +322,7 @@ MeasuredMap measured(const Given<kinds::Path>& path, const Given<kinds::NumberOr
   const auto file = instrument::read_surface_file(path_of("path", path.value), options, io::Units());
   MeasuredMap map{heights_of(file.map, true), file.map.step_x_m,  file.map.step_y_m, file.plausibility_line,
                   file.origin.sha256,         file.origin.format, file.origin.notes};
+  map.notes.insert(map.notes.end(), file.origin.doubts.begin(), file.origin.doubts.end());
   map.heights.attr("setflags")(py::arg("write") = false);
   return map;
 }
@@ -335,7 +336,8 @@ void bind_files(py::module_& module) {
           "step", [](const MeasuredMap& self) { return py::make_tuple(self.step_x_m, self.step_y_m); },
           "Between the points along x and y [m], as every function here takes it.")
       .def_readonly("plausibility", &MeasuredMap::plausibility, "A line on whether the map can be what one expects.")
-      .def_readonly("notes", &MeasuredMap::notes, "What is odd about the file.")
+      .def_readonly("notes", &MeasuredMap::notes,
+                    "What was chosen when the file was read, and why its heights may not be those of the surface.")
       .def_readonly("sha256", &MeasuredMap::sha256, "Digest of the file.")
       .def_readonly("format", &MeasuredMap::format, "Format of the file.")
       .def(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -16,7 +17,9 @@
 #include "ringfilm/instrument/formats/sdf_file.hpp"
 #include "ringfilm/instrument/formats/simple_field_file.hpp"
 #include "ringfilm/instrument/formats/x3p_file.hpp"
+#include "ringfilm/instrument/height_checks.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 
 namespace ringfilm::instrument {
@@ -37,8 +40,9 @@ InstrumentFile through_gwyddion(const std::string& path) {
   throw InputError(std::vector<Fault>{
       {{path, head.line, 1, head.words},
        "this line starts neither numbers nor columns of heights, and " + of_gwyddion.faults().front().message,
-       "text is read as a matrix of heights, as points x, y, z, or as a profile x, z. Write numbers alone, or name the "
-       "columns in the first line, for example: x [um],y [um],z [nm]; start any other line before them with #"}});
+       "text is read as a matrix of heights, as points x, y, z, or as a profile x, z. Write the heights of a matrix "
+       "alone, without numbers of rows, axes or counts, or name the columns in the first line, for example: "
+       "x [um],y [um],z [nm]; start any other line before them with #"}});
 }
 
 InstrumentFile text_through_gwyddion(const std::string& path, const TextHead& head) {
@@ -94,6 +98,12 @@ std::size_t chosen_channel(const InstrumentFile& file, const std::string& path, 
   return heights[0];
 }
 
+/// What is known of the reading besides the heights.
+struct Record {
+  std::vector<std::string>& notes;
+  std::vector<Doubt>& doubts;
+};
+
 /// The scale of a unit of length to metres.
 io::Scale length_scale(const std::string& path, const std::string& unit, const std::string& what,
                        const std::string& remedy, const io::Units& units) {
@@ -102,15 +112,28 @@ io::Scale length_scale(const std::string& path, const std::string& unit, const s
   return units.scale(unit, "m");
 }
 
+/// The user's unit in place of that of the file. Where both are lengths of one size the file is not contradicted.
+Doubt against_unit(const std::string& what, const std::string& stated, const std::string& taken) {
+  return {fmt::format("the file states {} in {}, and {} is used in its place, as the user states", what, stated, taken),
+          "omit the unit where the file is right", Doubt::Weight::kNote};
+}
+
+bool same_unit(const std::string& a, const std::string& b, const io::Units& units) {
+  return a == b ||
+         (is_length(a, units) && is_length(b, units) && units.scale(a, "m").to_si(1) == units.scale(b, "m").to_si(1));
+}
+
 io::Scale height_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
-                       const io::Units& units, std::vector<std::string>& notes) {
+                       const io::Units& units, Record& record) {
   const std::string& stated = values.channel.unit;
   if (options.height_unit) {
-    notes.push_back(
-        fmt::format("unit of heights: {} as the user states{}", *options.height_unit,
-                    stated.empty() || stated == *options.height_unit ? "" : ", although the file states " + stated));
-    return length_scale(path, *options.height_unit, "the stated unit of heights is",
-                        "give a length, for example " + options.names.height_unit, units);
+    const io::Scale scale = length_scale(path, *options.height_unit, "the stated unit of heights is",
+                                         "give a length, for example " + options.names.height_unit, units);
+    record.notes.push_back(fmt::format("unit of heights: {} as the user states", *options.height_unit));
+    if (!stated.empty() && !same_unit(stated, *options.height_unit, units)) {
+      record.doubts.push_back(against_unit("the heights", stated, *options.height_unit));
+    }
+    return scale;
   }
   if (stated.empty()) {
     refuse(path, fmt::format("the file does not state in which unit channel \"{}\" is", values.channel.name),
@@ -133,14 +156,28 @@ double length_of_user(const std::string& path, const std::string& text, const st
   }
 }
 
+/// Do the places count the points, 0, 1, 2 or 1, 2, 3?
+bool count_points(const std::vector<double>& places) {
+  if (places.size() < 3 || (places[0] != 0 && places[0] != 1)) return false;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i] != places[0] + static_cast<double>(i)) return false;
+  }
+  return true;
+}
+
 /// The scale of places and steps to metres.
 io::Scale lateral_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
-                        const io::Units& units, std::vector<std::string>& notes) {
+                        const io::Units& units, Record& record) {
   if (options.lateral_unit) {
-    notes.push_back(fmt::format("unit of x and y: {} as the user states{}", *options.lateral_unit,
-                                values.step_unit.empty() || values.step_unit == *options.lateral_unit
-                                    ? ""
-                                    : ", although the file states " + values.step_unit));
+    record.notes.push_back(fmt::format("unit of x and y: {} as the user states", *options.lateral_unit));
+    if (!values.step_unit.empty() && !same_unit(values.step_unit, *options.lateral_unit, units)) {
+      record.doubts.push_back(against_unit("x and y", values.step_unit, *options.lateral_unit));
+    } else if (values.step_unit.empty() && count_points(values.x)) {
+      record.doubts.push_back({fmt::format("x counts {:g}, {:g}, {:g} ... and was taken as places in {}", values.x[0],
+                                           values.x[1], values.x[2], *options.lateral_unit),
+                               "if it numbers the points, state their step, for example " + options.names.step_x,
+                               Doubt::Weight::kNote});
+    }
     return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
                         "give a length, for example " + options.names.lateral_unit, units);
   }
@@ -152,29 +189,50 @@ io::Scale lateral_scale(const std::string& path, const ChannelValues& values, co
                       units);
 }
 
+/// The step of places that are even, and a doubt where the user's step replaces places that are not.
+void set_step_of_places(ChannelValues& values, const SurfaceOptions& options, Record& record) {
+  if (values.x.empty()) return;
+  values.step_x = even_step(values.x);
+  if (values.step_x > 0 || !options.step_x) return;
+  record.doubts.push_back(
+      {fmt::format("the places of the file are not even, and steps of {} are used in their place, as "
+                   "the user states",
+                   *options.step_x),
+       "omit the step where the file is right", Doubt::Weight::kNote});
+}
+
 struct Steps {
   double x_m = 0;
   double y_m = 0;
 };
 
-/// What the file states about a step for which the user states another value.
-std::string against(double step, const ChannelValues& values) {
-  return step > 0 ? fmt::format("; the file states {:.6g} {}", step, values.step_unit) : "";
+constexpr double kSameStep = 1e-3;  // relative: files write steps with few digits
+
+/// The step that the user states. One that the file contradicts is a doubt.
+double stated_step(const std::string& path, const std::string& text, const char* axis, double of_file,
+                   const ChannelValues& values, const io::Units& units, Record& record) {
+  const double step_m = length_of_user(path, text, fmt::format("the step along {}", axis), units);
+  record.notes.push_back(fmt::format("step {}: {} as the user states", axis, text));
+  if (!(of_file > 0) || !is_length(values.step_unit, units)) return step_m;
+  if (std::abs(units.scale(values.step_unit, "m").to_si(of_file) / step_m - 1) > kSameStep) {
+    record.doubts.push_back(
+        {fmt::format("the file states a step along {} of {:.6g} {}, and {} is used in its place, as "
+                     "the user states",
+                     axis, of_file, values.step_unit, text),
+         "omit the step where the file is right", Doubt::Weight::kNote});
+  }
+  return step_m;
 }
 
 Steps steps_of(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
-               const io::Units& units, std::vector<std::string>& notes) {
+               const io::Units& units, Record& record) {
   const bool is_profile = values.channel.points_y == 1;
   Steps steps;
-  if (options.step_x) {
-    steps.x_m = length_of_user(path, *options.step_x, "the step along x", units);
-    notes.push_back(fmt::format("step x: {} as the user states{}", *options.step_x, against(values.step_x, values)));
-  }
+  if (options.step_x) steps.x_m = stated_step(path, *options.step_x, "x", values.step_x, values, units, record);
   if (options.step_y) {
-    steps.y_m = length_of_user(path, *options.step_y, "the step along y", units);
-    notes.push_back(fmt::format("step y: {} as the user states{}", *options.step_y, against(values.step_y, values)));
+    steps.y_m = stated_step(path, *options.step_y, "y", values.step_y, values, units, record);
   } else if (options.step_x) {
-    steps.y_m = steps.x_m;
+    steps.y_m = is_profile ? steps.x_m : stated_step(path, *options.step_x, "y", values.step_y, values, units, record);
   }
   const bool needs_x = steps.x_m == 0, needs_y = steps.y_m == 0 && !is_profile;
   if (needs_x || needs_y) {
@@ -187,7 +245,7 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
       refuse(path, "the file does not state the step between its points",
              "state it, for example " + options.names.step_x);
     }
-    const io::Scale scale = lateral_scale(path, values, options, units, notes);
+    const io::Scale scale = lateral_scale(path, values, options, units, record);
     if (needs_x) steps.x_m = scale.to_si(values.step_x);
     if (needs_y) steps.y_m = scale.to_si(values.step_y);
   }
@@ -210,7 +268,7 @@ void turn_column(ChannelValues& values) {
 
 void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale, const OptionNames& names) {
   double largest = 0;
-  bool any = false;
+  std::optional<std::size_t> highest;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
     if (!values.missing.empty() && values.missing[i] != 0) continue;
     values.value[i] = scale.to_si(values.value[i]);
@@ -218,13 +276,16 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
       refuse(path, fmt::format("point {}: a height is not a finite number", i + 1),
              "the heights are damaged, or their byte order is not the one of the format");
     }
+    if (!highest || std::abs(values.value[i]) > largest) highest = i;
     largest = std::max(largest, std::abs(values.value[i]));
-    any = true;
   }
-  if (!any) refuse(path, "no point was measured: all are missing", "is it the right file or channel?");
+  if (!highest) refuse(path, "no point was measured: all are missing", "is it the right file or channel?");
   if (largest > kHighest_m) {
-    refuse(path, fmt::format("the largest height is {:.4g} m, over {} m", largest, kHighest_m),
-           fmt::format("the unit is wrong (state it: {}), or the heights are damaged or in another byte order",
+    refuse(path,
+           fmt::format("the largest height is {:.4g} m, over {} m, in row {}, column {}", largest, kHighest_m,
+                       *highest / values.channel.points_x + 1, *highest % values.channel.points_x + 1),
+           fmt::format("the unit is wrong (state it: {}), the value marks a point without a height (write nan in its "
+                       "place), or the heights are damaged or in another byte order",
                        names.height_unit));
   }
 }
@@ -232,6 +293,10 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
 struct Loaded {
   ChannelValues values;  ///< heights in metres
   SurfaceOrigin origin;
+  HeightUnit unit;  ///< of the heights in the file
+  std::vector<Doubt> doubts;
+
+  Record record() { return {origin.notes, doubts}; }
 };
 
 Loaded load(const std::string& path, const SurfaceOptions& options, const io::Units& units) {
@@ -250,10 +315,32 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
   loaded.values = file.values(index);
   turn_column(loaded.values);
   origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
-  const io::Scale scale = height_scale(path, loaded.values, options, units, origin.notes);
+  loaded.doubts = loaded.values.doubts;
+  Record record = loaded.record();
+  const io::Scale scale = height_scale(path, loaded.values, options, units, record);
+  loaded.unit = {options.height_unit.value_or(loaded.values.channel.unit), scale.to_si(1)};
   scale_heights(path, loaded.values, scale, options.names);
   origin.sha256 = io::file_sha256(path);
   return loaded;
+}
+
+bool is_refusal(const Doubt& doubt) { return doubt.weight == Doubt::Weight::kRefusal; }
+
+/// Adds the doubts about the heights to those of the reading. Without a refusal all of them are notes; with one the
+/// file is refused for it, with what is doubtful in the reading.
+void check_heights(const surface::HeightMap& map, Loaded& loaded) {
+  std::vector<Doubt> doubts = loaded.doubts;
+  if (std::none_of(doubts.begin(), doubts.end(), is_refusal)) {  // else the heights are not those of the file
+    const std::vector<Doubt> found = height_doubts(map, loaded.unit);
+    const bool is_refused = std::any_of(found.begin(), found.end(), is_refusal);
+    std::copy_if(found.begin(), found.end(), std::back_inserter(doubts),
+                 [is_refused](const Doubt& doubt) { return !is_refused || is_refusal(doubt); });
+  }
+  for (const Doubt& doubt : doubts) loaded.origin.doubts.push_back(doubt.message + "; " + doubt.remedy);
+  if (std::none_of(doubts.begin(), doubts.end(), is_refusal)) return;
+  std::vector<Fault> faults;
+  for (const Doubt& doubt : doubts) faults.push_back({{loaded.origin.path, 0, 0, ""}, doubt.message, doubt.remedy});
+  throw InputError(faults);
 }
 
 std::string shown_length(double length_m) {
@@ -275,6 +362,9 @@ InstrumentFile open_instrument_file(const std::string& path, TableLayout layout)
   if (starts_with(*bytes, "DIGITAL SURF") || starts_with(*bytes, "DSCOMPRESSED")) return read_digital_surf(path, bytes);
   if (starts_with(*bytes, "Gwyddion Simple Field 1.0")) return read_simple_field(path, bytes);
   if (starts_with(*bytes, "GWYP")) return read_gwy(path, bytes);
+  if (std::optional<std::string> text = from_utf16(*bytes)) {
+    bytes = std::make_shared<const std::string>(std::move(*text));
+  }
   const TextHead head = text_head(*bytes);
   if (layout != TableLayout::kByContent || head.kind == TextKind::kTable) {
     return read_height_table(path, *bytes, layout);
@@ -286,16 +376,14 @@ InstrumentFile open_instrument_file(const std::string& path, TableLayout layout)
 SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units) {
   Loaded loaded = load(path, options, units);
   ChannelValues& values = loaded.values;
-  if (!values.x.empty() && !options.step_x) {
-    values.step_x = even_step(values.x);
-    if (values.step_x == 0) {
-      refuse(path, "the places of the profile are not even, and a map requires even steps",
-             "resample it in the program that wrote it");
-    }
+  Record record = loaded.record();
+  set_step_of_places(values, options, record);
+  if (!values.x.empty() && values.step_x == 0 && !options.step_x) {
+    refuse(path, "the places of the profile are not even, and a map requires even steps",
+           "resample it in the program that wrote it");
   }
-  const Steps steps = steps_of(path, values, options, units, loaded.origin.notes);
+  const Steps steps = steps_of(path, values, options, units, record);
   SurfaceFile result;
-  result.origin = std::move(loaded.origin);
   surface::HeightMap& map = result.map;
   map.points_x = values.channel.points_x;
   map.points_y = values.channel.points_y;
@@ -307,6 +395,8 @@ SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& opt
     if (map.missing[i] != 0) map.height_m[i] = 0;
   }
   result.plausibility_line = plausibility_line(map);
+  check_heights(map, loaded);
+  result.origin = std::move(loaded.origin);
   return result;
 }
 
@@ -320,10 +410,12 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
   TraceFile result;
   io::Scale scale;
   double step_m = 0;
+  Record record = loaded.record();
+  set_step_of_places(values, options, record);
   if (values.x.empty() || options.step_x) {
-    step_m = steps_of(path, values, options, units, loaded.origin.notes).x_m;
+    step_m = steps_of(path, values, options, units, record).x_m;
   } else {
-    scale = lateral_scale(path, values, options, units, loaded.origin.notes);
+    scale = lateral_scale(path, values, options, units, record);
   }
   surface::HeightMap map;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
@@ -338,6 +430,7 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
   map.height_m = std::move(values.value);
   map.missing = std::move(values.missing);
   result.plausibility_line = plausibility_line(map);
+  check_heights(map, loaded);
   result.origin = std::move(loaded.origin);
   return result;
 }

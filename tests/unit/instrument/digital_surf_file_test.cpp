@@ -44,8 +44,14 @@ TEST(DigitalSurf, PointsTwoBelowTheSmallestAreMissing) {
   EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 1, 0, 0, 0, 1}));
   EXPECT_EQ(file.map.height_m[1], 0);
   EXPECT_THAT(file.plausibility_line, HasSubstr("33.3 % missing"));
+  EXPECT_TRUE(file.origin.doubts.empty());
   sur.special_points = 0;
   EXPECT_TRUE(read_bytes("a.sur", sur.bytes()).map.missing.empty());
+  EXPECT_THAT(read_bytes("a.sur", sur.bytes()).origin.doubts,
+              testing::ElementsAre(HasSubstr("2 points hold 8, two below the smallest height of the header, the first "
+                                             "of them in row 1, column 2")));
+  sur.smallest = 0;  // not two below anything
+  EXPECT_TRUE(read_bytes("a.sur", sur.bytes()).origin.doubts.empty());
 }
 
 TEST(DigitalSurf, ACommentIsSkippedAndLatinUnitsAreRead) {

@@ -1,10 +1,13 @@
 #include "ringfilm/instrument/formats/height_table_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "ringfilm/base/number_text.hpp"
 #include "written_files.hpp"
 
 namespace ringfilm::instrument {
@@ -71,7 +74,7 @@ TEST(HeightTable, RowsThatDoNotFillTheStatedHeightAreNoted) {
   const auto notes = [](const std::string& height, int rows) {
     std::string text = "# Width: 1.00 \u00B5m\n# Height: " + height + " \u00B5m\n# Value units: m\n";
     for (int row = 0; row < rows; ++row) text += "1e-9 2e-9 4e-9 3e-9 5e-9 7e-9\n";
-    return read_bytes("a.txt", text).origin.notes;
+    return read_bytes("a.txt", text).origin.doubts;
   };
   const auto uneven = HasSubstr("give steps of 0.166667 and 0.2");
   EXPECT_THAT(notes("1.00", 5), testing::Contains(uneven));
@@ -89,8 +92,8 @@ TEST(HeightTable, WidthAndHeightInDifferentUnitsGiveBothSteps) {
   EXPECT_DOUBLE_EQ(file.map.step_x_m, 2.5e-6);
   EXPECT_DOUBLE_EQ(file.map.step_y_m, 5e-3);
   // Equal steps in two units are not noted as uneven: 1.00 um / 4 and 0.00050 mm / 2.
-  EXPECT_TRUE(read_bytes("a.txt", "# Width: 1.00 um\n# Height: 0.00050 mm\n" + heights).origin.notes.empty());
-  EXPECT_FALSE(read_bytes("a.txt", "# Width: 1.00 um\n# Height: 0.00060 mm\n" + heights).origin.notes.empty());
+  EXPECT_TRUE(read_bytes("a.txt", "# Width: 1.00 um\n# Height: 0.00050 mm\n" + heights).origin.doubts.empty());
+  EXPECT_FALSE(read_bytes("a.txt", "# Width: 1.00 um\n# Height: 0.00060 mm\n" + heights).origin.doubts.empty());
   // A scan over time has one length only.
   EXPECT_THAT(refusal("a.txt", "# Width: 10 um\n# Height: 10 s\n" + heights), HasSubstr("--step-x"));
 }
@@ -189,6 +192,13 @@ TEST(HeightTable, PlacesRoundedToFewDigitsStillLieOnTheGrid) {
 }
 
 TEST(HeightTable, PointsOffTheGridAreRefused) {
+  std::string turned;  // by 2 degree
+  for (int i = 0; i < 48; ++i) {
+    const double x = i % 8, y = static_cast<double>(i / 8);
+    turned += fmt::format("{:.6f} {:.6f} {}\n", x - 0.0349 * y, y + 0.0349 * x, std::sin(i * i));
+  }
+  EXPECT_THAT(refusal("a.xyz", turned, with("um", "um")),
+              testing::AllOf(HasSubstr("off the grid"), HasSubstr("turned")));
   EXPECT_THAT(refusal("a.xyz", "0 0 1\n1 0 2\n0 1 3\n1.3 1 4\n", with("um", "mm")), HasSubstr("off the grid"));
   EXPECT_THAT(refusal("a.xyz", "0 0 1\n1 0 2\n0 1 3\n0 1 4\n", with("um", "mm")),
               HasSubstr("point 4: a second height"));
@@ -202,6 +212,191 @@ TEST(HeightTable, ProfilesKeepTheirPlaces) {
   EXPECT_DOUBLE_EQ(file.trace.x_m[2], 4e-4);
   EXPECT_DOUBLE_EQ(file.trace.height_m[0], 1.5e-6);
   EXPECT_THAT(refusal("a.csv", "x [mm],z [um]\n0,1\n1,2\n1,3\n"), HasSubstr("a.csv:4:1: x falls or repeats"));
+}
+
+TEST(HeightTable, AProfileWhosePlacesFallIsTurnedAbout) {
+  const SurfaceFile file = read_bytes("a.csv", "x [mm],z [um]\n2,1\n1,\n0,3\n");
+  EXPECT_DOUBLE_EQ(file.map.height_m[0], 3e-6);
+  EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 1, 0}));
+  EXPECT_THAT(file.origin.notes, testing::Contains(HasSubstr("the profile was turned about")));
+  EXPECT_THAT(refusal("a.csv", "x [mm],z [um]\n2,1\n1,2\n3,3\n"),
+              HasSubstr("a.csv:4:1: x rises or repeats: 3 after 1"));
+  // A line of length and count in front of places and heights.
+  EXPECT_THAT(refusal("a.csv", "10,4\n0,1\n1,2\n2,1\n", with("um", "um")),
+              HasSubstr("if the first line is not part of the profile, start it with #"));
+}
+
+TEST(HeightTable, TextOfTwoBytesALetter) {
+  const std::string text = "x [\u00B5m],z [\u00B5m]\n0,1\n1,2\n2,4\n";
+  for (const bool high_first : {false, true}) {
+    handmade::Bytes bytes(high_first);
+    bytes.i16(0xFEFF);
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const auto letter = static_cast<unsigned char>(text[i]);
+      bytes.i16(letter == 0xC2 ? static_cast<unsigned char>(text[++i]) : letter);  // of Latin-1
+    }
+    EXPECT_DOUBLE_EQ(read_bytes("a.csv", bytes).map.height_m[2], 4e-6) << high_first;
+  }
+}
+
+/// 8 x 6 heights, none of which is like another.
+std::string eight_by_six(double factor = 1, const std::string& separator = "\t") {
+  std::string text;
+  for (int i = 0; i < 48; ++i) {
+    text += number_text(factor * std::sin(0.7 * i * i + 0.2)) + (i % 8 == 7 ? "\n" : separator);
+  }
+  return text;
+}
+
+TEST(HeightTable, ImagesThatFollowEachOtherAreChannels) {
+  const auto image = [](const std::string& name, const std::string& unit, double factor) {
+    return "# Channel: " + name + "\n# Width: 8.000 \u00B5m\n# Height: 6.000 \u00B5m\n# Value units: " + unit + "\n" +
+           eight_by_six(factor);
+  };
+  const std::string two = image("Height", "m", 1e-7) + "\n" + image("Height (back)", "m", 2e-7);
+  EXPECT_THAT(refusal("a.txt", two), HasSubstr("2: Height (back) [m], 8 x 6 points"));
+  SurfaceOptions options;
+  for (const char* channel : {"1", "2"}) {
+    options.channel = channel;
+    const SurfaceFile file = read_bytes("a.txt", two, options);
+    ASSERT_EQ(file.map.points_x, 8u);
+    ASSERT_EQ(file.map.points_y, 6u);
+    EXPECT_DOUBLE_EQ(file.map.step_y_m, 1e-6);
+    EXPECT_NEAR(file.map.height_m[0], (channel[0] == '1' ? 1e-7 : 2e-7) * std::sin(0.2), 1e-13);
+    EXPECT_THAT(file.origin.doubts, testing::IsEmpty());
+  }
+  // The only one that holds heights is taken; comments behind the last row are no other image.
+  const SurfaceFile file =
+      read_bytes("a.txt", image("Phase", "deg", 1) + image("Height", "m", 1e-7) + "# Channel: end\n");
+  EXPECT_EQ(file.origin.channel_number, 2u);
+  EXPECT_EQ(file.origin.channels.size(), 2u);
+}
+
+TEST(HeightTable, RowsThatABlankLinePartsAreDoubted) {
+  const std::string rows = eight_by_six();
+  const SurfaceOptions options = with("um", nullptr, "5 um");
+  EXPECT_THAT(read_bytes("a.txt", "\n" + rows + "\n", options).origin.doubts, testing::IsEmpty());
+  EXPECT_THAT(read_bytes("a.txt", rows + "\n" + eight_by_six(2), options).origin.doubts,
+              testing::ElementsAre(HasSubstr("the blank line 7 parts rows")));
+}
+
+TEST(HeightTable, TheCommentsOfGwyddionInOtherLanguages) {
+  for (const char* head :
+       {"# Kanal: Topographie\n# Breite: 8,00 \u00B5m\n# H\u00F6he: 6,00 \u00B5m\n# Werteinheiten: nm\n",
+        "# Canal: Hauteur\n# Largeur: 8.00 \u00B5m\n# Hauteur: 6.00 \u00B5m\n# Unit\u00E9s: nm\n"}) {
+    const SurfaceFile file = read_bytes("a.txt", head + eight_by_six(100));
+    EXPECT_DOUBLE_EQ(file.map.step_x_m, 1e-6) << head;
+    EXPECT_DOUBLE_EQ(file.map.step_y_m, 1e-6) << head;
+    EXPECT_NEAR(file.map.height_m[0], 1e-7 * std::sin(0.2), 1e-12) << head;
+  }
+}
+
+TEST(HeightTable, TheCommentsOfSpip) {
+  const std::string head =
+      "# File Format = ASCII\n# x-pixels = 8\n# y-pixels = 6\n# x-length = 8000\n# y-length = 6000\n";
+  SurfaceFile file = read_bytes("a.asc", head + "# z-unit = nm\n# Start of Data:\n" + eight_by_six(100));
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 1e-6);
+  EXPECT_NEAR(file.map.height_m[0], 1e-7 * std::sin(0.2), 1e-12);
+  SurfaceOptions options;
+  for (const bool is_stated : {false, true}) {  // the natural answer to a missing unit changes nothing
+    if (is_stated) options.height_unit = "nm";
+    file = read_bytes("a.asc", head + "# Bit2nm = 0.5\n" + eight_by_six(200), options);
+    EXPECT_NEAR(file.map.height_m[0], 1e-7 * std::sin(0.2), 1e-12);
+    EXPECT_THAT(file.origin.doubts, testing::IsEmpty());
+    EXPECT_THAT(file.origin.notes, testing::Contains(HasSubstr("Bit2nm = 0.5")));
+  }
+  file = read_bytes("a.asc", head + "# Bit2nm = 0.5\n# z-unit = nm\n" + eight_by_six(100));
+  EXPECT_THAT(file.origin.doubts, testing::ElementsAre(HasSubstr("line 6 states Bit2nm = 0.5, which was not used")));
+  file = read_bytes("a.asc", head + "# z-unit = nm\n" + eight_by_six(100) + "10\t2\t31\t4\t25\t6\t17\t8\n");
+  EXPECT_THAT(file.origin.doubts,
+              testing::Contains(HasSubstr("the comments state 8 x 6 points, and the file has 8 x 7")));
+}
+
+TEST(HeightTable, SpreadsheetsAndMatlab) {
+  const SurfaceOptions options = with("um", nullptr, "5 um");
+  const double first = 1e-6 * std::sin(0.2), tolerance = 1e-11;
+  std::string quoted = eight_by_six(1, "\",\"");
+  for (std::size_t i = 0; (i = quoted.find('\n', i)) != std::string::npos; i += 3) quoted.replace(i, 1, "\"\n\"");
+  quoted = "\"" + quoted.substr(0, quoted.size() - 1);
+  for (const std::string& text : {quoted, "sep=;\n" + eight_by_six(1, ";"), "% exported\n" + eight_by_six(1, " ")}) {
+    const SurfaceFile file = read_bytes("a.csv", text, options);
+    ASSERT_EQ(file.map.points_x, 8u) << text;
+    ASSERT_EQ(file.map.points_y, 6u) << text;
+    EXPECT_NEAR(file.map.height_m[0], first, tolerance) << text;
+  }
+  EXPECT_EQ(read_bytes("a.csv", "No Data,1,2,3\n4,5,---,7\n", options).map.missing,
+            (std::vector<std::uint8_t>{1, 0, 0, 0, 0, 0, 1, 0}));
+}
+
+TEST(HeightTable, CountsInFrontOfTheHeightsAreRefused) {
+  std::string heights;
+  for (int i = 0; i < 48; ++i) heights += number_text(std::sin(0.7 * i * i)) + "\n";
+  EXPECT_THAT(refusal("a.txt", "10.0\n48\n" + heights, with("um", nullptr, "2.5 um")),
+              testing::AllOf(HasSubstr("the first 2 values, 10, 48"), HasSubstr("start their lines with #")));
+  EXPECT_EQ(read_bytes("a.txt", "# 10.0\n# 48\n" + heights, with("um", nullptr, "2.5 um")).map.points_x, 48u);
+  EXPECT_THAT(
+      refusal("a.txt", "8 6\n" + eight_by_six(1, " "), with("um", nullptr, "5 um")),
+      testing::AllOf(HasSubstr("the row has 8 values, and 2 are required"), HasSubstr("one of counts, with #")));
+  std::string points;
+  for (int i = 0; i < 48; ++i) points += fmt::format("{} {} {}\n", i % 8, i / 8, std::sin(0.7 * i * i));
+  EXPECT_THAT(refusal("a.xyz", "8 6 48\n" + points, with("um", "mm")),
+              testing::AllOf(HasSubstr("the first point, 8, 6, 48, counts the 48 points"), HasSubstr("with #")));
+  EXPECT_THAT(refusal("a.xyz", "8 6 1\n" + points, with("um", "mm")), HasSubstr("counts the 48 points"));
+  EXPECT_EQ(refusal("a.xyz", points, with("um", "mm")), "");
+}
+
+TEST(HeightTable, PointsWithFurtherColumnsAreNotAMatrix) {
+  std::string numbered, normals;
+  for (int i = 0; i < 48; ++i) {
+    const std::string point = fmt::format("{} {} {}", i % 8, i / 8, std::sin(0.7 * i * i));
+    numbered += fmt::format("{} {}\n", i, point);
+    normals += point + " 0 0 1\n";
+  }
+  const SurfaceOptions options = with("um", "um", "1 um");
+  EXPECT_THAT(refusal("a.txt", normals, options), HasSubstr("columns 1 and 2 of 6 are the places of points"));
+  EXPECT_THAT(refusal("a.txt", numbered, options), HasSubstr("columns 2 and 3 of 4 are the places of points"));
+  const SurfaceFile file = read_bytes("a.txt", "id x y z\n" + numbered, with("um", "mm"));
+  ASSERT_EQ(file.map.points_x, 8u);
+  ASSERT_EQ(file.map.points_y, 6u);
+}
+
+TEST(HeightTable, PlacesOfFewDigits) {
+  const auto points = [](double step, const char* format) {
+    std::string text = "x [mm],y [mm],z [um]\n";
+    for (int i = 0; i < 64 * 20; ++i) {
+      const int column = i % 64, row = i / 64;
+      if (column == 30) continue;  // a column that was not measured
+      text += fmt::format(fmt::runtime(format), step * column, step * row, std::sin(0.7 * i * i));
+    }
+    return text;
+  };
+  const SurfaceFile file = read_bytes("a.csv", points(0.00083, "{:.4f},{:.4f},{:.4f}\n"));
+  ASSERT_EQ(file.map.points_x, 64u);
+  ASSERT_EQ(file.map.points_y, 20u);
+  EXPECT_NEAR(file.map.step_x_m, 0.83e-6, 0.1e-6 / 63);  // one digit over 63 steps
+  EXPECT_FALSE(file.map.measured(30));
+  EXPECT_EQ(measured_points(file.map), 63u * 20u);
+  // With one digit fewer neighbours share a place.
+  EXPECT_THAT(refusal("a.csv", points(0.00083, "{:.3f},{:.3f},{:.4f}\n")), HasSubstr("a second height"));
+}
+
+TEST(HeightTable, StepsOfOneOrTwoDigitsAreOneStep) {
+  const auto points = [](const auto& is_measured) {
+    std::string text = "x [um],y [um],z [um]\n";
+    for (int i = 0; i < 64 * 20; ++i) {
+      if (!is_measured(i % 64)) continue;
+      text += fmt::format("{:.0f},{:.0f},{:.4f}\n", 1.66 * (i % 64), 1.66 * (i / 64), std::sin(0.7 * i * i));
+    }
+    return text;
+  };
+  const SurfaceFile file = read_bytes("a.csv", points([](int) { return true; }));
+  ASSERT_EQ(file.map.points_x, 64u);
+  ASSERT_EQ(file.map.points_y, 20u);
+  EXPECT_NEAR(file.map.step_x_m, 1.66e-6, 1e-6 / 63);
+  EXPECT_THAT(file.origin.doubts, testing::IsEmpty());
+  // With columns that are missing nobody can tell: the grid of whole digits has empty columns, which is noted.
+  EXPECT_THAT(read_bytes("a.csv", points([](int column) { return column < 20 || column > 24; })).origin.doubts,
+              testing::Contains(HasSubstr("columns of the grid have no point")));
 }
 
 TEST(HeightTable, FaultsNameLineAndColumn) {

@@ -61,6 +61,23 @@ TEST(X3p, HeightsOfTheOtherTypes) {
   }
 }
 
+TEST(X3p, AnIncrementOfFloatingPointHeightsIsDoubted) {
+  X3p x3p = of_type('D', {1, 2, 3, 4, 5, 6});
+  x3p.axis_z = "<AxisType>A</AxisType><DataType>D</DataType><Increment>1e-6</Increment><Offset/>";
+  const SurfaceFile file = read_bytes("a.x3p", x3p_archive(x3p));
+  EXPECT_DOUBLE_EQ(file.map.height_m[4], 5e-6);
+  EXPECT_THAT(file.origin.doubts, testing::ElementsAre(HasSubstr("main.xml, CZ/Increment: heights of type D")));
+  EXPECT_TRUE(read_bytes("a.x3p", x3p_archive(of_type('I', {1, 2, 3, 4, 5, 6}))).origin.doubts.empty());
+}
+
+TEST(X3p, LinksAsWindowsWritesThem) {
+  for (const char* link : {"bindata\\data.bin", "./bindata/data.bin"}) {
+    X3p x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+    x3p.data = std::string("<DataLink><PointDataLink>") + link + "</PointDataLink></DataLink>";
+    EXPECT_EQ(refusal("a.x3p", x3p_archive(x3p)), "") << link;
+  }
+}
+
 TEST(X3p, TheMaskOfValidPoints) {
   X3p x3p = of_type('I', {1, 2, 3, 4, 5, 6});
   x3p.data = kMask;

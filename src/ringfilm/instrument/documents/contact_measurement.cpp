@@ -382,6 +382,8 @@ io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile*
                                     const ContactAnalysis& analysis) {
   io::Measurement all;
   all.kind = io::kContactLawKind;
+  add_doubts(&first, all.notes);
+  add_doubts(second, all.notes);
   const PreparedPair prepared = prepared_pair(first, second, analysis, all.notes);
   const surface::SurfacePair& pair = prepared.pair;
   all.title = "Contact law of " + file_name(first.origin.path) + " with " +

@@ -345,8 +345,10 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
 }
 
 std::vector<std::string> heading_lines(const TraceFile& file, const FaceRule& rule) {
-  return {"Face of a ring from " + file.origin.path + " (SHA-256 " + file.origin.sha256 + ")",
-          "ring.face_width is " + millimetres(rule.width_m)};
+  std::vector<std::string> lines = {"Face of a ring from " + file.origin.path + " (SHA-256 " + file.origin.sha256 + ")",
+                                    "ring.face_width is " + millimetres(rule.width_m)};
+  for (const std::string& doubt : file.origin.doubts) lines.push_back("note: " + doubt);
+  return lines;
 }
 
 }  // namespace
@@ -360,7 +362,8 @@ io::Measurement face_measurement(const TraceFile& file, const FaceRule& rule, co
   all.sources = source_lines(file);
   all.statements = statement_lines(rule, fit);
   const std::optional<OtherTilts> tilts = other_tilts(file.trace, rule, fit);
-  all.notes = note_lines(rule, fit, tilts);
+  all.notes = file.origin.doubts;
+  for (std::string& note : note_lines(rule, fit, tilts)) all.notes.push_back(std::move(note));
   all.key_values = {"running_surface_width", "polynomial_residual_rms", "noise"};
   all.groups = {face_group(rule, fit, tilts), polynomial_group(rule, fit), spline_group(fit), coefficient_group(fit)};
   if (!fit.invented.empty()) all.tables.push_back(invention_table(fit));

@@ -129,6 +129,7 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   };
   add_notes(ring, ring_files);
   add_notes(liner, liner_files);
+  add_doubts(flat, all.notes);
   bool same_steps = true;
   for (const Side* side : {&ring, &liner}) {
     for (const PreparedSurface& surface : side->surfaces) {
@@ -179,6 +180,10 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   for (const Side* side : {&ring, &liner}) {
     for (std::string& line : digest_lines(*side)) heading.push_back(std::move(line));
   }
+  for (const auto* files : {&ring_files, &liner_files}) {
+    for (const SurfaceFile& file : *files) add_doubts(&file, heading, "note: ");
+  }
+  add_doubts(flat, heading, "note: ");
   io::PairOfSurfaces pair = pair_for_case(ring, liner, analysis, scatter, flat);
   if (summits) pair.hardness = analysis.hardness;
   all.fragment = contact_fragment(pair, heading);

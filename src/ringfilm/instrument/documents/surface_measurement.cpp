@@ -160,6 +160,7 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     all.statements.push_back("moments of the flat " + flat->origin.path + " removed m0, m2 and m4 of N and beta");
   }
   all.notes = surface_notes(file, surface, analysis);
+  add_doubts(flat, all.notes);
 
   // A map that is too small, flat or empty for one of them still has the others.
   const auto attempt = [&](const char* what, const auto& add) {
@@ -229,6 +230,7 @@ io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, cons
     }
     unlike = unlike || measured_with(surface) != measured_with(side.surfaces.front());
   }
+  add_doubts(flat, all.notes);
   if (unlike) all.notes.push_back("the files have different steps: their m4, N and beta do not belong together");
   if (parameters.size() < kEnoughForScatter) all.notes.push_back(few_samples_note(parameters.size()));
   all.statements = analysis_lines(side.surfaces.front(), analysis);

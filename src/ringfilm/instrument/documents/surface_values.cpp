@@ -116,9 +116,16 @@ std::vector<std::string> analysis_lines(const PreparedSurface& surface, const Su
   return lines;
 }
 
+void add_doubts(const SurfaceFile* file, std::vector<std::string>& lines, const std::string& before) {
+  if (file == nullptr) return;
+  for (const std::string& doubt : file->origin.doubts) {
+    lines.push_back(before + file_name(file->origin.path) + ": " + doubt);
+  }
+}
+
 std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = file.origin.doubts;
   const auto kind = analysis.preparation.form.kind;
   if (kind == surface::FormKind::none || kind == surface::FormKind::mean) {
     if (auto note = tilt_note(file.map)) notes.push_back(std::move(*note));

@@ -38,7 +38,12 @@ std::string moment_text(const PreparedSurface& surface, const SurfaceAnalysis& a
 /// Form, filters, rules, in their order.
 std::vector<std::string> analysis_lines(const PreparedSurface& surface, const SurfaceAnalysis& analysis);
 
-/// What is odd about a surface or how it was measured: tilt left in, steps that differ, missing points.
+/// Adds the doubts about a file as lines that name it. @param file nullptr: none @param before what each line starts
+/// with
+void add_doubts(const SurfaceFile* file, std::vector<std::string>& lines, const std::string& before = "");
+
+/// What is odd about a surface or how it was measured: doubts about its file, tilt left in, steps that differ, missing
+/// points.
 std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSurface& surface,
                                        const SurfaceAnalysis& analysis);
 

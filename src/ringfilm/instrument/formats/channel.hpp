@@ -14,6 +14,15 @@ inline constexpr std::size_t kMostPoints = std::size_t{1} << 27;
 /// No file may be larger [byte].
 inline constexpr std::size_t kLargestInstrumentFile = std::size_t{1} << 30;
 
+/// A reason to doubt that the heights are those of the surface, as they were read.
+struct Doubt {
+  /// Is the user informed, or is the file refused?
+  enum class Weight { kNote, kRefusal };
+  std::string message;            ///< place, value and rule
+  std::string remedy;             ///< next step
+  Weight weight = Weight::kNote;  ///< kRefusal: the result would certainly not be a surface
+};
+
 /// What a file states about one of its maps before the values are read.
 struct Channel {
   std::string name;  ///< as the file writes it; may be empty
@@ -32,7 +41,8 @@ struct ChannelValues {
   std::vector<double> x;              ///< [step_unit] places of a profile that need not be even; else empty
   std::vector<double> value;          ///< points_x * points_y [channel.unit]; 0 where missing
   std::vector<std::uint8_t> missing;  ///< 1 where nothing was measured; empty if every point was
-  std::vector<std::string> notes;     ///< what a user should consider about the values
+  std::vector<std::string> notes;     ///< for the record: how the values were read
+  std::vector<Doubt> doubts;          ///< what may be wrong with them, as far as the reader can judge
 };
 
 /// A file whose header was read and found valid. The values come when asked for, one channel at a time.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
@@ -68,29 +69,27 @@ struct Header {
   Mirror mirror = Mirror::kNone;
 };
 
+/// Kinds of objects from 3 on, as Digital Surf numbers them.
+constexpr const char* kKinds[] = {"a binary image",
+                                  "a series of profiles",
+                                  "a series of surfaces",
+                                  "a meridian disc",
+                                  "a profile of several layers",
+                                  "a surface of several layers",
+                                  "a parallel disc",
+                                  "an intensity image",
+                                  "a surface with an intensity image",
+                                  "an image in colours",
+                                  "a surface in colours",
+                                  "a force curve",
+                                  "a series of force curves",
+                                  "a surface with an image in colours",
+                                  "a contour profile",
+                                  "a series of images in colours"};
+
 std::string kind_words(int type) {
-  switch (type) {
-    case 3:
-      return "a binary image";
-    case 4:
-      return "a series of profiles";
-    case 5:
-      return "a series of surfaces";
-    case 6:
-      return "a grey image";
-    case 7:
-      return "a surface of several layers";
-    case 8:
-      return "a parametric profile";
-    case 9:
-      return "a set of images";
-    case 10:
-      return "an image in colours";
-    case 11:
-      return "a series of images in colours";
-    default:
-      return "an object of unknown kind";
-  }
+  const auto place = static_cast<std::size_t>(type - 3);
+  return type >= 3 && place < std::size(kKinds) ? kKinds[place] : "an object of unknown kind";
 }
 
 Header read_header(const BinaryReader& in) {
@@ -202,15 +201,41 @@ void apply_mirror(Mirror mirror, ChannelValues& values) {
       "the header states that the surface is inverted; its heights were turned back about their mean");
 }
 
+/// Heights two below the smallest one of the header mark missing points, and the header reports none.
+/// @param whole one height as stored, by its number
+template <class Whole>
+void doubt_unreported(const Header& header, const Whole& whole, ChannelValues& values) {
+  std::size_t count = 0, first = 0;
+  for (std::size_t i = values.value.size(); i-- > 0;) {
+    const std::int64_t height = whole(i);
+    if (height == header.missing_value) {
+      first = i;
+      ++count;
+    } else if (height < header.missing_value + 2) {
+      return;  // the header does not state the range of these heights
+    }
+  }
+  if (count == 0) return;
+  values.doubts.push_back(
+      {fmt::format("{} hold{} {}, two below the smallest height of the header, the first of them in row {}, column {}: "
+                   "the mark of missing points, which the header does not report",
+                   count == 1 ? "1 point" : fmt::format("{} points", count), count == 1 ? "s" : "",
+                   header.missing_value, first / header.points_x + 1, first % header.points_x + 1),
+       "they were read as heights; mask them in the program that wrote the file", Doubt::Weight::kNote});
+}
+
 template <class Whole>
 void read_heights(const BinaryReader& in, const Header& header, ChannelValues& values) {
   const std::size_t points = header.points_x * header.points_y;
   const char* raw = in.at(header.data, points * sizeof(Whole), "the map").data();
+  const auto whole = [raw, order = in.order()](std::size_t i) {
+    return number_at<Whole>(raw + i * sizeof(Whole), order);
+  };
   values.value.resize(points);
   if (header.has_missing) values.missing.assign(points, 0);
   bool any_missing = false;
   for (std::size_t i = 0; i < points; ++i) {
-    const Whole height = number_at<Whole>(raw + i * sizeof(Whole), in.order());
+    const Whole height = whole(i);
     if (header.has_missing && height == header.missing_value) {
       values.missing[i] = 1;
       any_missing = true;
@@ -219,6 +244,7 @@ void read_heights(const BinaryReader& in, const Header& header, ChannelValues& v
     }
   }
   if (!any_missing) values.missing.clear();
+  if (!header.has_missing) doubt_unreported(header, whole, values);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -11,138 +10,24 @@
 #include <string_view>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/height_checks.hpp"
 #include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/instrument/table/table_comments.hpp"
+#include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/text/csv_file.hpp"
-#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::instrument {
 namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSniffed = 65536;
+constexpr std::size_t kMostHeadColumns = 3;   // of a matrix whose first values may be counts
+constexpr std::size_t kMostPointColumns = 8;  // of points with normals, colours or numbers
+constexpr std::size_t kMinListedPoints = 12;  // below, small whole numbers fill a grid by chance
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-
-std::string_view stripped(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
-bool is_missing_word(std::string_view cell) {
-  if (cell.empty()) return true;
-  if (cell.size() > 4) return false;
-  const std::string word = lower(cell);
-  return word == "nan" || word == "bad" || word == "-nan";
-}
-
-/// The number of a cell; nothing if it is not a number.
-std::optional<double> number_of(std::string_view cell, bool decimal_commas) {
-  if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
-  char turned[64];
-  if (decimal_commas && cell.size() < sizeof turned && cell.find(',') != std::string_view::npos) {
-    std::copy(cell.begin(), cell.end(), turned);
-    *std::find(turned, turned + cell.size(), ',') = '.';
-    cell = std::string_view(turned, cell.size());
-  }
-  double value = 0;
-  const auto [rest, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || rest != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-/// What parts the cells: ';', '\t', ',' or ' ' for any blanks.
-char separator_of(std::string_view line) {
-  if (line.find(';') != std::string_view::npos) return ';';
-  const std::string_view inner = stripped(line);
-  if (inner.find('\t') != std::string_view::npos) return '\t';
-  if (inner.find(',') == std::string_view::npos) return ' ';
-  if (inner.find(' ') == std::string_view::npos) return ',';
-  // "0,5 0,7": each comma is between two digits, and blanks part the numbers.
-  const auto digit = [inner](std::size_t i) { return i < inner.size() && inner[i] >= '0' && inner[i] <= '9'; };
-  for (std::size_t i = inner.find(','); i != std::string_view::npos; i = inner.find(',', i + 1)) {
-    if (i == 0 || !digit(i - 1) || !digit(i + 1)) return ',';
-  }
-  return ' ';
-}
-
-/// Walks over the cells of a line. An empty cell at the end of a line, after its last separator, does not count.
-class Cells {
- public:
-  Cells(std::string_view line, char separator) : line_(line), separator_(separator) {}
-
-  /// @returns false behind the last cell
-  bool next(std::string_view& cell) {
-    if (separator_ == ' ') {
-      while (place_ < line_.size() && is_blank(line_[place_])) ++place_;
-      if (place_ >= line_.size()) return false;
-      start_ = place_;
-      while (place_ < line_.size() && !is_blank(line_[place_])) ++place_;
-      cell = line_.substr(start_, place_ - start_);
-      return true;
-    }
-    if (place_ > line_.size()) return false;
-    start_ = place_;
-    const std::size_t end = std::min(line_.find(separator_, place_), line_.size());
-    place_ = end + 1;
-    cell = stripped(line_.substr(start_, end - start_));
-    return true;
-  }
-
-  int column() const { return static_cast<int>(std::min<std::size_t>(start_, 1000000)) + 1; }
-
- private:
-  std::string_view line_;
-  char separator_;
-  std::size_t place_ = 0;
-  std::size_t start_ = 0;
-};
-
-struct Column {
-  std::string name;  ///< in lower case
-  std::string unit;
-};
-
-Column column_of(std::string_view header) {
-  for (const auto& [opening, closing] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-    const std::size_t first = header.find(opening), last = header.rfind(closing);
-    if (first != std::string_view::npos && last != std::string_view::npos && first < last) {
-      return {lower(stripped(header.substr(0, first))), trimmed(utf8_from(header.substr(first + 1, last - first - 1)))};
-    }
-  }
-  return {lower(stripped(header)), ""};
-}
-
-/// "10.0 um" of a comment.
-struct StatedLength {
-  double value = 0;
-  double rounding = 0;  ///< half a unit of its last digit
-  std::string unit;
-};
-
-/// The same in metres; nothing where the unit is not a length.
-std::optional<StatedLength> in_metres(const StatedLength& length, const io::Units& units) {
-  if (!units.measures(length.unit, "m")) return std::nullopt;
-  const io::Scale scale = units.scale(length.unit, "m");
-  return StatedLength{scale.to_si(length.value), scale.to_si(length.rounding), "m"};
-}
-
-/// Half a unit of the last digit that a number was written with.
-double rounding_of(std::string_view number) {
-  const std::size_t power = std::min(number.find_first_of("eE"), number.size());
-  const std::size_t point = number.substr(0, power).find('.');
-  const double decimals = point == std::string_view::npos ? 0 : static_cast<double>(power - point - 1);
-  const double exponent = power < number.size() ? number_of(number.substr(power + 1), false).value_or(0) : 0;
-  return 0.5 * std::pow(10.0, exponent - decimals);
+bool names_place_or_height(const std::string& name) {
+  return name == "x" || name == "y" || name == "z" || name == "height" || name == "h";
 }
 
 class TableReader {
@@ -151,8 +36,32 @@ class TableReader {
     if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) text_.remove_prefix(3);
   }
 
-  ChannelValues read(TableLayout layout, std::string& format) {
-    if (!next_line()) refuse(file_, "the file has no row of numbers", "is it the right file?");
+  /// All tables of the file: a comment that repeats one of the comments in front of a table begins another.
+  std::vector<ChannelValues> read(TableLayout layout, std::string& format) {
+    std::vector<ChannelValues> tables;
+    do {
+      begin_table();
+      if (!next_line()) {
+        if (!tables.empty()) break;  // comments behind the last row
+        refuse(file_, "the file has no row of numbers", "is it the right file?");
+      }
+      tables.push_back(read_table(layout, format));
+    } while (place_ < text_.size());
+    return tables;
+  }
+
+ private:
+  void begin_table() {
+    comments_ = TableComments(file_);
+    has_rows_ = false;
+    header_.clear();
+    notes_.clear();
+    blank_line_ = parted_at_ = 0;
+    n_parted_ = 0;
+    separator_ = ',';
+  }
+
+  ChannelValues read_table(TableLayout layout, std::string& format) {
     separator_ = separator_of(line_);
     decimal_commas_ = separator_ != ',';
     read_header();
@@ -166,13 +75,15 @@ class TableReader {
       next_row();
       if (read_units()) next_row();
     }
+    has_rows_ = true;
+    stated_ = comments_.stated();
     if (layout == TableLayout::kByContent) layout = layout_by_content();
     ChannelValues values = read_heights(layout, format);
+    values.channel.name = stated_.name.empty() ? "heights" : stated_.name;
     values.notes.insert(values.notes.begin(), notes_.begin(), notes_.end());
     return values;
   }
 
- private:
   ChannelValues read_heights(TableLayout layout, std::string& format) {
     if (layout == TableLayout::kMatrix) {
       format = "text, matrix of heights";
@@ -186,53 +97,36 @@ class TableReader {
     return read_profile();
   }
 
-  /// Goes to the next line with content; comments are looked into.
+  /// Goes to the next line with content of the table; comments are looked into.
   bool next_line() {
     while (place_ < text_.size()) {
-      const std::size_t end = std::min(text_.find('\n', place_), text_.size());
+      const std::size_t begin = place_, end = std::min(text_.find('\n', place_), text_.size());
       line_ = text_.substr(place_, end - place_);
       place_ = end + 1;
       ++number_;
-      const std::string_view content = stripped(line_);
+      const std::string_view content = without_blanks(line_);
       // Of values that tabulators part, a line of tabulators is a row of missing heights.
       const bool row_of_none = content.empty() && separator_ == '\t' && line_.find('\t') != std::string_view::npos;
-      if (content.empty() && !row_of_none) continue;
-      if (row_of_none || content.front() != '#') return true;
-      read_comment(content);
+      if (content.empty() && !row_of_none) {
+        blank_line_ = number_;
+        continue;
+      }
+      if (row_of_none || !is_comment(content)) {
+        if (has_rows_ && blank_line_ > 0) {
+          ++n_parted_;
+          if (parted_at_ == 0) parted_at_ = blank_line_;
+        }
+        blank_line_ = 0;
+        return true;
+      }
+      if (has_rows_ && comments_.repeats(content)) {
+        place_ = begin;
+        --number_;
+        return false;
+      }
+      comments_.add(content, number_);
     }
     return false;
-  }
-
-  void read_comment(std::string_view content) {
-    const std::size_t colon = content.find(':');
-    if (colon == std::string_view::npos || content.size() > 200) return;
-    const std::string key = lower(stripped(content.substr(1, colon - 1)));
-    const std::string value = trimmed(utf8_from(content.substr(colon + 1)));
-    if (key == "value units") {
-      stated_unit_ = value;
-    } else if (key == "width" || key == "height") {
-      read_side(key == "width" ? width_ : height_, trimmed(utf8_from(content.substr(1, colon - 1))), value);
-    }
-  }
-
-  /// A side of the map, "10.0 um". What is wrong with it is reported where the step of the map is needed.
-  void read_side(std::optional<StatedLength>& side, const std::string& name, const std::string& value) {
-    const std::size_t blank = value.find(' ');
-    const std::string_view number = std::string_view(value).substr(0, blank);
-    const std::optional<double> length = number_of(number, false);
-    if (!length || blank == std::string::npos) return;
-    side = StatedLength{*length, rounding_of(number), trimmed(std::string_view(value).substr(blank))};
-    std::string wrong;
-    if (!(*length > 0)) {
-      wrong = fmt::format("{} is {}, but the side of a map is longer than 0", name, value);
-    } else if (const io::Units units; units.measures(side->unit, "s")) {
-      wrong = fmt::format("{} is {}, a time and not a length", name, value);
-    } else if (!units.measures(side->unit, "m")) {
-      wrong = fmt::format("{} is {}, and \"{}\" is not a unit of length", name, value, side->unit);
-    }
-    if (wrong.empty()) return;
-    step_faults_.push_back(
-        {{file_, number_, 1, utf8_from(line_.substr(0, 2000))}, wrong, "correct the header of the file"});
   }
 
   void read_header() {
@@ -295,14 +189,15 @@ class TableReader {
       const std::size_t end = std::min(text_.find('\n', begin), text_.size());
       const std::string_view row = stripped(text_.substr(begin, end - begin));
       begin = end + 1;
-      if (!row.empty() && row.front() != '#' && row.back() != separator_) return false;
+      if (!row.empty() && !is_comment(row) && row.back() != separator_) return false;
     }
     return true;
   }
 
   TableLayout layout_by_content() const {
     if (!header_.empty()) return find({"y"}) && find({"x"}) ? TableLayout::kPoints : TableLayout::kProfile;
-    if (width_ && height_) return TableLayout::kMatrix;  // a header of Gwyddion, whatever the number of columns
+    if (stated_.width && stated_.height)
+      return TableLayout::kMatrix;  // a header of Gwyddion, whatever the number of columns
     if (n_columns_ <= 2) return TableLayout::kProfile;
     return n_columns_ == 3 ? TableLayout::kPoints : TableLayout::kMatrix;
   }
@@ -340,14 +235,15 @@ class TableReader {
       refuse_here(1, fmt::format("the row has {} values, and {} are required", row.size(), n_columns_),
                   separator_ == ',' && row.size() == 2 * n_columns_
                       ? "with decimal commas, part the columns by semicolons"
-                      : "give every row as many values as the first");
+                      : "give every row as many values as the first; start lines before the heights, for example one "
+                        "of counts, with #");
     }
   }
 
   ChannelValues read_matrix() {
     if (!header_.empty()) {
       refuse_here(1, "a matrix of heights has no header",
-                  "take the names of the columns out, or start the line with #");
+                  "start the line of names with #, and remove columns and rows that number the heights");
     }
     ChannelValues values;
     std::vector<double> row;
@@ -358,40 +254,78 @@ class TableReader {
       if (values.value.size() > kMostPoints) refuse_here(1, "the matrix has too many points", "cut it into parts");
     } while (next_line());
     values.channel.points_x = n_columns_;
-    values.channel.unit = stated_unit_;
+    values.channel.unit = stated_.unit;
+    check_places_in_columns(values);
     take_missing(values);
-    share_unit_of_sides();
-    values.step_faults = step_faults_;
-    const bool is_positive = width_ && height_ && width_->value > 0 && height_->value > 0;
-    if (is_positive && width_->unit == height_->unit) {
-      values.step_x = width_->value / static_cast<double>(values.channel.points_x);
-      values.step_y = height_->value / static_cast<double>(values.channel.points_y);
-      values.step_unit = width_->unit;
-      note_uneven_steps(values);
+    for (double& height : values.value) height *= stated_.height_factor;
+    values.notes = stated_.notes;
+    values.doubts = stated_.doubts;
+    values.step_faults = stated_.faults;
+    const auto &width = stated_.width, &height = stated_.height;
+    if (width && height && width->value > 0 && height->value > 0 && width->unit == height->unit) {
+      values.step_x = width->value / static_cast<double>(values.channel.points_x);
+      values.step_y = height->value / static_cast<double>(values.channel.points_y);
+      values.step_unit = width->unit;
+      doubt_uneven_steps(values);
     }
+    doubt_size(values);
+    if (n_columns_ <= kMostHeadColumns) add_count_doubts(values);
     return values;
   }
 
-  /// Gwyddion writes each side in a unit that suits its size: "Width: 10 um", "Height: 10 mm".
-  void share_unit_of_sides() {
-    if (!width_ || !height_ || width_->unit == height_->unit) return;
-    const io::Units units;
-    const std::optional<StatedLength> width = in_metres(*width_, units), height = in_metres(*height_, units);
-    if (!width || !height) return;
-    width_ = width;
-    height_ = height;
+  /// A matrix that was cut behind a row shows only in this: its stated height spreads over fewer rows.
+  void doubt_uneven_steps(ChannelValues& values) const {
+    const StatedLength &width = *stated_.width, &height = *stated_.height;
+    const double rounding = width.rounding / static_cast<double>(values.channel.points_x) +
+                            height.rounding / static_cast<double>(values.channel.points_y);
+    if (std::abs(values.step_x - values.step_y) <= rounding) return;
+    values.doubts.push_back(
+        {fmt::format("{} columns over the stated width of {:.6g} {} and {} rows over the stated height of {:.6g} {} "
+                     "give steps of {:.6g} and {:.6g} {}",
+                     values.channel.points_x, width.value, width.unit, values.channel.points_y, height.value,
+                     height.unit, values.step_x, values.step_y, values.step_unit),
+         "if they should be equal, the file lacks rows or columns, or has those of several maps",
+         Doubt::Weight::kNote});
   }
 
-  /// A matrix that was cut behind a row shows only in this: its stated height spreads over fewer rows.
-  void note_uneven_steps(ChannelValues& values) const {
-    const double rounding = width_->rounding / static_cast<double>(values.channel.points_x) +
-                            height_->rounding / static_cast<double>(values.channel.points_y);
-    if (std::abs(values.step_x - values.step_y) <= rounding) return;
-    values.notes.push_back(fmt::format(
-        "{} columns over the stated width of {:.6g} {} and {} rows over the stated height of {:.6g} {} give "
-        "steps of {:.6g} and {:.6g} {}: if they should be equal, the file lacks rows or columns",
-        values.channel.points_x, width_->value, width_->unit, values.channel.points_y, height_->value, height_->unit,
-        values.step_x, values.step_y, values.step_unit));
+  void doubt_size(ChannelValues& values) const {
+    const Channel& found = values.channel;
+    if (stated_.points_x.value_or(found.points_x) != found.points_x ||
+        stated_.points_y.value_or(found.points_y) != found.points_y) {
+      values.doubts.push_back({fmt::format("the comments state {} x {} points, and the file has {} x {}",
+                                           stated_.points_x.value_or(found.points_x),
+                                           stated_.points_y.value_or(found.points_y), found.points_x, found.points_y),
+                               "copy or export the file again", Doubt::Weight::kNote});
+    }
+    if (parted_at_ > 0 && 2 * n_parted_ < found.points_y) {  // else they part all rows
+      values.doubts.push_back({fmt::format("the blank line {} parts rows that were read as one map", parted_at_),
+                               "if several maps follow each other, write each to a file of its own",
+                               Doubt::Weight::kNote});
+    }
+  }
+
+  /// Points with more columns than x, y, z would be rows of a matrix: two of their columns fill a grid of places.
+  void check_places_in_columns(const ChannelValues& values) const {
+    const std::size_t rows = values.channel.points_y;
+    if (n_columns_ > kMostPointColumns || rows < kMinListedPoints || stated_.width) return;
+    for (std::size_t x = 0; x + 2 < n_columns_; ++x) {
+      ListedPoints points;
+      for (std::size_t j = 0; j < rows; ++j) {
+        points.x.push_back(values.value[j * n_columns_ + x]);
+        points.y.push_back(values.value[j * n_columns_ + x + 1]);
+      }
+      if (!fills_grid(points)) continue;
+      refuse(file_,
+             fmt::format("columns {} and {} of {} are the places of points on an even grid, and were read as heights",
+                         x + 1, x + 2, n_columns_),
+             x == 0 ? "state the layout of points: x, y, z are then the first three columns"
+                    : "write the columns x, y and z alone");
+    }
+  }
+
+  /// Before the heights are scaled, since counts are whole numbers in the file.
+  static void add_count_doubts(ChannelValues& values) {
+    for (Doubt& doubt : count_doubts(values.value)) values.doubts.push_back(std::move(doubt));
   }
 
   static void take_missing(ChannelValues& values) {
@@ -439,10 +373,29 @@ class TableReader {
       points.y.push_back(row[y]);
       points.value.push_back(row[z]);
     } while (next_line());
+    check_head_of_points(points);
     ChannelValues values = on_regular_grid(file_, points);
     values.channel.unit = unit_of(z);
     values.step_unit = unit_of(x);
     return values;
+  }
+
+  /// Three numbers in front of the points may count them.
+  void check_head_of_points(const ListedPoints& points) const {
+    if (!header_.empty() || points.value.size() < 3) return;
+    const double head[] = {points.x[0], points.y[0], points.value[0]};
+    const auto rest = static_cast<double>(points.value.size() - 1);
+    const auto outside = [](const std::vector<double>& of) {
+      const auto [low, high] = std::minmax_element(of.begin() + 1, of.end());
+      return of[0] < *low || of[0] > *high;
+    };
+    const bool counts =
+        head[0] * head[1] == rest || std::find(std::begin(head), std::end(head), rest) != std::end(head);
+    if (!counts || !(outside(points.x) || outside(points.y) || outside(points.value))) return;
+    refuse(file_,
+           fmt::format("the first point, {:.6g}, {:.6g}, {:.6g}, counts the {:.0f} points behind it", head[0], head[1],
+                       head[2], rest),
+           "start the line of counts with #");
   }
 
   ChannelValues read_profile() {
@@ -451,23 +404,34 @@ class TableReader {
     const std::size_t z = column({"z", "height", "h"}, has_places ? 1 : 0);
     ChannelValues values;
     std::vector<double> row;
+    bool falls = false;
     do {
       read_cells(row);
       if (has_places) {
         check_place(row[x], "x");
-        if (!values.x.empty() && !(row[x] > values.x.back())) {
-          refuse_here(1, fmt::format("x falls or repeats: {} after {}", row[x], values.x.back()),
-                      "sort the rows by x; give each place one height");
+        if (values.x.size() == 1) falls = row[x] < values.x.back();
+        if (!values.x.empty() && !(falls ? row[x] < values.x.back() : row[x] > values.x.back())) {
+          refuse_here(1,
+                      fmt::format("x {} or repeats: {} after {}", falls ? "rises" : "falls", row[x], values.x.back()),
+                      values.x.size() <= 2 && header_.empty()
+                          ? "if the first line is not part of the profile, start it with #; else sort the rows by x"
+                          : "sort the rows by x; give each place one height");
         }
         values.x.push_back(row[x]);
       }
       values.value.push_back(row[z]);
     } while (next_line());
+    if (falls) {
+      std::reverse(values.x.begin(), values.x.end());
+      std::reverse(values.value.begin(), values.value.end());
+      values.notes.push_back("x falls in the file: the profile was turned about");
+    }
     values.channel.points_x = values.value.size();
     values.channel.points_y = 1;
     values.channel.unit = unit_of(z);
     values.step_unit = has_places ? unit_of(x) : "";
     take_missing(values);
+    if (!has_places && header_.empty()) add_count_doubts(values);
     return values;
   }
 
@@ -480,9 +444,12 @@ class TableReader {
   bool decimal_commas_ = false;
   std::vector<Column> header_;
   std::size_t n_columns_ = 0;
-  std::string stated_unit_;
-  std::optional<StatedLength> width_, height_;
-  std::vector<Fault> step_faults_;  ///< of width and height
+  TableComments comments_{""};
+  StatedMap stated_;
+  bool has_rows_ = false;     ///< of the table that is read
+  int blank_line_ = 0;        ///< the last one before the line; 0: none
+  int parted_at_ = 0;         ///< the first one between rows; 0: none
+  std::size_t n_parted_ = 0;  ///< how often blank lines part rows
   std::vector<std::string> notes_;
 };
 
@@ -497,18 +464,21 @@ TextHead text_head(const std::string& bytes) {
   TextHead found{TextKind::kOther, 0, ""};
   for (std::size_t start = head.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0; start < head.size();) {
     const std::size_t end = std::min(head.find('\n', start), head.size());
-    const std::string_view line = stripped(head.substr(start, end - start));
+    const std::string_view line = without_blanks(head.substr(start, end - start));
     start = end + 1;
     ++found.line;
-    if (line.empty() || line.front() == '#') continue;
-    std::string_view cell;
+    if (line.empty() || is_comment(line)) continue;
+    std::size_t n_cells = 0, named = 0;
+    bool is_number = false;
     Cells cells(line, separator_of(line));
-    if (!cells.next(cell)) continue;
-    const std::string name = column_of(cell).name;
-    if (is_missing_word(cell) || number_of(cell, true) || name == "x" || name == "y" || name == "z" ||
-        name == "height" || name == "h") {
-      found.kind = TextKind::kTable;
+    for (std::string_view cell; cells.next(cell); ++n_cells) {
+      if (n_cells == 0) is_number = is_missing_word(cell) || number_of(cell, true);
+      const bool is_name = names_place_or_height(column_of(cell).name);
+      if (is_name) named += n_cells == 0 ? 2 : 1;
     }
+    if (n_cells == 0) continue;
+    // The first name alone, or two behind a column of another name, as in "id,x,y,z".
+    if (is_number || named >= 2) found.kind = TextKind::kTable;
     found.words = utf8_from(line.substr(0, 200));
     return found;
   }
@@ -517,11 +487,13 @@ TextHead text_head(const std::string& bytes) {
 
 InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout) {
   InstrumentFile result;
-  const auto parsed = std::make_shared<ChannelValues>(TableReader(file, bytes).read(layout, result.format));
-  checked_points(file, parsed->channel.points_x, parsed->channel.points_y);
-  parsed->channel.name = "heights";
-  result.channels.push_back(parsed->channel);
-  result.values = [parsed](std::size_t) { return *parsed; };
+  const auto parsed =
+      std::make_shared<const std::vector<ChannelValues>>(TableReader(file, bytes).read(layout, result.format));
+  for (const ChannelValues& table : *parsed) {
+    checked_points(file, table.channel.points_x, table.channel.points_y);
+    result.channels.push_back(table.channel);
+  }
+  result.values = [parsed](std::size_t index) { return parsed->at(index); };
   return result;
 }
 

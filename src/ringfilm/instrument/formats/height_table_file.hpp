@@ -24,17 +24,18 @@ enum class TextKind {
 /// How a file begins.
 struct TextHead {
   TextKind kind = TextKind::kNone;
-  int line = 0;       ///< from 1, of the first line that is neither blank nor starts with '#'
+  int line = 0;       ///< from 1, of the first line that is neither blank nor a comment
   std::string words;  ///< that line
 };
 
 TextHead text_head(const std::string& bytes);
 
 /// Reads values parted by semicolon, tabulator, comma or blanks; decimal commas where they cannot part. Lines that
-/// start with '#' state nothing but "Width", "Height" and "Value units" as Gwyddion writes them, each with its own
-/// unit. An empty cell, nan or BAD is a missing height. A header names the columns x, y and z (or height), each with
-/// its unit in brackets or in the row below if it has one. Points may come in any order on an even grid; row 0 is the
-/// smallest y. Throws InputError with line and column.
+/// start with '#' or '%' state nothing but what Gwyddion and SPIP write: width, height and unit of the values. Where
+/// one of them comes again behind rows, another channel begins. An empty cell, nan, BAD or "No Data" is a missing
+/// height. A header names the columns x, y and z (or height), each with its unit in brackets or in the row below if it
+/// has one. Points may come in any order on an even grid; row 0 is the smallest y. Throws InputError with line and
+/// column.
 /// @param file name for messages
 InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout);
 

@@ -110,7 +110,7 @@ std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::
     refuse(about.path, fmt::format("main.xml, byte {}: {}", result.offset, result.description()),
            "the file was damaged on its way: copy it again from the instrument");
   }
-  if (local_name(document->document_element()) != "ISO5436_2") {
+  if (local_name(document->document_element()).rfind("ISO5436", 0) != 0) {
     refuse_element(about, local_name(document->document_element()), "the root is not ISO5436_2",
                    "is it the right file?");
   }
@@ -163,8 +163,12 @@ X3pAxis read_axis(const Description& about, const pugi::xml_node& axes, const st
   } else if (!axis.by_step) {
     refuse_element(about, name, "there is no DataType", "I, L, F or D is required");
   }
-  if (find(node, "Increment")) axis.increment = number_in(about, name + "/Increment", text_of(node, "Increment"));
-  if (find(node, "Offset")) axis.offset = number_in(about, name + "/Offset", text_of(node, "Offset"));
+  const auto take = [&](const char* element, double& value) {  // an empty element states nothing
+    const std::string text = text_of(node, element);
+    if (!text.empty()) value = number_in(about, name + "/" + element, text);
+  };
+  take("Increment", axis.increment);
+  take("Offset", axis.offset);
   return axis;
 }
 
@@ -212,11 +216,17 @@ void check_increments(const Description& about) {
   }
 }
 
+/// The name of an entry as archives write it, of a link like "bindata\data.bin" or "./bindata/data.bin".
+std::string entry_name(std::string link) {
+  std::replace(link.begin(), link.end(), '\\', '/');
+  return link.rfind("./", 0) == 0 ? link.substr(2) : link;
+}
+
 void read_links(Description& about, const pugi::xml_node& record3) {
   if (const pugi::xml_node link = find(record3, "DataLink")) {
-    about.point_entry = text_of(link, "PointDataLink");
+    about.point_entry = entry_name(text_of(link, "PointDataLink"));
     about.point_checksum = text_of(link, "MD5ChecksumPointData");
-    about.valid_entry = text_of(link, "ValidPointsLink");
+    about.valid_entry = entry_name(text_of(link, "ValidPointsLink"));
     about.valid_checksum = text_of(link, "MD5ChecksumValidPoints");
     if (about.point_entry.empty()) refuse_element(about, "DataLink", "PointDataLink is empty", "a name is required");
   } else if (!find(record3, "DataList")) {
@@ -477,6 +487,14 @@ InstrumentFile read_x3p(const std::string& path) {
       values.channel.points_y = found.points_y;
     }
     values.step_unit = values.channel.unit;  // the standard allows metres only
+    if (about.z.increment != 1 && (about.z.type == 'F' || about.z.type == 'D')) {
+      values.doubts.push_back(
+          {fmt::format(
+               "main.xml, CZ/Increment: heights of type {} are floating-point numbers, which are in metres as a "
+               "rule, and were multiplied by the increment {:g}",
+               about.z.type, about.z.increment),
+           "if the heights come out too small, export the file with an increment of 1", Doubt::Weight::kNote});
+    }
     return values;
   };
   return result;
