@@ -189,9 +189,15 @@ void find_odd_lines(const HeightMap& map, bool is_row, const HeightUnit& unit, O
 
 OddLines odd_lines(const HeightMap& map, const HeightUnit& unit) {
   OddLines odd;
-  if (map.is_profile()) return odd;
-  find_odd_lines(map, true, unit, odd);
-  find_odd_lines(map, false, unit, odd);
+  if (!map.is_profile()) {
+    find_odd_lines(map, true, unit, odd);
+    find_odd_lines(map, false, unit, odd);
+  } else if (const auto places = sequence_of(Line(map, true, 0))) {
+    odd.doubts.push_back({fmt::format("all heights go in even steps from {} to {}, as numbers or places do",
+                                      shown(places->first, unit), shown(places->last, unit)),
+                          "name the columns of places and heights in the first line, for example: x [um],z [um]",
+                          Weight::kNote});
+  }
   return odd;
 }
 
@@ -461,13 +467,17 @@ std::vector<Doubt> count_doubts(const std::vector<double>& value) {
   for (std::size_t head = 1; head <= 3 && head + kMinPoints <= value.size(); ++head) {
     const auto rest = static_cast<double>(value.size() - head);
     double counts = 0, product = 1;
+    std::string factors;
     for (std::size_t i = 0; i < head; ++i) {
       if (!is_count(value[i])) continue;
       if (value[i] == rest) counts = value[i];
       product *= value[i];
-      if (product == rest) counts = product;
+      factors += fmt::format("{}{:.0f}", factors.empty() ? "" : " x ", value[i]);
+      if (counts == 0 && product == rest) counts = product;
     }
     if (counts == 0) continue;
+    const bool is_map = std::find(value.begin(), value.begin() + static_cast<std::ptrdiff_t>(head), rest) ==
+                        value.begin() + static_cast<std::ptrdiff_t>(head);
     const auto [low, high] = std::minmax_element(value.begin() + static_cast<std::ptrdiff_t>(head), value.end());
     bool is_far = false;
     std::string values;
@@ -478,7 +488,9 @@ std::vector<Doubt> count_doubts(const std::vector<double>& value) {
     return {{head == 1 ? fmt::format("the first value, {}, is the number of the values behind it", values)
                        : fmt::format("the first {} values, {}, state the number of the values behind them, {:.0f}",
                                      head, values, rest),
-             "they are no heights if they are the head of the file: start their lines with #",
+             is_map ? "if the values behind them are those of a map of " + factors +
+                          " points, write a row of the map a line, without the counts"
+                    : std::string("they are no heights if they are the head of the file: start their lines with #"),
              is_far ? Weight::kRefusal : Weight::kNote}};
   }
   return {};

@@ -167,6 +167,9 @@ TEST(HeightChecks, ALengthInFrontOfAProfile) {
   surface::HeightMap profile = rough("a", 0.3e-6, 5, {401, 1, 2.5e-6, 2.5e-6}).map;
   profile.points_y = 1;
   EXPECT_THAT(doubts(profile), IsEmpty());
+  surface::HeightMap places = profile;
+  for (std::size_t i = 0; i < places.points(); ++i) places.height_m[i] = 1e-9 * static_cast<double>(i);
+  EXPECT_THAT(doubts(places), ElementsAre("all heights go in even steps from 0 um to 0.4 um, as numbers or places do"));
   profile.height_m[0] = 1e-6;  // 400 steps of 2.5 um are 1 mm
   EXPECT_THAT(doubts(profile), ElementsAre(HasSubstr("the first value, 1, is the length of the profile in mm")));
 }
@@ -184,7 +187,10 @@ TEST(HeightChecks, LeadingValuesThatCountTheOthers) {
   EXPECT_EQ(counted({0.1, 33}), "");
   EXPECT_EQ(counted({40}), "refused: the first value, 40, is the number of the values behind it");
   EXPECT_EQ(counted({10, 40}), "refused: the first 2 values, 10, 40, state the number of the values behind them, 40");
-  EXPECT_THAT(counted({8, 5}), HasSubstr("the first 2 values, 8, 5"));
+  EXPECT_THAT(counted({8, 5}), HasSubstr("the first 2 values, 8, 5"));  // a map in one column: # alone makes a profile
+  std::vector<double> map = {8, 5};
+  for (int i = 0; i < 40; ++i) map.push_back(0.4 * std::sin(i));
+  EXPECT_THAT(count_doubts(map).at(0).remedy, HasSubstr("a map of 8 x 5 points, write a row of the map a line"));
   EXPECT_THAT(counted({8, 5, 1}), HasSubstr("the first 3 values"));
 }
 
