@@ -35,7 +35,7 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
                                            : 0.5 * (inputs.left.pressure + inputs.right.pressure);
   const double load = inputs.load / 1e3;
   const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
-  char text[320];
+  char text[400];
   switch (report.failure) {
     case film::Failure::kOverloaded:
       std::snprintf(text, sizeof text,
@@ -68,11 +68,15 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
     default:
       break;
   }
-  std::snprintf(text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either%s",
-                kTicks,
-                setup.input.bends() ? "; where a ring that bends presses in a point, as its tips do on a crest of the "
-                                      "bore, contact must carry that: smoother surfaces carry less"
-                                    : "");
+  const int written = std::snprintf(
+      text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
+  if (!setup.input.bends() || problem.contact == nullptr) return text;
+  std::snprintf(
+      text + written, sizeof text - written,
+      "; a ring that bends presses in a point where its tips meet a crest of the bore, and asperities carry at "
+      "most %.3g N per mm of circumference there (the mean load is %.3g N): turn ring.gap_position off the "
+      "crest, or state rougher surfaces",
+      film::asperity_load(problem, 0) / 1e3, load);
   return text;
 }
 

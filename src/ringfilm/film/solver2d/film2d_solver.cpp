@@ -35,12 +35,14 @@ class Film2dSearch : public FilmAtSeparation {
     guess_ = state;
   }
 
-  /// With the fits, and where they do not reach with the laws.
+  /// With the fits, and where they do not reach with the laws: from the film that the fits have, or if they have none,
+  /// from the first guess.
   bool solve(Unknowns unknowns) {
     const LaneLaws laws = best_laws(inputs_.strip);
     bool solved = solve(unknowns, laws);
-    if (solved && laws == LaneLaws::kFitted && peak_pressure_ > inputs_.strip.oil->fit()->high) {
+    if (laws == LaneLaws::kFitted && !(peak_pressure_ <= inputs_.strip.oil->fit()->high)) {
       report_.exact_laws = true;
+      if (!solved) state_ = guess_;
       solved = solve(unknowns, LaneLaws::kGiven);
     }
     if (solved) finish(report_.exact_laws ? LaneLaws::kGiven : laws);
