@@ -1,5 +1,5 @@
-# What cpack makes of the components: ringfilm, libringfilm-dev and, where the python component is there,
-# python3-ringfilm as .deb. script/package calls it, and makes the archives.
+# What cpack makes of the components: ringfilm, libringfilm-dev and, unless RINGFILM_PYTHON is off, python3-ringfilm as
+# .deb. script/package calls it, and makes the archives.
 set(CPACK_PACKAGE_NAME ringfilm)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
 set(CPACK_PACKAGE_VENDOR "The ringfilm authors")
@@ -21,6 +21,9 @@ set(components program library)
 get_cmake_property(known COMPONENTS)
 if(python IN_LIST known)
   list(APPEND components python)
+elseif(RINGFILM_PYTHON)
+  message(FATAL_ERROR "python3-ringfilm cannot be made: pybind11-dev or python3-dev is missing.\n"
+                      "script/bootstrap --python installs both; -DRINGFILM_PYTHON=OFF makes the other packages alone")
 endif()
 set(CPACK_COMPONENTS_ALL ${components})
 

@@ -151,5 +151,35 @@ class TheInstalledPackage(unittest.TestCase):
         self.assertIn("mean_power_loss", reported)
 
 
+class ThePackages(unittest.TestCase):
+    def configured(self, *options):
+        with tempfile.TemporaryDirectory(prefix="ringfilm-packages-") as folder:
+            return subprocess.run(
+                [CMAKE, "-G", "Ninja", "-S", str(SOURCES), "-B", folder, "-DCMAKE_BUILD_TYPE=Release"]
+                + [
+                    "-DRINGFILM_TESTS=OFF",
+                    "-DRINGFILM_PACKAGES=ON",
+                    "-DCMAKE_DISABLE_FIND_PACKAGE_pybind11=ON",
+                    *options,
+                ],
+                capture_output=True,
+                text=True,
+                timeout=300,
+            )
+
+    def test_without_what_the_python_module_needs_they_are_not_made(self):
+        done = self.configured("-DRINGFILM_PYTHON=ON")
+        self.assertNotEqual(done.returncode, 0)
+        words = " ".join(done.stderr.split())
+        self.assertIn("python3-ringfilm cannot be made: pybind11-dev or python3-dev is missing", words)
+        self.assertEqual(self.configured("-DRINGFILM_PYTHON=OFF").returncode, 0)
+        # The remedy is one that exists.
+        self.assertIn("script/bootstrap --python", words)
+        listed = subprocess.run(
+            [SOURCES / "script" / "bootstrap", "--python", "--list"], capture_output=True, text=True, timeout=60
+        )
+        self.assertIn(listed.returncode, (0, 1), listed.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()
