@@ -23,10 +23,12 @@ const {
   ticks,
   tickText,
   typesetFormula,
+  typesetMath,
   typesetSymbol,
   typesetUnit,
   withError,
   withErrorAndPower,
+  withoutFolders,
   withUnit,
   wrapped,
 } = await load('units.js');
@@ -296,6 +298,30 @@ test('paths lose the folders of one machine and nothing is added', () => {
   assert.equal(shortPath('/data/customers/secret/engine/tests/one.toml'), 'tests/one.toml');
   assert.equal(shortPath('C:\\work\\engine\\one.toml'), 'engine/one.toml');
   for (const same of ['one.toml', 'engine/one.toml', '1/3', 'x/y N']) assert.equal(shortPath(same), same);
+});
+
+test('formulas between dollar signs are printed without their commands', () => {
+  assert.equal(typesetMath('warmer by $\\eta U^2/(12k)$ in the mean'), 'warmer by ηU²/(12k) in the mean');
+  assert.equal(
+    typesetMath('up to 3.33216 $\\eta u\\sqrt R\\,h_0^{-3/2}$, $u=U/2$: there'),
+    'up to 3.33216 ηu√R\u2009h₀⁻³ᐟ², u=U/2: there',
+  );
+  assert.equal(typesetMath('$\\beta\\,\\eta Vab^3/h^3$ and $\\beta$'), 'β\u2009ηVab³/h³ and β');
+  assert.equal(typesetMath('costs 5 $'), 'costs 5 $');
+});
+
+test('running text loses the folders of one machine', () => {
+  assert.equal(
+    withoutFolders('ring.bore.file: /home/x/secret/bore/shape.csv; SHA-256 12'),
+    'ring.bore.file: bore/shape.csv; SHA-256 12',
+  );
+  assert.equal(
+    withoutFolders('moments of the flat C:\\work\\maps\\flat.sur removed m0'),
+    'moments of the flat maps/flat.sur removed m0',
+  );
+  assert.equal(withoutFolders('/usr/share/ringfilm/data/a/b.csv'), 'data/a/b.csv');
+  for (const same of ['x/y N', '1/3 of it', 'maps/a.csv', 'https://example.org/a/b'])
+    assert.equal(withoutFolders(same), same);
 });
 
 test('counts are reported of the whole only where it is known', () => {

@@ -158,7 +158,8 @@ class Summary {
 
   /// How accurate the values are, as far as it was estimated.
   static std::string percent(double share) {
-    constexpr double kWhole = 0.1;  // from there on without digits behind the point
+    constexpr double kWhole = 0.1;          // from there on without digits behind the point
+    if (share > 1) return "more than 100";  // such a value is not determined, however much more it is
     return share < kWhole ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.0f}", 100 * share);
   }
 

@@ -69,7 +69,8 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
   table.add("lambda_ratio_at_peak_pressure", "lowest of the cycle " + table.shown("min_lambda_ratio"));
   table.add("mixed_share");
   table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
-  if (values.oil_replenished != 0) {  // the oil on the liner is followed
+  const bool follows_oil = values.oil_replenished != 0 || values.oil_scraped_up != 0 || values.oil_scraped_down != 0;
+  if (follows_oil) {
     table.add("oil_replenished",
               "left at TDC " + table.shown("oil_scraped_up") + ", at BDC " + table.shown("oil_scraped_down"));
   }

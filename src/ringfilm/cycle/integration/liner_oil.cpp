@@ -9,6 +9,12 @@
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
 namespace ringfilm::cycle {
+namespace {
+
+/// Less than this share of the oil that the ring takes up in a cycle is rounding of sums over thousands of steps [-].
+constexpr double kRounding = 1e-12;
+
+}  // namespace
 
 LinerFilm::LinerFilm(double length, double mass_per_area)
     : cell_(length / kCells), mass_per_area_(kCells, mass_per_area) {}
@@ -119,8 +125,12 @@ void LinerOil::turn(bool up) {
 
 LinerOil::Account LinerOil::of_last_cycle() const {
   const Account &now = at_turns_.front(), &before = at_turns_.back();
-  return {now.replenished - before.replenished, now.scraped_up - before.scraped_up,
-          now.scraped_down - before.scraped_down, now.taken - before.taken, now.left - before.left};
+  const double taken = now.taken - before.taken;
+  const auto change = [taken](double from, double to) {
+    return std::abs(to - from) < kRounding * std::abs(taken) ? 0 : to - from;
+  };
+  return {change(before.replenished, now.replenished), change(before.scraped_up, now.scraped_up),
+          change(before.scraped_down, now.scraped_down), taken, now.left - before.left};
 }
 
 double LinerOil::mean(const std::vector<double>& films, double begin, double end, bool below) const {

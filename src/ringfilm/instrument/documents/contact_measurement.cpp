@@ -396,6 +396,7 @@ io::Measurement contact_measurement(const SurfaceFile& first, const SurfaceFile*
 
   for (std::string& note : law_notes(pair, law)) all.notes.push_back(std::move(note));
   all.groups.push_back(law_group(law, analysis));
+  all.key_values = {"composite_roughness", "highest_point", io::kLastSupportedSeparation};
   if (law.scatter.samples > 1) all.groups.push_back(law_scatter_group(law.scatter));
   all.tables.push_back(law_table(law, analysis));
   if (analysis.preparation.short_cutoff_m) {

@@ -402,6 +402,34 @@ export function typesetFormula(text) {
     .replace(/(?<=\p{L})_(\d)/gu, (_, digit) => kSubscript[Number(digit)]);
 }
 
+const kCommands = { sqrt: '√', le: '≤', ge: '≥', cdot: '·', times: '×', int: '∫', infty: '∞', partial: '∂' };
+const kRaised = { ...kSuperscript, '+': '⁺', '/': 'ᐟ' };
+const raised = (text) =>
+  [...text].every((c) => c in kRaised) ? [...text].map((c) => kRaised[c]).join('') : `^(${text})`;
+const lowered = (text) =>
+  /^\d+$/.test(text) ? [...text].map((digit) => kSubscript[Number(digit)]).join('') : `_${text}`;
+
+/** Formulas between dollar signs as far as plain letters allow: "$\\eta U^2/(12k)$" is ηU²/(12k). */
+export function typesetMath(text) {
+  return text.replace(/\$([^$]+)\$/g, (_, formula) =>
+    formula
+      .replace(/\\[,;: !]/g, '\u2009')
+      .replace(/\\([A-Za-z]+) ?/g, (whole, name) => kGreek[name] ?? kCommands[name] ?? name)
+      .replace(/\^(?:\{([^}]*)\}|(.))/g, (whole, group, one) => raised(group ?? one))
+      .replace(/_(?:\{([^}]*)\}|(.))/g, (whole, group, one) => lowered(group ?? one))
+      .replace(/[{}]/g, '')
+      .replace(/(?<=[ηµβρσαλ]) (?=[A-Za-z])/g, ''),
+  );
+}
+
+/** Absolute paths in running text without the folders of one machine, see shortPath(). */
+export function withoutFolders(text) {
+  return text.replace(
+    /(?<![\w.:/\\])(?:\/|[A-Za-z]:[/\\])(?:[^\s:;,"'()/\\]+[/\\])+[^\s:;,"'()/\\]+/g,
+    (path) => shortPath(path),
+  );
+}
+
 /** A statement as a sentence of its own. */
 export function sentence(given) {
   if (!given) return '';

@@ -3,9 +3,12 @@ import { element } from './dom.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
 import { headWarning, numberCard, pageHead } from './page_head.js';
 import { section, table } from './tables.js';
-import { display, number, typeset, withUnit } from './units.js';
+import { display, number, typeset, typesetMath, withUnit } from './units.js';
 
 const kHolds = 'holds';
+
+/** Texts of a case with their units and formulas as they are printed. */
+const words = (text) => typeset(typesetMath(text));
 
 function tolerance(row) {
   if (row.tolerance_kind === 'relative') return withUnit(100 * row.tolerance, '%', 2);
@@ -65,7 +68,7 @@ function grounds(c) {
     table(
       `Grounds of ${c.name}`,
       ['check', 'known from', 'tolerance, because'],
-      c.rows.map((row) => [row.label, typeset(row.source), typeset(row.because)]),
+      c.rows.map((row) => [words(row.label), words(row.source), words(row.because)]),
       { folds: true },
     ),
   );
@@ -131,7 +134,7 @@ function caseSection(c, context, views) {
     c.name,
     c.title,
     element('p', { class: 'how' }, element('code', {}, c.name)),
-    element('p', {}, typeset(c.claim)),
+    element('p', {}, words(c.claim)),
     c.stops.map((stop) =>
       element(
         'div',

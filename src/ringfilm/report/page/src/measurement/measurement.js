@@ -7,7 +7,7 @@ import { MapView } from './map_view.js';
 import { curveFigure, withoutPoints } from './measurement_figures.js';
 import { fragmentBlock, groupTable, numbersTable, shownNumber } from './measurement_tables.js';
 import { section, table } from '../tables.js';
-import { sentence, typeset, typesetSymbol, typesetUnit } from '../units.js';
+import { sentence, typeset, typesetSymbol, typesetUnit, withoutFolders } from '../units.js';
 
 const kKinds = {
   surface: 'A measured surface and its roughness',
@@ -217,4 +217,19 @@ function buildPage(measurement) {
   });
 }
 
-buildPage(JSON.parse(document.getElementById('result-data').textContent));
+/** The same without the folders of the machine on which it was made: a page is sent to others. */
+function portable(measurement) {
+  const texts = (list) => list.map(withoutFolders);
+  return {
+    ...measurement,
+    sources: texts(measurement.sources),
+    statements: texts(measurement.statements),
+    notes: texts(measurement.notes),
+    groups: measurement.groups.map((group) => ({
+      ...group,
+      values: group.values.map((value) => ({ ...value, remark: withoutFolders(value.remark) })),
+    })),
+  };
+}
+
+buildPage(portable(JSON.parse(document.getElementById('result-data').textContent)));

@@ -502,7 +502,8 @@ ${error.asked.join(' or ')} % asked for.`
       ['quantity', right('95 % quantile of the relative error [%]')],
       ordered.map((name) => [
         model.quantity.get(name).long_name,
-        right(number(100 * error.quantiles[name], 2)),
+        // A value with such an error is not determined, however much larger it is.
+        right(error.quantiles[name] > 1 ? 'more than 100' : number(100 * error.quantiles[name], 2)),
       ]),
       { folds: true },
     ),
