@@ -112,7 +112,7 @@ struct CycleValues {
   double lambda_ratio_at_peak_pressure = 0;     ///< h_m/sigma at the peak of the cylinder pressure [-]
   double min_lambda_ratio = 0;                  ///< smallest h_m/sigma of the cycle [-]
   double peak_mean_real_pressure = 0;           ///< largest W_a/A_a; 0 where asperities never carry 1 % [Pa]
-  double mixed_share = 0;                       ///< share of time in mixed lubrication: h_m/sigma below 3 [-]
+  double mixed_share = 0;                       ///< share of time with h_m/sigma below 3, no regime of lubrication [-]
   /// Weighted with the load, as are the next two: what a scenario is on a Stribeck curve [-].
   double mean_friction_coefficient = 0;
   double mean_stribeck_number = 0;     ///< weighted with the load [-]
