@@ -139,6 +139,12 @@ def test_coupled_pack_has_its_gas_and_its_oil(tmp_path):
     result = case.run()
     assert result.gas["blow_by_per_cycle"] > 1e-6
     assert 0 < result.oil["oil_to_chamber_upper_bound"] < 1e-4
+    for name in ("blow_by_per_cycle", "blow_by_flow"):
+        assert result.gas[name] == result[name], name
+    assert result.gas["units"]["blow_by_flow"] == "m3/s"
+    first = result.gas["ring_motion"][0]
+    assert first["least_seating_force"] == result["gas_ring_least_seating_force"][0]
+    assert first["largest_static_twist"] == result["gas_ring_largest_static_twist"][0]
     assert result["gas_region_pressure"].shape == (720, len(result.gas["regions"]))
     assert len(result.rings) == 4
     assert len(result.by_ring) == 3

@@ -38,6 +38,7 @@ const { figureSvg } = await load('plot/svg.js');
 const { bandOutlines, freePlace, markIndices, markPlaces } = await load('plot/scales.js');
 const { kHeightColours, kMissingColour } = await load('plot/colour_map.js');
 const { fieldCaption } = await load('cycle/around_figures.js');
+const { blowByWords, withoutRounding } = await load('pack/gas_words.js');
 const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('cycle/unrolled.js');
 const { fieldMaps, stripMaps } = await load('cycle/around_figures.js');
 const { lengthUnit } = await load('plot/map_figure.js');
@@ -269,10 +270,32 @@ test('display units divide by their size in SI', () => {
   near(shown('1', '%', 0.561), 56.1);
   near(shown('Pa', 'kPa', 19093.66), 19.09366);
   near(shown('K', 'degC', 393.15), 120);
+  near(shown('rad', 'degree', Math.PI / 3), 60);
+  near(shown('kg', 'mg', 2.5e-6), 2.5);
+  near(shown('m3/s', 'l/min', 1.5e-3 / 60), 1.5);
   assert.equal(shown('m', 'um', null), null);
   assert.deepEqual(
     [display({ unit: 'furlong', display_unit: 'league' }).unit, shown('furlong', 'league', 3)],
     ['furlong', 3],
+  );
+});
+
+test('blow-by is read in the units of its description, and rounding is not', () => {
+  const gas = {
+    blow_by_per_cycle: 2.232e-6,
+    blow_by_flow: 2.357e-5,
+    quantities: {
+      sums: [
+        { name: 'blow_by_per_cycle', unit: 'kg', display_unit: 'mg' },
+        { name: 'blow_by_flow', unit: 'm3/s', display_unit: 'l/min' },
+      ],
+    },
+  };
+  assert.equal(blowByWords(gas), '2.23\u00a0mg per cycle, 1.41\u00a0l/min at 1.01325 bar and 25 °C');
+  const paths = [-2e-6, 3e-21].map((mass) => ({ name: 'end gap 1', mass_per_cycle: mass }));
+  assert.deepEqual(
+    withoutRounding(paths).map((path) => path.mass_per_cycle),
+    [-2e-6, 0],
   );
 });
 

@@ -52,8 +52,16 @@ ringfilm::io::ResultDocument pack_with_gas() {
   gas.paths = {{"end gap 1", 2e-6}, {"above ring 1", 0}, {"below ring 1", 0}, {"end gap 2", 2e-6}};
   gas.events = {{1, 200, "leaves-lower"}, {1, 210, "lands-upper"}, {1, 290, "leaves-upper"}, {1, 300, "lands-lower"}};
   gas.rings = {{1}};
-  gas.blow_by_per_cycle = 2e-6;
-  gas.blow_by_flow = 2.1e-5;
+  gas_path::RingMotionValues motion;
+  motion.departures = 1;
+  motion.least_seating_force = -12.5;
+  motion.least_seating_force_angle_deg = 210;
+  motion.unseated_share = 0.14;
+  motion.largest_static_twist = 1e-3;
+  motion.largest_static_twist_angle_deg = 20;
+  motion.twisted_share = 0.2;
+  gas.motion = {motion};
+  gas.sums = {2e-6, 2.1e-5, 1e-16, 1e-9, 4, true, 1};
   for (int k = 0; k < 720; ++k) {
     const double p = samples[k].gas_pressure;
     gas.crank_angle_deg.push_back(k);

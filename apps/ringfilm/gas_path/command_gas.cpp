@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <numbers>
 
+#include "gas_path/gas_tables.hpp"
 #include "gas_path/gas_variations.hpp"
 #include "output_names.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
@@ -13,8 +13,6 @@
 
 namespace ringfilm::app {
 namespace {
-
-constexpr double kPerBar = 1e-5;
 
 void check_output(const std::optional<std::string>& output, const char* option, OutputKind kind,
                   const cycle::Case& input) {
@@ -27,51 +25,17 @@ void check_output(const std::optional<std::string>& output, const char* option, 
   }
 }
 
-std::string regions_table(const gas_path::GasPathResult& result) {
-  std::string text = fmt::format("{:<14}{:>16}{:>16}{:>16}\n", "region", "peak", "at", "mean");
-  for (const gas_path::RegionValues& region : result.regions) {
-    text += fmt::format("{:<14}{:>12.4g} bar{:>9.1f} degree{:>12.4g} bar\n", region.name,
-                        region.peak_pressure * kPerBar, region.peak_pressure_angle_deg, region.mean_pressure * kPerBar);
-  }
-  return text;
-}
-
-std::string events_table(const gas_path::GasPathResult& result) {
-  if (result.events.empty()) return "";
-  std::string text = "\nring   crank angle   event\n";
-  for (const gas_path::RingEvent& event : result.events) {
-    text += fmt::format("{:>4}{:>7.2f} degree   {}\n", event.ring, event.crank_angle_deg, event_name(event.event));
-  }
-  return text;
-}
-
-std::string twist_cell(const gas_path::RingMotionValues& ring) {
-  if (!ring.largest_static_twist) return "";
-  const double twist = *ring.largest_static_twist * 180 / std::numbers::pi;
-  if (twist == 0) return "       none";
-  return fmt::format("{:>11.2g} degree at {:.0f}", twist, ring.largest_static_twist_angle_deg);
-}
-
-std::string seating_table(const gas_path::GasPathResult& result) {
-  std::string text = "\nring   least force on the lower flank   unseated   largest static twist\n";
-  for (std::size_t i = 0; i < result.motion.size(); ++i) {
-    const gas_path::RingMotionValues& ring = result.motion[i];
-    if (!ring.has_groove) continue;
-    text += fmt::format("{:>4}{:>12.4g} N at{:>6.0f} degree{:>11.1f} %{}\n", i + 1, ring.least_seating_force,
-                        ring.least_seating_force_angle_deg, 100 * ring.unseated_share, twist_cell(ring));
-  }
-  return text;
-}
-
 std::string gas_summary(const io::GasPathDocument& document) {
   const gas_path::GasPathResult& result = document.result;
   std::string text =
       fmt::format("{}\ngas of the ring pack over one cycle, {} cycles integrated\n\n", document.title, result.cycles);
-  text += fmt::format("{:>14.4g} mg      blow-by per cycle\n", result.blow_by * 1e6);
-  text += fmt::format("{:>14.4g} l/min   blow-by at 1.01325 bar and 25 degC\n", document.blow_by_flow * 6e4);
-  text += fmt::format("{:>14.1e}         mass defect of the cycle\n\n", result.mass_defect);
-  text += regions_table(result) + seating_table(result) + events_table(result) + "\n" +
-          default_input_lines(document.inputs);
+  text += "blow-by per cylinder: " + blow_by_text(document.gas.sums) + "\n";
+  text += fmt::format("mass defect of the cycle: {:.1e}\n\n", result.mass_defect);
+  for (const std::string& table :
+       {regions_table(document.gas), ring_motion_table(document.gas), ring_events_table(document.gas)}) {
+    if (!table.empty()) text += table + "\n";
+  }
+  text += default_input_lines(document.inputs);
   for (const std::string& note : document.input_notes) text += "note: " + note + "\n";
   for (const cycle::Note& note : document.notes) text += "note: " + note.message + "\n";
   return text;

@@ -17,7 +17,6 @@ namespace {
 
 /// More would be a study of hours.
 constexpr std::size_t kMostCombinations = 10000;
-constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
 
 /// The settings of a combination, by its number.
 std::vector<io::Override> combination(const std::vector<Variation>& varied, std::size_t number) {
@@ -53,7 +52,7 @@ std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io:
 /// What the gas of a combination is.
 struct Solution {
   double blow_by = 0;                           ///< net mass in the cycle [kg]
-  double blow_by_flow = 0;                      ///< [l/min]
+  double blow_by_flow = 0;                      ///< [m3/s]
   std::vector<gas_path::RegionValues> regions;  ///< those of this combination
   std::ptrdiff_t fluttering_rings = 0;
   int period = 0;  ///< in cycles
@@ -70,8 +69,8 @@ Solution solution_of(const cycle::Case& c) {
   io::GasPathDocument document = io::gas_path_document(c);
   gas_path::GasPathResult& result = document.result;
   Solution solution;
-  solution.blow_by = result.blow_by;
-  solution.blow_by_flow = document.blow_by_flow * kLitresPerMinute;
+  solution.blow_by = document.gas.sums.blow_by_per_cycle;
+  solution.blow_by_flow = document.gas.sums.blow_by_flow;
   solution.regions = std::move(result.regions);
   solution.fluttering_rings = std::ranges::count_if(result.motion, [](const auto& ring) { return ring.flutters; });
   solution.period = result.period;
@@ -96,7 +95,7 @@ std::vector<std::string> region_names(const std::vector<Row>& rows) {
 std::string head(const std::vector<Variation>& varied, const std::vector<std::string>& regions) {
   std::string line;
   for (const Variation& one : varied) line += one.key + ",";
-  line += "blow_by_per_cycle [kg],blow_by_flow [l/min]";
+  line += "blow_by_per_cycle [kg],blow_by_flow [m3/s]";
   for (std::string name : regions) {
     std::replace(name.begin(), name.end(), ' ', '_');
     line += ",peak_pressure_" + name + " [Pa]";

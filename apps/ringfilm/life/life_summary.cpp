@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "ringfilm/gas_path/result.hpp"
+
 namespace ringfilm::app {
 namespace {
-
-constexpr double kLitresPerMinute = 6e4;
 
 std::size_t index_of(const std::string& name) {
   const auto& all = life::life_quantities();
@@ -41,14 +41,15 @@ std::string worn_table(const io::LifeDocument& document) {
   const std::vector<life::LifeState>& states = document.result.states;
   if (states.empty() || !states.front().worn) return "";
   const bool has_gas = document.result.unworn_blow_by_flow.has_value();
-  std::string text = fmt::format("\n{:>8} {:>16} {:>16}{}\n", "hours", "worn area um mm", "largest depth um",
-                                 has_gas ? fmt::format(" {:>14} {:>13}", "end gap + mm", "blow-by l/min") : "");
+  std::string text =
+      fmt::format("\n{:>8} {:>16} {:>16}{}\n", "hours", "worn area um mm", "largest depth um",
+                  has_gas ? fmt::format(" {:>14} {:>26}", "end gap + mm", "blow-by per cylinder l/min") : "");
   for (const life::LifeState& state : states) {
     text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}", state.time / life::kHour, state.worn->worn_area * 1e9,
                         state.worn->largest_depth * 1e6);
     if (has_gas) {
-      text += fmt::format(" {:>14.4g} {:>13.4g}", state.worn->end_gap_growth * 1e3,
-                          state.worn->blow_by_flow.value() * kLitresPerMinute);
+      text += fmt::format(" {:>14.4g} {:>26.4g}", state.worn->end_gap_growth * 1e3,
+                          state.worn->blow_by_flow.value() / gas_path::kLitrePerMinute);
     }
     text += "\n";
   }

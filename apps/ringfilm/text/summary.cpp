@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "gas_path/gas_tables.hpp"
 #include "ringfilm/io/gas_path/pack_sums.hpp"
 #include "text/engineering_text.hpp"
 #include "text/wrapped_text.hpp"
@@ -190,14 +191,15 @@ std::string pack_oil_lines(const io::ResultDocument& pack) {
 
 std::string pack_gas_lines(const io::ResultDocument& pack) {
   if (!pack.gas) return "";
-  std::string text =
-      fmt::format("blow-by {:.4g} mg per cycle, {:.4g} l/min at 1.01325 bar and 25 degC; peaks of pressure",
-                  pack.gas->blow_by_per_cycle * 1e6, pack.gas->blow_by_flow * 6e4);
+  std::string text = "blow-by per cylinder " + blow_by_text(pack.gas->sums) + "; peaks of pressure";
   for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
     const gas_path::RegionValues& region = pack.gas->regions[i];
     text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, region.peak_pressure * 1e-5);
   }
-  return wrapped(words(text));
+  text = wrapped(words(text));
+  const std::string motion = ring_motion_table(*pack.gas);
+  if (!motion.empty()) text += "\n" + motion;
+  return text;
 }
 
 }  // namespace

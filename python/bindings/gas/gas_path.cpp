@@ -73,7 +73,7 @@ py::dict gas_record(const py::object& given, const std::optional<Settings>& over
 
 void bind_gas_path(py::module_& module) {
   module.def("gas_path", &gas_record, py::arg("case"), py::arg("overrides") = py::none(),
-             R"(The gas between the rings of a pack over a cycle, a dict as `ringfilm gas --json` prints it.
+             R"(The gas between the rings of a pack over a cycle, a dict in SI as `ringfilm gas --json` prints it.
 
 `case` is a ringfilm.Case, or the path of a case file, in which keys of oil, contact and film may be missing; with a
 path `overrides` replace keys as --set does, {key: text}. The key `curves` of the record holds arrays over

@@ -18,6 +18,26 @@ const char* event_name(FlankEvent event) {
   return "";
 }
 
+GasSums gas_sums(const GasPathResult& result, double gas_constant) {
+  GasSums sums;
+  sums.blow_by_per_cycle = result.blow_by;
+  sums.blow_by_flow = blow_by_flow(result, gas_constant);
+  sums.mass_defect = result.mass_defect;
+  sums.periodicity_error = result.periodicity;
+  sums.cycles_integrated = result.cycles;
+  sums.periodic = result.repeats;
+  sums.period_in_cycles = result.period;
+  return sums;
+}
+
+std::vector<PathValues> path_values(const GasPathResult& result) {
+  std::vector<PathValues> values;
+  for (std::size_t k = 0; k < result.paths.size(); ++k) {
+    values.push_back({path_name(result.paths[k]), result.transported[k]});
+  }
+  return values;
+}
+
 double blow_by_flow(const GasPathResult& result, double gas_constant) {
   return result.blow_by / result.duration * gas_constant * kBlowByTemperature / base::kAtmosphere;
 }

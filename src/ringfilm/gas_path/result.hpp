@@ -31,17 +31,17 @@ struct RegionValues {
 
 /// How often a ring changes the flank that it lies on.
 struct RingMotionValues {
-  bool has_groove = false;     ///< a compression ring; the others do not move
-  std::size_t departures = 0;  ///< from its lower flank in a cycle
-  bool flutters = false;       ///< leaves its lower flank more than once in a stroke
+  bool has_groove = false;  ///< a compression ring; the others do not move
+  long departures = 0;      ///< from its lower flank in a cycle
+  bool flutters = false;    ///< leaves its lower flank more than once in a stroke
   // static criterion of flutter, eq-seating-force
   double least_seating_force = 0;            ///< that presses it on its lower flank, if it lay there [N]
   double least_seating_force_angle_deg = 0;  ///< crank angle of it [degree]
   double unseated_share = 0;                 ///< share of the cycle in which that force is negative [-]
   /// Largest by its size while that force is positive, eq-static-twist; nothing without a face width [rad].
   std::optional<double> largest_static_twist;
-  double largest_static_twist_angle_deg = 0;  ///< crank angle of it [degree]
-  double twisted_share = 0;                   ///< share of the cycle in which the flank does not hold the ring flat [-]
+  std::optional<double> largest_static_twist_angle_deg;  ///< crank angle of it [degree]
+  std::optional<double> twisted_share;  ///< share of the cycle in which the flank does not hold the ring flat [-]
 };
 
 /// The gas over one cycle that repeats itself.
@@ -71,7 +71,33 @@ struct GasPathResult {
 /// The gas of the crankcase at 25 degC and standard atmosphere, in which blow-by is stated.
 inline constexpr double kBlowByTemperature = 298.15;  ///< [K]
 
+/// The unit in which blow-by is read [m3/s].
+inline constexpr double kLitrePerMinute = 1e-3 / 60;
+
 /// Blow-by as a volume flow at kBlowByTemperature and base::kAtmosphere [m3/s]. @param gas_constant [J/(kg K)]
 double blow_by_flow(const GasPathResult& result, double gas_constant);
+
+/// The gas of one cylinder as a whole. A file of an earlier version lacks what is optional.
+struct GasSums {
+  double blow_by_per_cycle = 0;           ///< GasPathResult::blow_by [kg]
+  double blow_by_flow = 0;                ///< blow_by_flow() [m3/s]
+  double mass_defect = 0;                 ///< GasPathResult::mass_defect [-]
+  double periodicity_error = 0;           ///< GasPathResult::periodicity [-]
+  std::optional<long> cycles_integrated;  ///< GasPathResult::cycles
+  std::optional<bool> periodic;           ///< GasPathResult::repeats
+  std::optional<long> period_in_cycles;   ///< GasPathResult::period
+};
+
+/// A path over the cycle.
+struct PathValues {
+  std::string name;           ///< path_name()
+  double mass_per_cycle = 0;  ///< net mass in its direction [kg]
+};
+
+/// @param gas_constant [J/(kg K)]
+GasSums gas_sums(const GasPathResult& result, double gas_constant);
+
+/// In the order of GasPathResult::paths.
+std::vector<PathValues> path_values(const GasPathResult& result);
 
 }  // namespace ringfilm::gas_path

@@ -100,7 +100,7 @@ void add_static_twist(const Network& network, std::size_t ring, GasPathResult& r
   if (of.face_width == 0 || of.youngs_modulus == 0) return;
   const RingBorders& at = network.borders(ring);
   RingMotionValues& values = result.motion[ring];
-  double largest = 0;
+  double largest = 0, largest_at = 0;
   std::size_t n_twisted = 0;
   for (std::size_t angle = 0; angle < result.pressure.size(); ++angle) {
     const std::vector<double>& p = result.pressure[angle];
@@ -109,8 +109,9 @@ void add_static_twist(const Network& network, std::size_t ring, GasPathResult& r
     if (twist != 0) ++n_twisted;
     if (std::abs(twist) <= std::abs(largest)) continue;
     largest = twist;
-    values.largest_static_twist_angle_deg = static_cast<double>(angle);
+    largest_at = static_cast<double>(angle);
   }
+  values.largest_static_twist_angle_deg = largest_at;
   values.largest_static_twist = largest;
   values.twisted_share = static_cast<double>(n_twisted) / static_cast<double>(result.pressure.size());
 }

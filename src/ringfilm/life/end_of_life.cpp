@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
+
 namespace ringfilm::life {
 namespace {
 
@@ -85,7 +87,7 @@ const std::vector<cycle::Quantity>& limitable_quantities() {
     all.push_back({"largest_worn_depth", "m", "um", "largest worn depth", "w_max", "eq-life-archard"});
     all.push_back({"coating_left", "m", "um", "coating left", "", ""});
     all.push_back({"end_gap_growth", "m", "mm", "growth of the end gap", "", ""});
-    all.push_back({"blow_by_flow", "m3/s", "l/min", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"});
+    all.push_back(cycle::gas_sum_quantity("blow_by_flow"));
     return all;
   }();
   return table;

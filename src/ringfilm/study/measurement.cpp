@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "ringfilm/cycle/closure/static_closure.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -28,7 +29,7 @@ const std::vector<cycle::Quantity> kOfWholeRun = {
 
 /// Of the gas between the rings.
 const std::vector<cycle::Quantity> kOfGas = {
-    {"blow_by_per_cycle", "kg", "mg", "net mass of gas into the crankcase in a cycle", "m_b", "eq-blow-by"},
+    cycle::gas_sum_quantity("blow_by_per_cycle"),
     {"gas_mass_defect", "1", "1", "balance of the gas over a cycle, relative to what passes", "d_m", "eq-blow-by"},
     {"critical_pressure_ratio", "1", "1", "pressure ratio below which an orifice is choked", "r_c",
      "eq-critical-ratio"},

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import re
 import unittest
 
@@ -89,8 +90,9 @@ class GasTest(program.ProgramTest):
         self.assertEqual(names, ["chamber", "groove 1", "land 2", "groove 2", "land 3", "crankcase"])
         self.assertGreater(found["blow_by_per_cycle"], 1e-7)
         density = 101325 / (287 * 298.15)
-        litres = found["blow_by_per_cycle"] / 0.08 / density * 6e4
-        self.assertAlmostEqual(found["blow_by_flow"] / litres, 1, delta=1e-12)
+        flow = found["blow_by_per_cycle"] / 0.08 / density  # [m3/s]
+        self.assertAlmostEqual(found["blow_by_flow"] / flow, 1, delta=1e-12)
+        self.assertEqual(found["units"]["blow_by_flow"], "m3/s")
         self.assertLess(found["mass_defect"], 1e-12)
         self.assertEqual(found["ring_events"], [])
         self.assertIn("gas_path.crankcase_temperature", found["assumed"])
@@ -144,9 +146,9 @@ class GasTest(program.ProgramTest):
         self.assertEqual([row["operating.speed"] for row in rows], 2 * ["1000 rpm"] + 2 * ["3000 rpm"])
         one = self.json_of("--set", "operating.speed=3000 rpm")
         self.assertEqual(float(rows[3]["blow_by_per_cycle [kg]"]), one["blow_by_per_cycle"])
-        self.assertEqual(float(rows[3]["blow_by_flow [l/min]"]), one["blow_by_flow"])
+        self.assertEqual(float(rows[3]["blow_by_flow [m3/s]"]), one["blow_by_flow"])
         self.assertEqual(float(rows[3]["peak_pressure_land_2 [Pa]"]), one["regions"][2]["peak_pressure"])
-        self.assertLess(float(rows[0]["blow_by_flow [l/min]"]), float(rows[1]["blow_by_flow [l/min]"]))
+        self.assertLess(float(rows[0]["blow_by_flow [m3/s]"]), float(rows[1]["blow_by_flow [m3/s]"]))
         for words, text in (
             (("--vary", "operating.speed"), "is not a key with its values"),
             (("--vary", "operating.speed=1000 rpm, 5 m"), "operating.speed"),
@@ -172,11 +174,27 @@ class GasTest(program.ProgramTest):
         self.assert_refused(refused, "the gas of a ring pack alone")
 
     def test_static_twist_is_reported_of_rings_with_a_width(self):
-        for ring in self.json_of()["ring_motion"]:
-            self.assertLess(abs(ring["largest_static_twist"]), 1)
+        found = self.json_of()
+        self.assertEqual(found["units"]["largest_static_twist"], "rad")
+        pattern = re.compile(r"^ +[12] .* %\s+(none|\S+ degree at \d+)$", re.MULTILINE)
+        shown = pattern.findall(self.run_well("gas", "pack.toml"))
+        for ring, text in zip(found["ring_motion"], shown, strict=True):
+            degree = math.degrees(ring["largest_static_twist"])
+            self.assertLess(abs(degree), 1)
+            if degree == 0:
+                self.assertEqual(text, "none")
+            else:
+                self.assertAlmostEqual(float(text.split()[0]) / degree, 1, delta=0.05)
             self.assertLessEqual(ring["twisted_share"], 1 - ring["unseated_share"])
         self.write(HEAD + TOP.replace('face_width = "1.2 mm"\n', "") + SECOND + OIL)
         self.assertNotIn("largest_static_twist", self.json_of()["ring_motion"][0])
+
+    def test_a_volume_that_fills_at_once_is_solved(self):
+        self.write(HEAD + TOP + SECOND.replace('"300 mm3"', '"0.004 mm3"') + OIL)
+        hot = ("--set", "ring.2.temperature_below=956 K", "--set", "ring.2.end_gap=7 mm")
+        found = self.json_of(*hot, "--set", "ring.3.gap_area=0.00176 mm2")
+        self.assertTrue(found["periodic"])
+        self.assertLess(found["mass_defect"], 1e-12)
 
     def test_pack_without_oil_ring_is_noted(self):
         self.write(HEAD + TOP + SECOND.replace('volume_below = "300 mm3"\n', ""))
@@ -221,9 +239,20 @@ class GasTest(program.ProgramTest):
         face = '[ring.face]\nform = "parabola"\ncrown_height = "15 um"\n'
         second = SECOND.replace('volume_below = "300 mm3"\n', 'volume_below = "0.3 cm3"\n')
         self.write(common + path + film + TOP + face + second + face + FACE)
-        rings = json.loads(self.run_well("run", "pack.toml", "--json"))["rings"]
+        pack = json.loads(self.run_well("run", "pack.toml", "--json", "-o", "pack.nc"))
+        gas = json.loads(self.run_well("gas", "pack.toml", "--json"))
+        rings = pack["rings"]
         self.assertEqual(len(rings), 3)
         self.assertIn("blow-by", " ".join(note["message"] for note in rings[0]["notes"]))
+        # Each value of the gas in the same unit as of the gas alone; the page has the same.
+        self.assertEqual(pack["gas"], {key: value for key, value in gas.items() if key in pack["gas"]})
+        self.assertEqual(set(gas) - set(pack["gas"]), {"title", "notes", "assumed", "program", "commit"})
+        self.run_well("report", "pack.nc", "-o", "pack.html")
+        page = (self.folder / "pack.html").read_text()
+        for name in ("largest_static_twist", "unseated_share"):
+            self.assertIn(f'"{name}":', page)
+        summary = self.run_well("run", "pack.toml")
+        self.assertIn("blow-by per cylinder", summary)
         topics = self.run_well("check", "pack.toml")
         self.assertIn("gas-path: the gas between the rings", topics.replace("\n  ", " "))
         # The first ring carries what the gas in its groove presses, which is nearly that of the chamber.

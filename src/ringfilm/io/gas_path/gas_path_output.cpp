@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <utility>
 
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/gas_path/gas_json.hpp"
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
@@ -22,7 +22,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
 /// Raised by one whenever a name or a meaning of the file of the gas alone changes.
 constexpr long kGasSchema = 1;
 
@@ -67,61 +66,13 @@ GasPathDocument gas_path_document(const cycle::Case& c) {
   document.input_notes = c.notes;
   document.notes = cycle::gas_path_notes(c, pack, document.result);
   document.provenance = this_program();
-  document.gas_constant = pack.gas.gas_constant;
-  document.blow_by_flow = blow_by_flow(document.result, pack.gas.gas_constant);
+  document.gas = pack_gas(document.result, pack.gas.gas_constant);
   return document;
 }
 
 std::string gas_path_json(const GasPathDocument& document) {
-  const gas_path::GasPathResult& result = document.result;
-  ordered_json object = {{"title", document.title},
-                         {"blow_by_per_cycle", result.blow_by},
-                         {"blow_by_flow", document.blow_by_flow * kLitresPerMinute},
-                         {"mass_defect", result.mass_defect},
-                         {"regions", ordered_json::array()},
-                         {"ring_events", ordered_json::array()},
-                         {"ring_motion", ordered_json::array()},
-                         {"paths", ordered_json::array()}};
-  for (const gas_path::RegionValues& region : result.regions) {
-    object["regions"].push_back({{"name", region.name},
-                                 {"peak_pressure", region.peak_pressure},
-                                 {"peak_pressure_angle", region.peak_pressure_angle_deg},
-                                 {"mean_pressure", region.mean_pressure}});
-  }
-  for (const gas_path::RingEvent& event : result.events) {
-    object["ring_events"].push_back(
-        {{"ring", event.ring}, {"crank_angle", event.crank_angle_deg}, {"event", event_name(event.event)}});
-  }
-  for (std::size_t i = 0; i < result.motion.size(); ++i) {
-    if (!result.motion[i].has_groove) continue;
-    object["ring_motion"].push_back({{"ring", i + 1},
-                                     {"departures_from_lower_flank", result.motion[i].departures},
-                                     {"flutters", result.motion[i].flutters},
-                                     {"least_seating_force", result.motion[i].least_seating_force},
-                                     {"least_seating_force_angle", result.motion[i].least_seating_force_angle_deg},
-                                     {"unseated_share", result.motion[i].unseated_share}});
-    const gas_path::RingMotionValues& motion = result.motion[i];
-    if (!motion.largest_static_twist) continue;
-    constexpr double kDegree = 180 / std::numbers::pi;
-    ordered_json& ring = object["ring_motion"].back();
-    ring["largest_static_twist"] = *motion.largest_static_twist * kDegree;
-    ring["largest_static_twist_angle"] = motion.largest_static_twist_angle_deg;
-    ring["twisted_share"] = motion.twisted_share;
-  }
-  for (std::size_t k = 0; k < result.paths.size(); ++k) {
-    object["paths"].push_back({{"name", path_name(result.paths[k])}, {"mass_per_cycle", result.transported[k]}});
-  }
-  object["cycles_integrated"] = result.cycles;
-  object["periodicity_error"] = result.periodicity;
-  object["periodic"] = result.repeats;
-  object["period_in_cycles"] = result.period;
-  object["units"] = {{"blow_by_per_cycle", "kg"},  {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
-                     {"peak_pressure", "Pa"},      {"peak_pressure_angle", "degree"},
-                     {"mean_pressure", "Pa"},      {"crank_angle", "degree"},
-                     {"mass_per_cycle", "kg"},     {"mass_defect", "1"},
-                     {"least_seating_force", "N"}, {"least_seating_force_angle", "degree"},
-                     {"unseated_share", "1"},      {"largest_static_twist", "degree"},
-                     {"twisted_share", "1"},       {"largest_static_twist_angle", "degree"}};
+  ordered_json object = {{"title", document.title}};
+  object.update(gas_object(document.gas));
   object["notes"] = gas_notes_array(document);
   ordered_json assumed = ordered_json::object();
   for (const CaseEntry& entry : document.inputs) {
@@ -139,7 +90,7 @@ void write_gas_path(const std::string& path, const GasPathDocument& document) {
   file.attribute("ringfilm_gas_schema", kGasSchema);
   file.attribute("title", document.title);
   exchange_provenance(file, document.provenance);
-  const struct { std::optional<PackGas> gas; } content{pack_gas(document.result, document.gas_constant)};
+  const struct { std::optional<PackGas> gas; } content{document.gas};
   exchange_pack_gas(file, content);
   exchange_notes(file, document.input_notes, document.notes);
   write_atomically(path, file.bytes());

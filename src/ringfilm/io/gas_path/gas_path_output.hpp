@@ -4,6 +4,7 @@
 
 #include "ringfilm/cycle/case/case.hpp"
 #include "ringfilm/gas_path/result.hpp"
+#include "ringfilm/io/gas_path/pack_gas.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::io {
@@ -16,16 +17,15 @@ struct GasPathDocument {
   std::vector<std::string> input_notes;  ///< Case::notes
   std::vector<cycle::Note> notes;        ///< on the result
   Provenance provenance;                 ///< what computed it
-  double gas_constant = 0;               ///< of the case [J/(kg K)]
-  double blow_by_flow = 0;               ///< at 25 degC and standard atmosphere [m3/s]
   gas_path::GasPathResult result;        ///< pressures, flows and motion over the cycle
+  PackGas gas;                           ///< the same as files and JSON have it
 };
 
 /// Computes the gas of a case that was read for CasePurpose::kGasPath or as a whole. Throws InputError where its traces
 /// cannot be used, ConvergenceError where the integration stops.
 GasPathDocument gas_path_document(const cycle::Case& c);
 
-/// Values of the cycle as JSON: pressures in Pa, masses in kg, angles in degrees, blow-by flow in l/min.
+/// Values of the cycle as JSON, in SI with their units; crank angles in degrees.
 std::string gas_path_json(const GasPathDocument& document);
 
 /// Writes them as NetCDF-4 with the curves over crank angle, under the names that the result file of a pack has for its

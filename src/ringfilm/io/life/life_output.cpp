@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/life/wear_json.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
@@ -120,7 +121,7 @@ ordered_json units_object() {
                         {"x", "m"},
                         {"worn_depth", "m"},
                         {"end_gap_growth", "m"},
-                        {"blow_by_flow", "m3/s"},
+                        {"blow_by_flow", cycle::gas_sum_quantity("blow_by_flow").unit},
                         {"coating_left", "m"},
                         {"liner_worn_depth", "m"},
                         {"liner_position", "m"},
@@ -228,8 +229,8 @@ void put_wear(ResultFileWriter& file, const LifeDocument& document) {
                   [](const life::LifeState& state) { return state.worn->coating_left.value(); });
   }
   if (document.result.unworn_blow_by_flow) {
-    put_over_time(file, described("blow_by_flow", "m3/s", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"),
-                  document, [](const life::LifeState& state) { return state.worn->blow_by_flow.value(); });
+    put_over_time(file, cycle::gas_sum_quantity("blow_by_flow"), document,
+                  [](const life::LifeState& state) { return state.worn->blow_by_flow.value(); });
   }
   file.numbers({kTime, "x"}, described("worn_depth", "m", "worn depth of the face", "w", "eq-life-archard"), depths);
   if (liner.empty()) return;

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/io/gas_path/gas_json.hpp"
 #include "ringfilm/io/gas_path/pack_sums.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 
@@ -114,31 +115,6 @@ ordered_json result_object(const ResultDocument& document) {
   object["commit"] = document.provenance.commit;
   object["kernels"] = document.provenance.kernels;
   object["complete"] = result.complete;
-  return object;
-}
-
-/// What the gas between the rings does.
-ordered_json gas_object(const PackGas& gas) {
-  constexpr double kLitresPerMinute = 6e4;  // of 1 m3/s
-  ordered_json object = {{"blow_by_per_cycle", gas.blow_by_per_cycle},
-                         {"blow_by_flow", gas.blow_by_flow * kLitresPerMinute},
-                         {"mass_defect", gas.mass_defect},
-                         {"periodicity_error", gas.periodicity_error},
-                         {"regions", ordered_json::array()},
-                         {"ring_events", ordered_json::array()}};
-  for (const gas_path::RegionValues& region : gas.regions) {
-    object["regions"].push_back({{"name", region.name},
-                                 {"peak_pressure", region.peak_pressure},
-                                 {"peak_pressure_angle", region.peak_pressure_angle_deg},
-                                 {"mean_pressure", region.mean_pressure}});
-  }
-  for (const PackGas::Event& event : gas.events) {
-    object["ring_events"].push_back(
-        {{"ring", event.ring}, {"crank_angle", event.crank_angle_deg}, {"event", event.event}});
-  }
-  object["units"] = {{"blow_by_per_cycle", "kg"}, {"blow_by_flow", "l/min at 1.01325 bar and 25 degC"},
-                     {"peak_pressure", "Pa"},     {"peak_pressure_angle", "degree"},
-                     {"mean_pressure", "Pa"},     {"crank_angle", "degree"}};
   return object;
 }
 

@@ -3,8 +3,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
+#include "ringfilm/io/gas_path/gas_json.hpp"
 #include "ringfilm/io/gas_path/pack_sums.hpp"
 #include "ringfilm/io/result/result_document.hpp"
+#include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 
 namespace ringfilm::report {
@@ -25,31 +28,22 @@ ordered_json columns(const std::vector<double>& rows, std::size_t n) {
   return lists;
 }
 
+/// Values as `run --json` has them, their descriptions, and the curves.
 ordered_json gas_payload(const io::PackGas& gas) {
-  ordered_json regions = ordered_json::array(), paths = ordered_json::array(), events = ordered_json::array(),
-               rings = ordered_json::array();
-  for (const gas_path::RegionValues& region : gas.regions) {
-    regions.push_back({{"name", region.name},
-                       {"peak_pressure", exact(region.peak_pressure)},
-                       {"peak_pressure_angle", exact(region.peak_pressure_angle_deg)}});
-  }
-  for (const io::PackGas::Path& path : gas.paths) {
-    paths.push_back({{"name", path.name}, {"mass_per_cycle", exact(path.mass_per_cycle)}});
-  }
-  for (const io::PackGas::Event& event : gas.events) {
-    events.push_back({{"ring", event.ring}, {"crank_angle", exact(event.crank_angle_deg)}, {"event", event.event}});
-  }
+  ordered_json object = io::gas_object(gas), rings = ordered_json::array();
   for (const io::PackGas::Ring& ring : gas.rings) rings.push_back(ring.number);
-  return {{"blow_by_per_cycle", exact(gas.blow_by_per_cycle)},
-          {"blow_by_flow", exact(gas.blow_by_flow)},
-          {"crank_angle", rounded_list(gas.crank_angle_deg, kGasDigits)},
-          {"regions", std::move(regions)},
-          {"paths", std::move(paths)},
-          {"events", std::move(events)},
-          {"rings", std::move(rings)},
-          {"pressure", columns(gas.pressure, gas.regions.size())},
-          {"flow", columns(gas.flow, gas.paths.size())},
-          {"position", columns(gas.position, gas.rings.size())}};
+  object["events"] = std::move(object["ring_events"]);
+  object.erase("ring_events");
+  object["quantities"] = {{"sums", described_all(cycle::gas_sum_quantities())},
+                          {"regions", described_all(cycle::gas_region_quantities())},
+                          {"paths", described_all(cycle::gas_path_quantities())},
+                          {"ring_motion", described_all(cycle::gas_ring_quantities())}};
+  object["rings"] = std::move(rings);
+  object["crank_angle"] = rounded_list(gas.crank_angle_deg, kGasDigits);
+  object["pressure"] = columns(gas.pressure, gas.regions.size());
+  object["flow"] = columns(gas.flow, gas.paths.size());
+  object["position"] = columns(gas.position, gas.rings.size());
+  return object;
 }
 
 ordered_json oil_payload(const io::PackOil& oil) {

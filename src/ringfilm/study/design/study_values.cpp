@@ -4,6 +4,7 @@
 #include <span>
 
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/gas_path/network.hpp"
 
 namespace ringfilm::study {
@@ -40,10 +41,8 @@ void append_pack(std::size_t n_rings, StudyValues& values) {
 }
 
 void append_gas(const cycle::Case& base, StudyValues& values) {
-  values.quantities.push_back(
-      {"blow_by_per_cycle", "kg", "mg", "net mass of gas into the crankcase in a cycle", "m_b", "eq-blow-by"});
-  values.quantities.push_back(
-      {"blow_by_flow", "m3 s-1", "l/min", "blow-by at 1.01325 bar and 25 degC", "", "eq-blow-by"});
+  values.quantities.push_back(cycle::gas_sum_quantity("blow_by_per_cycle"));
+  values.quantities.push_back(cycle::gas_sum_quantity("blow_by_flow"));
   values.main.push_back("blow_by_flow");
   const gas_path::Network network(cycle::gas_pack(base), cycle::given_pressures(base));
   const std::vector<gas_path::Region>& regions = network.regions();

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "../result_example.hpp"
+#include "ringfilm/io/gas_path/gas_json.hpp"
 #include "ringfilm/io/gas_path/pack_sums.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
 #include "ringfilm/io/result/result_document.hpp"
@@ -32,6 +35,13 @@ gas_path::GasPathResult gas_of_two_regions() {
   gas.transported = {2e-6};
   gas.events = {{1, 123.5, gas_path::FlankEvent::kLeavesLower}};
   gas.motion.emplace_back().has_groove = true;
+  gas.motion.back().departures = 2;
+  gas.motion.back().flutters = true;
+  gas.motion.back().least_seating_force = -12.5;
+  gas.motion.back().unseated_share = 0.25;
+  gas.motion.back().largest_static_twist = 1e-3;
+  gas.cycles = 7;
+  gas.period = 2;
   gas.blow_by = 2e-6;
   gas.duration = 0.08;
   return gas;
@@ -51,9 +61,43 @@ TEST(PackGas, IsTheSameFromTheFile) {
   ASSERT_EQ(read.gas->events.size(), 1U);
   EXPECT_EQ(read.gas->events[0].event, "leaves-lower");
   EXPECT_EQ(read.gas->events[0].crank_angle_deg, 123.5);
-  EXPECT_EQ(read.gas->blow_by_per_cycle, 2e-6);
   EXPECT_EQ(read.gas->rings.at(0).number, 1);
+  EXPECT_EQ(gas_object(*read.gas), gas_object(*pack.gas));
   EXPECT_EQ(ring_numbers(read), ring_numbers(pack));
+}
+
+TEST(PackGas, HasEachQuantityInSiWithItsUnit) {
+  const PackGas gas = pack_gas(gas_of_two_regions(), 287);
+  const nlohmann::ordered_json object = gas_object(gas);
+  // 2 mg in 80 ms at 101325/(287 298.15) kg/m3.
+  EXPECT_NEAR(object["blow_by_flow"], 2e-6 / 0.08 * 287 * 298.15 / 101325, 1e-12 * 2e-5);
+  EXPECT_EQ(object["units"]["blow_by_flow"], "m3/s");
+  EXPECT_EQ(object["units"]["largest_static_twist"], "rad");
+  EXPECT_EQ(object["cycles_integrated"], 7);
+  EXPECT_EQ(object["period_in_cycles"], 2);
+  EXPECT_EQ(object["periodic"], false);
+  const nlohmann::ordered_json& path = object["paths"].at(0);
+  EXPECT_EQ(path["name"], "end gap 1");
+  EXPECT_EQ(path["mass_per_cycle"], 2e-6);
+  const nlohmann::ordered_json& ring = object["ring_motion"].at(0);
+  EXPECT_EQ(ring["departures_from_lower_flank"], 2);
+  EXPECT_EQ(ring["flutters"], true);
+  EXPECT_EQ(ring["least_seating_force"], -12.5);
+  EXPECT_EQ(ring["unseated_share"], 0.25);
+  EXPECT_EQ(ring["largest_static_twist"], 1e-3);
+  EXPECT_FALSE(ring.contains("twisted_share"));
+}
+
+TEST(PackGas, OfAnEarlierFileLacksWhatItDoesNotHave) {
+  PackGas gas = pack_gas(gas_of_two_regions(), 287);
+  gas.motion.clear();
+  gas.sums.periodic.reset();
+  ResultDocument pack = pack_of_three_films();
+  pack.gas = gas;
+  const nlohmann::ordered_json object = gas_object(*result_of_bytes("a pack", result_bytes(pack)).gas);
+  EXPECT_TRUE(object["ring_motion"].empty());
+  EXPECT_FALSE(object.contains("periodic"));
+  EXPECT_TRUE(object.contains("period_in_cycles"));
 }
 
 TEST(PackGas, OfGivenPressuresIsAbsent) {

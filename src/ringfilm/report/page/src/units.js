@@ -15,6 +15,7 @@ const kSizeInSi = {
   um2: 1e-12,
   'um mm': 1e-9,
   m3: 1,
+  'm3/s': 1,
   cm3: 1e-6,
   'l/min': 1e-3 / 60,
   'um-2': 1e12,
@@ -30,6 +31,8 @@ const kSizeInSi = {
   'N/m': 1,
   'N/mm': 1e3,
   'kN/m': 1e3,
+  kg: 1,
+  mg: 1e-6,
   W: 1,
   kW: 1e3,
   mW: 1e-3,
@@ -108,6 +111,8 @@ export function display(quantity) {
   const { unit, display_unit: shown } = quantity;
   if (unit === 'K' && shown === 'degC')
     return { unit: '°C', convert: (v) => (v === null ? null : v - 273.15) };
+  if (unit === 'rad' && shown === 'degree')
+    return { unit: '°', convert: (v) => (v === null ? null : (v * 180) / Math.PI) };
   const size = kSizeInSi[shown];
   if (!shown || size === undefined) return { unit: shownUnit(unit), convert: (v) => v };
   // Dividing by 1e-6 and multiplying by 1e6 differ in the last bit; the reader sees four digits.

@@ -24,7 +24,7 @@ export function wornTable(life) {
       figure('worn area'),
       figure('largest depth'),
       figure('growth of the end gap'),
-      ...(hasGas ? [figure('blow-by')] : []),
+      ...(hasGas ? [figure('blow-by per cylinder')] : []),
       ...(hasBand ? [figure('worn area, band'), figure('largest depth, band')] : []),
     ],
     life.states.map((state) => [

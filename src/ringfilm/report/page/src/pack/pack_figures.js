@@ -2,11 +2,11 @@
 import { kCycleRange, pressurePeaks } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
 import { angleInWords, number } from '../units.js';
+import { blowByWords } from './gas_words.js';
 import { inputOf, regionWords } from './pack_model.js';
 
 const kMilligrams = 1e6;
 const kMicrometres = 1e6;
-const kLitresPerMinute = 6e4;
 
 function panel(packed, id, axis, series) {
   return {
@@ -130,9 +130,7 @@ export function blowBy(packed) {
     ],
     caption:
       `Mass flow through the end gaps${faces ? ' and, dotted, over the faces where films do not hold the gas' : ''}, ` +
-      'positive to the crankcase; that past the last ring is the blow-by: ' +
-      `${number(gas.blow_by_per_cycle * kMilligrams, 3)} mg per cycle, ` +
-      `${number(gas.blow_by_flow * kLitresPerMinute, 3)} l/min at 1.01325 bar and 25 °C.`,
+      `positive to the crankcase; that past the last ring is the blow-by, per cylinder: ${blowByWords(gas)}.`,
   };
 }
 

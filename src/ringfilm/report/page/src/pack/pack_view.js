@@ -1,9 +1,10 @@
 // The drawing of a ring pack with its slider, and the section of a pack on the page.
 import { element, svgElement } from '../dom.js';
 import { fileStem, save, savePng } from '../downloads.js';
-import { figure as numberCell, table } from '../tables.js';
 import { boundaryPowerShare } from '../model.js';
-import { angleInWords, number, withUnit } from '../units.js';
+import { figure as numberCell, folded, table } from '../tables.js';
+import { angleInWords, display, number, withUnit } from '../units.js';
+import { blowByWords, withoutRounding } from './gas_words.js';
 import { packSvg } from './pack_drawing.js';
 
 export class PackDrawing {
@@ -130,15 +131,51 @@ export function ringTable({ pack, model }) {
   );
 }
 
-/** What the gas and the oil of the pack come to, in words. */
+/** A row for each path or ring, with a column for each of its quantities in the unit in which it is read. */
+function gasTable(caption, what, quantities, rows, nameOf) {
+  const columns = quantities
+    .map((quantity) => ({ ...quantity, ...display(quantity) }))
+    .filter(({ name }) => rows.some((row) => row[name] !== undefined));
+  if (rows.length === 0 || columns.length === 0) return null;
+  const cell = (value, { convert }) => {
+    if (value === undefined) return numberCell('–');
+    if (typeof value === 'boolean') return numberCell(value ? 'yes' : 'no');
+    return numberCell(number(convert(value), 3));
+  };
+  const head = ({ long_name: text, unit }) => ({
+    text: unit ? `${text} [${unit}]` : text,
+    attributes: { class: 'number' },
+  });
+  return table(
+    caption,
+    [what, ...columns.map(head)],
+    rows.map((row) => [nameOf(row), ...columns.map((column) => cell(row[column.name], column))]),
+    { folds: true },
+  );
+}
+
+/** What passes each path in a cycle, forward and back, and what moves the rings in their grooves. */
+function gasTables(gas) {
+  if (!gas) return null;
+  const { paths, ring_motion: motion } = gas.quantities;
+  return folded(
+    'Gas flows and ring motion',
+    gasTable(
+      'Gas that passes each path in a cycle, per cylinder',
+      'path',
+      paths,
+      withoutRounding(gas.paths),
+      ({ name }) => name,
+    ),
+    gasTable('Rings in their grooves', 'ring', motion, gas.ring_motion, ({ ring }) => `ring ${ring}`),
+  );
+}
+
+/** What the gas and the oil of the pack come to: sentences, then tables. */
 export function packSentences({ pack }) {
   const { gas, oil } = pack;
   const sentences = [];
-  if (gas)
-    sentences.push(
-      `Blow-by ${number(gas.blow_by_per_cycle * 1e6, 3)} mg per cycle, ${number(gas.blow_by_flow * 6e4, 3)} l/min at ` +
-        '1.01325 bar and 25 °C.',
-    );
+  if (gas) sentences.push(`Blow-by per cylinder: ${blowByWords(gas)}.`);
   if (oil)
     sentences.push(
       `Oil on the liner above the first ring: ${number(oil.film_after_power_stroke * 1e6, 3)} µm after the power ` +
@@ -146,5 +183,5 @@ export function packSentences({ pack }) {
         `the chamber: ${number(oil.to_chamber_upper_bound * 1e6, 3)} mg per cycle, all that the first ring leaves ` +
         'there on its downstrokes.',
     );
-  return sentences.map((words) => element('p', { class: 'how' }, words));
+  return [...sentences.map((words) => element('p', { class: 'how' }, words)), gasTables(gas)];
 }

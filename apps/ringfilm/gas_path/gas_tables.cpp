@@ -1,0 +1,60 @@
+#include "gas_path/gas_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
+#include "text/engineering_text.hpp"
+
+namespace ringfilm::app {
+namespace {
+
+constexpr double kPerBar = 1e-5;
+
+std::string twist_cell(const gas_path::RingMotionValues& ring) {
+  if (!ring.largest_static_twist) return "";
+  const double twist = *ring.largest_static_twist * 180 / std::numbers::pi;
+  if (twist == 0) return "       none";
+  return fmt::format("{:>11.2g} degree at {:.0f}", twist, ring.largest_static_twist_angle_deg.value_or(0));
+}
+
+}  // namespace
+
+std::string blow_by_text(const gas_path::GasSums& sums) {
+  const EngineeringText shown;
+  return shown(cycle::gas_sum_quantity("blow_by_per_cycle"), sums.blow_by_per_cycle) + " per cycle, " +
+         shown(cycle::gas_sum_quantity("blow_by_flow"), sums.blow_by_flow) + " at 1.01325 bar and 25 degC";
+}
+
+std::string regions_table(const io::PackGas& gas) {
+  std::string text = fmt::format("{:<14}{:>16}{:>16}{:>16}\n", "region", "peak", "at", "mean");
+  for (const gas_path::RegionValues& region : gas.regions) {
+    text += fmt::format("{:<14}{:>12.4g} bar{:>9.1f} degree{:>12.4g} bar\n", region.name,
+                        region.peak_pressure * kPerBar, region.peak_pressure_angle_deg, region.mean_pressure * kPerBar);
+  }
+  return text;
+}
+
+std::string ring_motion_table(const io::PackGas& gas) {
+  std::string text = "ring   leaves lower flank   least force on the lower flank   unseated   largest static twist\n";
+  for (std::size_t i = 0; i < gas.motion.size(); ++i) {
+    const gas_path::RingMotionValues& ring = gas.motion[i];
+    const std::string departures = fmt::format("{} x{}", ring.departures, ring.flutters ? ", flutters" : "");
+    text += fmt::format("{:>4}{:>21}{:>12.4g} N at{:>6.0f} degree{:>11.1f} %{}\n", gas.rings[i].number, departures,
+                        ring.least_seating_force, ring.least_seating_force_angle_deg, 100 * ring.unseated_share,
+                        twist_cell(ring));
+  }
+  return gas.motion.empty() ? "" : text;
+}
+
+std::string ring_events_table(const io::PackGas& gas) {
+  if (gas.events.empty()) return "";
+  std::string text = "ring   crank angle   event\n";
+  for (const io::PackGas::Event& event : gas.events) {
+    text += fmt::format("{:>4}{:>7.2f} degree   {}\n", event.ring, event.crank_angle_deg, event.event);
+  }
+  return text;
+}
+
+}  // namespace ringfilm::app

@@ -1,0 +1,85 @@
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ringfilm::cycle {
+
+const std::vector<GasSumQuantity>& gas_sum_quantities() {
+  using gas_path::GasSums;
+  static const std::vector<GasSumQuantity> table = {
+      {{"blow_by_per_cycle", "kg", "mg", "blow-by per cylinder: net mass of gas into the crankcase in a cycle", "m_b",
+        "eq-blow-by"},
+       &GasSums::blow_by_per_cycle},
+      {{"blow_by_flow", "m3/s", "l/min", "blow-by per cylinder as a volume flow at 1.01325 bar and 25 degC", "",
+        "eq-blow-by"},
+       &GasSums::blow_by_flow},
+      {{"mass_defect", "1", "1", "mass that the balance of the gas misses, relative to what passes", "",
+        "eq-balance-closure"},
+       &GasSums::mass_defect},
+      {{"cycles_integrated", "1", "1", "cycles integrated for the gas", "", ""}, &GasSums::cycles_integrated},
+      {{"periodicity_error", "1", "1", "largest relative change of a pressure between cycles, or between periods", "",
+        ""},
+       &GasSums::periodicity_error},
+      {{"periodic", "1", "1", "1 where gas and rings repeat from cycle to cycle", "", ""}, &GasSums::periodic},
+      {{"period_in_cycles", "1", "1", "cycles after which gas and rings repeat, 0: never", "", ""},
+       &GasSums::period_in_cycles}};
+  return table;
+}
+
+const std::vector<GasRegionQuantity>& gas_region_quantities() {
+  using gas_path::RegionValues;
+  static const std::vector<GasRegionQuantity> table = {
+      {{"peak_pressure", "Pa", "bar", "highest pressure, absolute", "p", "eq-gas-region"},
+       &RegionValues::peak_pressure},
+      {{"peak_pressure_angle", "degree", "degree", "crank angle of the highest pressure", "", ""},
+       &RegionValues::peak_pressure_angle_deg},
+      {{"mean_pressure", "Pa", "bar", "pressure, absolute, mean over time", "p", "eq-gas-region"},
+       &RegionValues::mean_pressure}};
+  return table;
+}
+
+const std::vector<GasPathQuantity>& gas_path_quantities() {
+  using gas_path::PathValues;
+  static const std::vector<GasPathQuantity> table = {
+      {{"mass_per_cycle", "kg", "mg", "net mass along the path in a cycle", "", "eq-gas-region"},
+       &PathValues::mass_per_cycle}};
+  return table;
+}
+
+const std::vector<GasRingQuantity>& gas_ring_quantities() {
+  using gas_path::RingMotionValues;
+  static const std::vector<GasRingQuantity> table = {
+      {{"departures_from_lower_flank", "1", "1", "departures from the lower flank in a cycle", "",
+        "eq-ring-acceleration"},
+       &RingMotionValues::departures},
+      {{"flutters", "1", "1", "1 where the ring leaves its lower flank more than once in a stroke", "",
+        "eq-ring-acceleration"},
+       &RingMotionValues::flutters},
+      {{"least_seating_force", "N", "N", "least force on the lower flank, if the ring lay there", "F_s",
+        "eq-seating-force"},
+       &RingMotionValues::least_seating_force},
+      {{"least_seating_force_angle", "degree", "degree", "crank angle of the least force on the lower flank", "",
+        "eq-seating-force"},
+       &RingMotionValues::least_seating_force_angle_deg},
+      {{"unseated_share", "1", "%", "share of the cycle with a negative force on the lower flank", "",
+        "eq-seating-force"},
+       &RingMotionValues::unseated_share},
+      {{"largest_static_twist", "rad", "degree", "largest static twist", "", "eq-static-twist"},
+       &RingMotionValues::largest_static_twist},
+      {{"largest_static_twist_angle", "degree", "degree", "crank angle of the largest static twist", "",
+        "eq-static-twist"},
+       &RingMotionValues::largest_static_twist_angle_deg},
+      {{"twisted_share", "1", "%", "share of the cycle with a static twist", "", "eq-static-twist"},
+       &RingMotionValues::twisted_share}};
+  return table;
+}
+
+const GasSumQuantity& gas_sum_quantity(const char* name) {
+  const auto& table = gas_sum_quantities();
+  const auto found = std::ranges::find(table, name, &GasSumQuantity::name);
+  if (found == table.end()) throw std::logic_error(std::string("the gas has no value ") + name);
+  return *found;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,32 @@
+#pragma once
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/gas_path/result.hpp"
+
+/// Names, units and meaning of the values of the gas between the rings: JSON, result files, pages, studies and Python
+/// walk these tables.
+namespace ringfilm::cycle {
+
+/// A value of the gas and the member of `Row` that holds it, of one of the types `Values`.
+template <class Row, class... Values>
+struct GasQuantity : Quantity {
+  std::variant<Values Row::*...> value;  ///< the member that holds it
+};
+
+using GasSumQuantity = GasQuantity<gas_path::GasSums, double, std::optional<long>, std::optional<bool>>;
+using GasRegionQuantity = GasQuantity<gas_path::RegionValues, double>;
+using GasPathQuantity = GasQuantity<gas_path::PathValues, double, std::optional<double>>;
+using GasRingQuantity = GasQuantity<gas_path::RingMotionValues, double, std::optional<double>, long, bool>;
+
+const std::vector<GasSumQuantity>& gas_sum_quantities();        ///< of one cylinder
+const std::vector<GasRegionQuantity>& gas_region_quantities();  ///< of each region
+const std::vector<GasPathQuantity>& gas_path_quantities();      ///< of each path
+const std::vector<GasRingQuantity>& gas_ring_quantities();      ///< of each ring in a groove
+
+/// One of gas_sum_quantities() by its name.
+const GasSumQuantity& gas_sum_quantity(const char* name);
+
+}  // namespace ringfilm::cycle
