@@ -145,6 +145,8 @@ def test_coupled_pack_has_its_gas_and_its_oil(tmp_path):
     first = result.gas["ring_motion"][0]
     assert first["least_seating_force"] == result["gas_ring_least_seating_force"][0]
     assert first["largest_static_twist"] == result["gas_ring_largest_static_twist"][0]
+    for path, forward in zip(result.gas["paths"], result["gas_path_mass_forward_per_cycle"], strict=True):
+        assert path["mass_forward_per_cycle"] == forward
     assert result["gas_region_pressure"].shape == (720, len(result.gas["regions"]))
     assert len(result.rings) == 4
     assert len(result.by_ring) == 3

@@ -49,7 +49,10 @@ ringfilm::io::ResultDocument pack_with_gas() {
   io::PackGas gas;
   gas.regions = {
       {"chamber", 62e5, 20, 6e5}, {"groove 1", 61e5, 21, 6e5}, {"land 2", 6e5, 90, 2e5}, {"crankcase", 1e5, 0, 1e5}};
-  gas.paths = {{"end gap 1", 2e-6}, {"above ring 1", 0}, {"below ring 1", 0}, {"end gap 2", 2e-6}};
+  gas.paths = {{"end gap 1", 2e-6, 3e-6, 1e-6},
+               {"above ring 1", 0, 5e-7, 5e-7},
+               {"below ring 1", 0, 5e-7, 5e-7},
+               {"end gap 2", 2e-6, 2e-6, 0}};
   gas.events = {{1, 200, "leaves-lower"}, {1, 210, "lands-upper"}, {1, 290, "leaves-upper"}, {1, 300, "lands-lower"}};
   gas.rings = {{1}};
   gas_path::RingMotionValues motion;

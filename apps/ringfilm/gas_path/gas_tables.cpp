@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
@@ -10,7 +12,9 @@
 namespace ringfilm::app {
 namespace {
 
-constexpr double kPerBar = 1e-5;
+constexpr double kPerBar = 1e-5, kMilligrams = 1e6;
+/// A mass below that share of the largest one is rounding of the quadrature along the paths.
+constexpr double kRounding = 1e-9;
 
 std::string twist_cell(const gas_path::RingMotionValues& ring) {
   if (!ring.largest_static_twist) return "";
@@ -32,6 +36,24 @@ std::string regions_table(const io::PackGas& gas) {
   for (const gas_path::RegionValues& region : gas.regions) {
     text += fmt::format("{:<14}{:>12.4g} bar{:>9.1f} degree{:>12.4g} bar\n", region.name,
                         region.peak_pressure * kPerBar, region.peak_pressure_angle_deg, region.mean_pressure * kPerBar);
+  }
+  return text;
+}
+
+std::string paths_table(const io::PackGas& gas) {
+  double largest = 0;
+  for (const gas_path::PathValues& path : gas.paths) {
+    largest = std::max({largest, path.mass_forward_per_cycle.value_or(0), path.mass_back_per_cycle.value_or(0)});
+  }
+  const auto cell = [largest](double mass) {
+    return fmt::format("{:>13.4g}", std::abs(mass) < kRounding * largest ? 0.0 : mass * kMilligrams);
+  };
+  std::string text = fmt::format("{:<18}{:>13}{:>13}{:>13}   mg per cycle and cylinder, to the crankcase\n", "path",
+                                 "forward", "back", "net");
+  for (const gas_path::PathValues& path : gas.paths) {
+    if (!path.mass_forward_per_cycle || !path.mass_back_per_cycle) return "";
+    text += fmt::format("{:<18}{}{}{}\n", path.name, cell(*path.mass_forward_per_cycle),
+                        cell(*path.mass_back_per_cycle), cell(path.mass_per_cycle));
   }
   return text;
 }

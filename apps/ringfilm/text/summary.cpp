@@ -197,8 +197,9 @@ std::string pack_gas_lines(const io::ResultDocument& pack) {
     text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, region.peak_pressure * 1e-5);
   }
   text = wrapped(words(text));
-  const std::string motion = ring_motion_table(*pack.gas);
-  if (!motion.empty()) text += "\n" + motion;
+  for (const std::string& table : {paths_table(*pack.gas), ring_motion_table(*pack.gas)}) {
+    if (!table.empty()) text += "\n" + table;
+  }
   return text;
 }
 

@@ -63,6 +63,7 @@ void CycleIntegration::begin_cycle() {
   result_.flow.assign(kCycleDegrees, {});
   result_.position.assign(kCycleDegrees, {});
   result_.transported.assign(network_.paths().size(), 0);
+  result_.back.assign(network_.paths().size(), 0);
   passed_.assign(network_.paths().size(), 0);
   const std::size_t n = system_.n_inner();
   sensitivity_.assign(system_.size() * n, 0);
@@ -259,6 +260,7 @@ void CycleIntegration::commit(double h) {
       const double mass = weight * system_.seconds_per_degree() * flow_[k];
       moved[k] += mass;
       passed_[k] += std::abs(mass);
+      result_.back[k] += std::max(-mass, 0.0);
     }
     for (std::size_t i = 0; i < pressure_.size(); ++i) {
       result_.regions[i].mean_pressure += weight / base::kCycleDeg * pressure_[i];

@@ -33,7 +33,8 @@ GasSums gas_sums(const GasPathResult& result, double gas_constant) {
 std::vector<PathValues> path_values(const GasPathResult& result) {
   std::vector<PathValues> values;
   for (std::size_t k = 0; k < result.paths.size(); ++k) {
-    values.push_back({path_name(result.paths[k]), result.transported[k]});
+    const double net = result.transported[k], back = result.back[k];
+    values.push_back({path_name(result.paths[k]), net, net + back, back});
   }
   return values;
 }

@@ -55,6 +55,7 @@ struct GasPathResult {
   std::vector<RingEvent> events;              ///< by crank angle; RingMotion::kAxial
   std::vector<RingMotionValues> motion;       ///< of each ring; likewise
   std::vector<double> transported;            ///< net mass along each path in the cycle [kg]
+  std::vector<double> back;                   ///< mass along each path against its direction, positive [kg]
   double blow_by = 0;                         ///< net mass that enters the crankcase in the cycle [kg]
   double duration = 0;                        ///< of the cycle [s]
   double mass_defect =
@@ -88,10 +89,12 @@ struct GasSums {
   std::optional<long> period_in_cycles;   ///< GasPathResult::period
 };
 
-/// A path over the cycle.
+/// A path over the cycle. A file of an earlier version lacks what is optional.
 struct PathValues {
-  std::string name;           ///< path_name()
-  double mass_per_cycle = 0;  ///< net mass in its direction [kg]
+  std::string name;                              ///< path_name()
+  double mass_per_cycle = 0;                     ///< net mass in its direction [kg]
+  std::optional<double> mass_forward_per_cycle;  ///< mass in its direction [kg]
+  std::optional<double> mass_back_per_cycle;     ///< mass against its direction, positive [kg]
 };
 
 /// @param gas_constant [J/(kg K)]

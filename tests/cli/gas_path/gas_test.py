@@ -189,6 +189,27 @@ class GasTest(program.ProgramTest):
         self.write(HEAD + TOP.replace('face_width = "1.2 mm"\n', "") + SECOND + OIL)
         self.assertNotIn("largest_static_twist", self.json_of()["ring_motion"][0])
 
+    def test_mass_forward_and_back_is_that_of_the_curves(self):
+        found = self.json_of("--csv", "gas.csv", "--set", "gas_path.ring_motion=axial")
+        with open(self.folder / "gas.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        largest = max(path["mass_forward_per_cycle"] for path in found["paths"])
+        text = self.run_well("gas", "pack.toml", "--set", "gas_path.ring_motion=axial")
+        for path in found["paths"]:
+            forward, back = path["mass_forward_per_cycle"], path["mass_back_per_cycle"]
+            self.assertGreaterEqual(min(forward, back), 0)
+            self.assertAlmostEqual((forward - back - path["mass_per_cycle"]) / largest, 0, delta=1e-12)
+            flow = [float(row[f"flow_{path['name'].replace(' ', '_')} [kg/s]"]) * 0.08 / 720 for row in rows]
+            # Sums over degrees, of flows that jump where a ring leaves or reaches a flank.
+            self.assertAlmostEqual(sum(m for m in flow if m > 0) / largest, forward / largest, delta=0.02)
+            self.assertAlmostEqual(-sum(m for m in flow if m < 0) / largest, back / largest, delta=0.02)
+            shown = re.search(rf"^{path['name']} +(\S+) +(\S+) +(\S+)$", text, re.MULTILINE)
+            self.assertAlmostEqual(float(shown[1]) * 1e-6 / largest, forward / largest, delta=1e-3)
+            self.assertAlmostEqual(float(shown[2]) * 1e-6 / largest, back / largest, delta=1e-3)
+        back = {path["name"]: path["mass_back_per_cycle"] for path in found["paths"]}
+        self.assertGreater(back["end gap 1"], 1e-8)
+        self.assertIn("per cylinder", text)
+
     def test_a_volume_that_fills_at_once_is_solved(self):
         self.write(HEAD + TOP + SECOND.replace('"300 mm3"', '"0.004 mm3"') + OIL)
         hot = ("--set", "ring.2.temperature_below=956 K", "--set", "ring.2.end_gap=7 mm")
@@ -249,10 +270,11 @@ class GasTest(program.ProgramTest):
         self.assertEqual(set(gas) - set(pack["gas"]), {"title", "notes", "assumed", "program", "commit"})
         self.run_well("report", "pack.nc", "-o", "pack.html")
         page = (self.folder / "pack.html").read_text()
-        for name in ("largest_static_twist", "unseated_share"):
+        for name in ("largest_static_twist", "unseated_share", "mass_back_per_cycle"):
             self.assertIn(f'"{name}":', page)
         summary = self.run_well("run", "pack.toml")
         self.assertIn("blow-by per cylinder", summary)
+        self.assertIn("end gap 1", summary)
         topics = self.run_well("check", "pack.toml")
         self.assertIn("gas-path: the gas between the rings", topics.replace("\n  ", " "))
         # The first ring carries what the gas in its groove presses, which is nearly that of the chamber.

@@ -43,7 +43,11 @@ const std::vector<GasPathQuantity>& gas_path_quantities() {
   using gas_path::PathValues;
   static const std::vector<GasPathQuantity> table = {
       {{"mass_per_cycle", "kg", "mg", "net mass along the path in a cycle", "", "eq-gas-region"},
-       &PathValues::mass_per_cycle}};
+       &PathValues::mass_per_cycle},
+      {{"mass_forward_per_cycle", "kg", "mg", "mass towards the crankcase in a cycle", "", "eq-gas-region"},
+       &PathValues::mass_forward_per_cycle},
+      {{"mass_back_per_cycle", "kg", "mg", "mass back towards the chamber in a cycle", "", "eq-gas-region"},
+       &PathValues::mass_back_per_cycle}};
   return table;
 }
 

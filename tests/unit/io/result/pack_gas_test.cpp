@@ -33,6 +33,7 @@ gas_path::GasPathResult gas_of_two_regions() {
   gas.flow.assign(720, {3e-4});
   gas.position.assign(720, {2e-5});
   gas.transported = {2e-6};
+  gas.back = {5e-7};
   gas.events = {{1, 123.5, gas_path::FlankEvent::kLeavesLower}};
   gas.motion.emplace_back().has_groove = true;
   gas.motion.back().departures = 2;
@@ -78,7 +79,8 @@ TEST(PackGas, HasEachQuantityInSiWithItsUnit) {
   EXPECT_EQ(object["periodic"], false);
   const nlohmann::ordered_json& path = object["paths"].at(0);
   EXPECT_EQ(path["name"], "end gap 1");
-  EXPECT_EQ(path["mass_per_cycle"], 2e-6);
+  EXPECT_DOUBLE_EQ(path["mass_forward_per_cycle"], 2.5e-6);
+  EXPECT_EQ(path["mass_back_per_cycle"], 5e-7);
   const nlohmann::ordered_json& ring = object["ring_motion"].at(0);
   EXPECT_EQ(ring["departures_from_lower_flank"], 2);
   EXPECT_EQ(ring["flutters"], true);
