@@ -335,8 +335,8 @@ Raises InputError with everything that is wrong.)");
 progress: called now and then, at most every 20 ms, as progress(cycle, crank_angle) with the number of the cycle from 1
     and the crank angle [degree]; of a pad as progress(time, end_time) [s]. What it raises ends the run.
 ledger: also run the other choice for every assumption that can be lifted; see Result.ledger. Rings only.
-error_estimate: also run finer and coarser cells and crank steps, about four times the work; the errors are next to
-    their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Always done where
+error_estimate: also run finer and coarser cells and crank steps (cost: docs/theory/error-estimate.md); the errors are
+    next to their quantities: result["cycle_fmep_error"], result["min_film_thickness_error"]. Always done where
     solver.accuracy is stated. Rings only.
 threads: for these others, 1 to 1024; None: as many as the machine runs at once. The numbers do not depend on it.
 Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threads continue meanwhile; Ctrl-C

@@ -2,11 +2,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <variant>
 
 #include "arguments.hpp"
 #include "array_view.hpp"
 #include "dataset_writer.hpp"
 #include "result_object.hpp"
+#include "ringfilm/cycle/effort_quantities.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
 #include "ringfilm/io/result/result_file_document.hpp"
@@ -204,18 +206,11 @@ why it was not solved, with NaN for values). Empty where it was not asked for.)"
   type.def_property_readonly(
       "effort",
       [](const ResultObject& self) {
-        const cycle::Effort& effort = self.result().effort;
         py::dict values;
-        values["cycles_integrated"] = effort.cycles_integrated;
-        values["periodicity_error"] = effort.periodicity_error;
-        values["crank_steps"] = effort.crank_steps;
-        values["newton_iterations"] = effort.newton_iterations;
-        values["sub_steps"] = effort.sub_steps;
-        values["fallback_secant"] = effort.fallback_secant;
-        values["fallback_sub_step"] = effort.fallback_sub_step;
-        values["max_load_residual"] = effort.max_load_residual;
-        values["max_newton_step"] = effort.max_newton_step;
-        values["max_mass_residual"] = effort.max_mass_residual;
+        for (const cycle::EffortQuantity& quantity : cycle::effort_quantities()) {
+          const py::str name(quantity.name);
+          std::visit([&](auto member) { values[name] = self.result().effort.*member; }, quantity.value);
+        }
         return values;
       },
       "What the solver did, {name: number}.");

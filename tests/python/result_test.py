@@ -1,6 +1,7 @@
 """Results: the program's numbers to the last bit, views without a copy, files, tables of xarray and pandas, pickles."""
 
 import gc
+import json
 import pickle
 import re
 
@@ -72,6 +73,8 @@ def test_notes_and_assumptions_come_along(result):
     assert all(len(note) == 3 for note in result.notes)
     assert {key for key, *_ in result.inputs} >= {"engine.bore", "ring.youngs_modulus"}
     assert result.assumptions and result.effort["cycles_integrated"] > 0
+    assert result.effort == json.loads(result.to_json())["effort"]
+    assert "relaxation_sweeps" in result.effort
     assert result.provenance["program"].startswith("ringfilm")
 
 

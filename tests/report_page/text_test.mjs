@@ -39,6 +39,7 @@ const { bandOutlines, freePlace, markIndices, markPlaces } = await load('plot/sc
 const { kHeightColours, kMissingColour } = await load('plot/colour_map.js');
 const { fieldCaption } = await load('cycle/around_figures.js');
 const { blowByWords, withoutRounding } = await load('pack/gas_words.js');
+const { gridText } = await load('tables.js');
 const { cellAt, cellEdges, crankAxis, ringAxis, Unrolled } = await load('cycle/unrolled.js');
 const { fieldMaps, stripMaps } = await load('cycle/around_figures.js');
 const { lengthUnit } = await load('plot/map_figure.js');
@@ -296,6 +297,15 @@ test('blow-by is read in the units of its description, and rounding is not', () 
   assert.deepEqual(
     withoutRounding(paths).map((path) => path.mass_per_cycle),
     [-2e-6, 0],
+  );
+});
+
+test('all members of an integration for the error estimate are shown', () => {
+  const run = { cells: 400, crank_step: 0.5, step_error: 0, solved: true };
+  assert.equal(gridText(run), '400 cells at 0.500°');
+  assert.equal(
+    gridText({ ...run, cells_y: 90, step_error: 0.002, solved: false, reason: 'no film was found' }),
+    '400 x 90 cells at 0.500°, step error 0.0020, not solved: no film was found',
   );
 });
 

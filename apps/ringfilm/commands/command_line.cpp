@@ -227,8 +227,8 @@ class Commands {
     command.add_flag("--ledger", ledger_, "run the other choice for every modelling assumption that can be lifted");
     command.add_flag(
         "--error-estimate", error_estimate_,
-        "integrate four other grids too and give every value its error, about 6 times the work; always done where "
-        "solver.accuracy is stated");
+        "integrate four other grids too and give every value its error (cost: docs/theory/error-estimate.md); always "
+        "done where solver.accuracy is stated");
     add_jobs(command);
     command.footer(kRunFooter);
   }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <variant>
 
 #include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
@@ -32,6 +35,12 @@ class Row {
     for (const gas_path::RegionValues& region : gas.regions) {
       put(region_value_name(region.name, "peak_pressure"), region.peak_pressure);
       put(region_value_name(region.name, "mean_pressure"), region.mean_pressure);
+    }
+    for (std::size_t ring = 0; ring < gas.motion.size(); ++ring) {
+      for (const cycle::GasRingQuantity& quantity : cycle::gas_ring_quantities()) {
+        const std::string name = ring_value_name(ring + 1, quantity.name);
+        std::visit([&](auto member) { put_number(name, gas.motion[ring].*member); }, quantity.value);
+      }
     }
   }
 
@@ -73,6 +82,14 @@ class Row {
   ScenarioRow row() && { return std::move(row_); }
 
  private:
+  template <class Value>
+  void put_number(const std::string& name, const Value& value) {
+    put(name, static_cast<double>(value));
+  }
+  void put_number(const std::string& name, const std::optional<double>& value) {
+    if (value) put(name, *value);
+  }
+
   static double value(const CycleResult& result, const char* name) {
     return result.values.*cycle::cycle_quantities()[*cycle::cycle_quantity_index(name)].value;
   }

@@ -270,7 +270,7 @@ class GasTest(program.ProgramTest):
         self.assertEqual(set(gas) - set(pack["gas"]), {"title", "notes", "assumed", "program", "commit"})
         self.run_well("report", "pack.nc", "-o", "pack.html")
         page = (self.folder / "pack.html").read_text()
-        for name in ("largest_static_twist", "unseated_share", "mass_back_per_cycle"):
+        for name in ("largest_static_twist", "unseated_share", "mass_back_per_cycle", "relaxation_sweeps"):
             self.assertIn(f'"{name}":', page)
         summary = self.run_well("run", "pack.toml")
         self.assertIn("blow-by per cylinder", summary)

@@ -63,6 +63,26 @@ TEST(ReportPage, KeepsValuesInSiUnits) {
   EXPECT_TRUE(only["inputs"][2]["assumed"].get<bool>());
 }
 
+TEST(ReportPage, CarriesTheWholeEffortAndEachGridOfTheErrorEstimate) {
+  io::ResultDocument document = example::document("a");
+  document.result.effort.relaxation_sweeps = 17;
+  study::GridRun unsolved{.cells = 800, .crank_step_deg = 0.5, .step_error = 2e-3, .reason = "no film was found"};
+  unsolved.cells_y = 90;
+  unsolved.solved = false;
+  document.errors->runs.push_back(unsolved);
+  const auto data = example::data_of(report::report_page({document}, {}));
+  const auto& effort = data["cases"][0]["effort"];
+  EXPECT_EQ(effort["relaxation_sweeps"], 17);
+  EXPECT_EQ(effort.size(), data["effort_quantities"].size());
+  const auto& run = data["cases"][0]["errors"]["runs"].back();
+  EXPECT_EQ(run["cells"], 800);
+  EXPECT_EQ(run["cells_y"], 90);
+  EXPECT_EQ(run["crank_step"], 0.5);
+  EXPECT_EQ(run["step_error"], 2e-3);
+  EXPECT_EQ(run["solved"], false);
+  EXPECT_EQ(run["reason"], "no film was found");
+}
+
 TEST(ReportPage, HasTheSumOfTheFrictionOfAPack) {
   EXPECT_TRUE(example::data_of(report::report_page({example::document("one")}, {}))["packs"].empty());
   const auto pack = io::pack_document("pack", {example::document("one"), example::document("two", 0.7)});

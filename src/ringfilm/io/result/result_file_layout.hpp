@@ -1,8 +1,10 @@
 #pragma once
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "ringfilm/cycle/effort_quantities.hpp"
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
@@ -37,17 +39,10 @@ void exchange_attributes(File& file, Document& document) {
     if (document.rail > 0) file.attribute("rail", document.rail);
   }
   auto& effort = document.result.effort;
-  file.attribute("effort_cycles_integrated", effort.cycles_integrated);
-  file.attribute("effort_periodicity_error", effort.periodicity_error);
-  file.attribute("effort_crank_steps", effort.crank_steps);
-  file.attribute("effort_newton_iterations", effort.newton_iterations);
-  file.attribute("effort_relaxation_sweeps", effort.relaxation_sweeps);
-  file.attribute("effort_sub_steps", effort.sub_steps);
-  file.attribute("effort_fallback_secant", effort.fallback_secant);
-  file.attribute("effort_fallback_sub_step", effort.fallback_sub_step);
-  file.attribute("effort_max_load_residual", effort.max_load_residual);
-  file.attribute("effort_max_newton_step", effort.max_newton_step);
-  file.attribute("effort_max_mass_residual", effort.max_mass_residual);
+  for (const cycle::EffortQuantity& quantity : cycle::effort_quantities()) {
+    const std::string name = "effort_" + quantity.name;
+    std::visit([&](auto member) { file.attribute(name.c_str(), effort.*member); }, quantity.value);
+  }
 }
 
 template <class File, class Result>

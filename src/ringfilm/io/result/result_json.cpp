@@ -1,7 +1,9 @@
 #include "ringfilm/io/result/result_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <variant>
 
+#include "ringfilm/cycle/effort_quantities.hpp"
 #include "ringfilm/io/gas_path/gas_json.hpp"
 #include "ringfilm/io/gas_path/pack_sums.hpp"
 #include "ringfilm/io/result/result_document.hpp"
@@ -12,17 +14,11 @@ namespace {
 using nlohmann::ordered_json;
 
 ordered_json effort_object(const cycle::Effort& effort) {
-  return {{"cycles_integrated", effort.cycles_integrated},
-          {"periodicity_error", effort.periodicity_error},
-          {"crank_steps", effort.crank_steps},
-          {"newton_iterations", effort.newton_iterations},
-          {"relaxation_sweeps", effort.relaxation_sweeps},
-          {"sub_steps", effort.sub_steps},
-          {"fallback_secant", effort.fallback_secant},
-          {"fallback_sub_step", effort.fallback_sub_step},
-          {"max_load_residual", effort.max_load_residual},
-          {"max_newton_step", effort.max_newton_step},
-          {"max_mass_residual", effort.max_mass_residual}};
+  ordered_json object = ordered_json::object();
+  for (const cycle::EffortQuantity& quantity : cycle::effort_quantities()) {
+    std::visit([&](auto member) { object[quantity.name] = effort.*member; }, quantity.value);
+  }
+  return object;
 }
 
 ordered_json notes_array(const ResultDocument& document) {
@@ -65,16 +61,7 @@ ordered_json cycle_object(const cycle::CycleValues& values) {
 }
 
 ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
-  ordered_json runs = ordered_json::array();
-  for (const study::GridRun& run : estimate.runs) {
-    runs.push_back({{"cells", run.cells},
-                    {"crank_step", run.crank_step_deg},
-                    {"step_error", run.step_error},
-                    {"solved", run.solved}});
-    if (run.cells_y > 0) runs.back()["cells_y"] = run.cells_y;
-    if (!run.solved) runs.back()["reason"] = run.reason;
-  }
-  return {{"runs", runs},
+  return {{"runs", grid_runs_array(estimate)},
           {"order_in_cells", cycle_object(estimate.order_in_cells)},
           {"order_in_step", cycle_object(estimate.order_in_step)}};
 }
@@ -161,6 +148,19 @@ ordered_json pack_object(const ResultDocument& document) {
 }
 
 }  // namespace
+
+ordered_json grid_runs_array(const study::ErrorEstimate& estimate) {
+  ordered_json runs = ordered_json::array();
+  for (const study::GridRun& run : estimate.runs) {
+    runs.push_back({{"cells", run.cells},
+                    {"crank_step", run.crank_step_deg},
+                    {"step_error", run.step_error},
+                    {"solved", run.solved}});
+    if (run.cells_y > 0) runs.back()["cells_y"] = run.cells_y;
+    if (!run.solved) runs.back()["reason"] = run.reason;
+  }
+  return runs;
+}
 
 std::string result_json(const ResultDocument& document) {
   const ordered_json object = document.is_pack() ? pack_object(document) : result_object(document);

@@ -1,4 +1,5 @@
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace ringfilm::io {
 /// estimate also `errors`, by the same names and in the same units, and `error_estimate` with the grids that were
 /// integrated and `order_in_cells` and `order_in_step` as seen. JSON has no NaN: such a value is null.
 std::string result_json(const ResultDocument& document);
+
+/// The integrations of an error estimate: `cells`, `crank_step` [degree], `step_error`, `solved`; of an unrolled film
+/// `cells_y`, and of one that was not solved its `reason`.
+nlohmann::ordered_json grid_runs_array(const study::ErrorEstimate& estimate);
 
 /// What `ringfilm check` finds out about a case.
 struct CaseCheck {

@@ -4,9 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <type_traits>
+#include <variant>
 
+#include "ringfilm/cycle/effort_quantities.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
 #include "ringfilm/io/result/result_document.hpp"
+#include "ringfilm/io/result/result_json.hpp"
+#include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_pack.hpp"
 #include "ringfilm/report/payload/payload_unrolled.hpp"
@@ -22,18 +27,6 @@ constexpr int kFieldDigits = 5;
 constexpr int kErrorDigits = 3;
 /// Numbers of one field that a page may carry: a phone still opens some megabytes.
 constexpr std::size_t kFieldNumbers = 60000;
-
-ordered_json described(const cycle::Quantity& q) {
-  return {{"name", q.name},           {"unit", q.unit},     {"display_unit", q.display_unit},
-          {"long_name", q.long_name}, {"symbol", q.symbol}, {"equation", q.equation}};
-}
-
-template <class Quantities>
-ordered_json described_all(const Quantities& quantities) {
-  ordered_json list = ordered_json::array();
-  for (const cycle::Quantity& q : quantities) list.push_back(described(q));
-  return list;
-}
 
 ordered_json cycle_values(const cycle::CycleValues& values) {
   ordered_json object = ordered_json::object();
@@ -55,10 +48,6 @@ ordered_json curves(const cycle::CycleResult& result) {
 /// Errors by the names of values and curves; null where they were not estimated.
 ordered_json errors(const std::optional<study::ErrorEstimate>& estimate) {
   if (!estimate) return nullptr;
-  ordered_json runs = ordered_json::array();
-  for (const study::GridRun& run : estimate->runs) {
-    runs.push_back({{"cells", run.cells}, {"crank_step", exact(run.crank_step_deg)}, {"solved", run.solved}});
-  }
   ordered_json curve_errors = ordered_json::object();
   for (const cycle::CurveQuantity& q : cycle::curve_quantities()) {
     if (!study::has_error(q)) continue;
@@ -66,7 +55,7 @@ ordered_json errors(const std::optional<study::ErrorEstimate>& estimate) {
     for (const cycle::Sample& error : estimate->samples) list.push_back(rounded(error.*q.value, kErrorDigits));
     curve_errors[q.name] = std::move(list);
   }
-  return {{"runs", std::move(runs)},
+  return {{"runs", io::grid_runs_array(*estimate)},
           {"has_values", study::has_values(*estimate)},
           {"values", cycle_values(estimate->values)},
           {"curves", std::move(curve_errors)}};
@@ -137,17 +126,20 @@ ordered_json contact(const cycle::ContactCurves& curves) {
           {"phi_s", rounded_list(curves.phi_s, kFieldDigits)}};
 }
 
-ordered_json effort(const cycle::Effort& e) {
-  return {{"cycles_integrated", exact(e.cycles_integrated)},
-          {"periodicity_error", exact(e.periodicity_error)},
-          {"crank_steps", e.crank_steps},
-          {"newton_iterations", e.newton_iterations},
-          {"sub_steps", e.sub_steps},
-          {"fallback_secant", e.fallback_secant},
-          {"fallback_sub_step", e.fallback_sub_step},
-          {"max_load_residual", exact(e.max_load_residual)},
-          {"max_newton_step", exact(e.max_newton_step)},
-          {"max_mass_residual", exact(e.max_mass_residual)}};
+ordered_json effort(const cycle::Effort& all) {
+  ordered_json object = ordered_json::object();
+  for (const cycle::EffortQuantity& q : cycle::effort_quantities()) {
+    std::visit(
+        [&](auto member) {
+          if constexpr (std::is_same_v<decltype(member), double cycle::Effort::*>) {
+            object[q.name] = exact(all.*member);
+          } else {
+            object[q.name] = all.*member;
+          }
+        },
+        q.value);
+  }
+  return object;
 }
 
 ordered_json ledger(const std::vector<study::LedgerEntry>& entries) {
@@ -267,6 +259,7 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   ordered_json root;
   root["curve_quantities"] = described_all(cycle::curve_quantities());
   root["cycle_quantities"] = described_all(cycle::cycle_quantities());
+  root["effort_quantities"] = described_all(cycle::effort_quantities());
   root["derived_quantities"] = described_all(cycle::derived_quantities());
   root["unrolled_quantities"] = described_all(cycle::unrolled_quantities());
   root["unrolled_cycle_quantities"] = described_all(cycle::unrolled_cycle_quantities());

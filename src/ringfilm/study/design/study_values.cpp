@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
@@ -44,7 +45,8 @@ void append_gas(const cycle::Case& base, StudyValues& values) {
   values.quantities.push_back(cycle::gas_sum_quantity("blow_by_per_cycle"));
   values.quantities.push_back(cycle::gas_sum_quantity("blow_by_flow"));
   values.main.push_back("blow_by_flow");
-  const gas_path::Network network(cycle::gas_pack(base), cycle::given_pressures(base));
+  const gas_path::Pack pack = cycle::gas_pack(base);
+  const gas_path::Network network(pack, cycle::given_pressures(base));
   const std::vector<gas_path::Region>& regions = network.regions();
   for (const gas_path::Region& region : std::span(regions).subspan(1, regions.size() - 2)) {
     const std::string peak = region_value_name(region.name, "peak_pressure");
@@ -52,6 +54,14 @@ void append_gas(const cycle::Case& base, StudyValues& values) {
     values.quantities.push_back({region_value_name(region.name, "mean_pressure"), "Pa", "bar",
                                  region.name + ": pressure, absolute, mean over time", "", "eq-gas-region"});
     if (!region.name.starts_with("groove")) values.main.push_back(peak);
+  }
+  for (std::size_t ring = 0; ring < network.pack().rings.size(); ++ring) {
+    if (!network.has_groove(ring)) continue;
+    for (cycle::Quantity quantity : cycle::gas_ring_quantities()) {
+      quantity.name = ring_value_name(ring + 1, quantity.name);
+      quantity.long_name.insert(0, "ring " + std::to_string(ring + 1) + ": ");
+      values.quantities.push_back(std::move(quantity));
+    }
   }
 }
 

@@ -51,7 +51,7 @@ cycle::Case finer_grid(const cycle::Case& c);
 /// go by, and both no estimate. Throws std::logic_error if there are not as many endings as grids.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
 
-/// The same, integrating them; costs about five times what `c` cost.
+/// The same, integrating them; for the cost see docs/theory/error-estimate.md.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {},
                              const BatchOptions& options = {});
 

@@ -107,6 +107,14 @@ export function section(id, heading, ...content) {
   return element('section', { id, class: 'section' }, element('h2', {}, heading), content);
 }
 
+/** "400 x 90 cells at 1°, step error 0.002", and why it was not solved. */
+export function gridText(run) {
+  const cells = run.cells_y ? `${run.cells} x ${run.cells_y}` : run.cells;
+  const error = run.step_error ? `, step error ${number(run.step_error, 2)}` : '';
+  const unsolved = run.solved ? '' : `, not solved: ${run.reason}`;
+  return `${cells} cells at ${number(run.crank_step, 3)}°${error}${unsolved}`;
+}
+
 /** Where the errors beside the values come from. */
 function gridSentence(model) {
   const estimated = model.cases.filter((c) => c.errors?.has_values);
@@ -114,10 +122,10 @@ function gridSentence(model) {
     return model.cases.some((c) => c.errors)
       ? ' The values have no error estimate; a note gives the reason.'
       : '';
-  const grids = estimated[0].errors.runs.map((run) => `${run.cells} cells at ${number(run.crank_step, 3)}°`);
+  const grids = estimated[0].errors.runs.map(gridText);
   return (
     ' After ±: how far cells and crank steps may have moved the value, from integrations on other ' +
-    `grids (${grids.join(', ')}); it does not include errors of models and inputs.`
+    `grids (${grids.join('; ')}); it does not include errors of models and inputs.`
   );
 }
 
@@ -282,19 +290,6 @@ export function inputsSection(model) {
   );
 }
 
-const kEffort = [
-  ['cycles_integrated', 'cycles integrated until periodic'],
-  ['periodicity_error', 'change of the state from one cycle to the next, relative'],
-  ['crank_steps', 'crank steps'],
-  ['sub_steps', 'of these, from subdivided steps'],
-  ['newton_iterations', 'Newton iterations'],
-  ['fallback_secant', 'fallbacks to the bracketed search'],
-  ['fallback_sub_step', 'fallbacks to shorter steps'],
-  ['max_load_residual', 'largest imbalance of the load, relative'],
-  ['max_newton_step', 'largest Newton step accepted as the last one, relative'],
-  ['max_mass_residual', 'largest mass left over in a step, relative'],
-];
-
 export function provenanceSection(model) {
   const heads = ['what', ...numberHeads(model)];
   const rows = [
@@ -302,10 +297,10 @@ export function provenanceSection(model) {
       key,
       ...model.cases.map((c) => ({ text: c.provenance[key] || '–', attributes: { class: 'number wraps' } })),
     ]),
-    ...kEffort.map(([key, label]) => [
+    ...model.payload.effort_quantities.map(({ name, long_name: label }) => [
       label,
       ...model.cases.map((c) =>
-        figure(Number.isInteger(c.effort[key]) ? String(c.effort[key]) : number(c.effort[key], 2)),
+        figure(Number.isInteger(c.effort[name]) ? String(c.effort[name]) : number(c.effort[name], 2)),
       ),
     ]),
   ];
