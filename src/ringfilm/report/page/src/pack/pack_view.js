@@ -137,10 +137,11 @@ function gasTable(caption, what, quantities, rows, nameOf) {
     .map((quantity) => ({ ...quantity, ...display(quantity) }))
     .filter(({ name }) => rows.some((row) => row[name] !== undefined));
   if (rows.length === 0 || columns.length === 0) return null;
-  const cell = (value, { convert }) => {
+  const cell = (value, { convert, display_unit: shown }) => {
     if (value === undefined) return numberCell('–');
     if (typeof value === 'boolean') return numberCell(value ? 'yes' : 'no');
-    return numberCell(number(convert(value), 3));
+    const isCount = shown === '1' && Number.isInteger(value);
+    return numberCell(isCount ? String(value) : number(convert(value), 3));
   };
   const head = ({ long_name: text, unit }) => ({
     text: unit ? `${text} [${unit}]` : text,
