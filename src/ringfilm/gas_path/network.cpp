@@ -8,8 +8,9 @@
 namespace ringfilm::gas_path {
 namespace {
 
-/// A groove is not in balance with the land above its seated ring sooner [degree]. In that time no pressure of a cycle
-/// changes by more than some 1e-9 of itself, and in steps of a degree rounding stays below the error of a step.
+/// Shortest time in which the groove of a seated ring comes into balance with the piston land above it [degree]. No
+/// pressure of a cycle changes by more than some 1e-9 of itself in it, and steps of a degree keep rounding below their
+/// error.
 constexpr double kQuickestDeg = 1e-8;
 
 Region region(const std::string& name, double volume, double temperature, double gas_constant) {

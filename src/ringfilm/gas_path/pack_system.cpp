@@ -12,7 +12,7 @@ constexpr double kRadians = std::numbers::pi / 180;
 constexpr double kProbe = 1e-8;
 /// No iterate of a pressure goes below [Pa].
 constexpr double kLeastPressure = 1.0;
-/// An iteration takes off this share of a pressure at the most.
+/// Largest share of a pressure by which one iteration reduces it.
 constexpr double kLongestFall = 0.8;
 
 }  // namespace

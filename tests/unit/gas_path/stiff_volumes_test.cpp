@@ -19,7 +19,7 @@ double largest_difference(const GasPathResult& result, std::size_t a, std::size_
   return largest;
 }
 
-/// A cold land, and below it a small hot one that the end gap of the second ring joins to it.
+/// A cold piston land, and below it a small hot one that the end gap of the second ring joins to it.
 Pack small_hot_land(double volume) {
   Pack pack = two_ring_pack();
   pack.rings[0].volume_below = 209215e-9;
@@ -31,7 +31,7 @@ Pack small_hot_land(double volume) {
   return pack;
 }
 
-// The flow into the small land turns with each ripple of pressure, and its temperature changes fivefold where it does.
+// The flow into the small volume turns with each ripple of pressure, and its temperature changes fivefold with it.
 TEST(StiffVolumes, ASmallHotLandHasThePressureOfTheLandItIsOpenTo) {
   const GasPathResult result = solve_gas_path(small_hot_land(4e-12));
   EXPECT_TRUE(result.repeats);

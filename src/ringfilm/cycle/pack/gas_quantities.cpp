@@ -81,7 +81,8 @@ const std::vector<GasRingQuantity>& gas_ring_quantities() {
 
 const GasSumQuantity& gas_sum_quantity(const char* name) {
   const auto& table = gas_sum_quantities();
-  const auto found = std::ranges::find(table, name, &GasSumQuantity::name);
+  const auto found =
+      std::find_if(table.begin(), table.end(), [name](const GasSumQuantity& one) { return one.name == name; });
   if (found == table.end()) throw std::logic_error(std::string("the gas has no value ") + name);
   return *found;
 }

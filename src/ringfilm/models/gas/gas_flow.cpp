@@ -43,7 +43,9 @@ double GasChannel::flow(double clearance, double p_a, double p_b) const {
          (24 * viscosity * gas_constant * temperature * width);
 }
 
-double GasChannel::slope(double clearance, double pressure) const { return 2 * flow(clearance, pressure, 0) / pressure; }
+double GasChannel::slope(double clearance, double pressure) const {
+  return 2 * flow(clearance, pressure, 0) / pressure;  // d(p^2)/dp = 2 p^2/p
+}
 
 double GasChannel::limited_flow(const OrificeLaw& law, double clearance, double p_a, double p_b) const {
   if (p_a == p_b || clearance <= 0) return 0;
