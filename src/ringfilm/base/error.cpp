@@ -13,12 +13,22 @@ constexpr std::size_t kMostDescribed = 100;
 /// A line of over this many characters is shown as a window around the mark.
 constexpr int kShownColumns = 100;
 
+/// The text with each byte of a control character as a blank, so that the caret stays under its place.
+std::string without_control_characters(std::string text) {
+  for (std::size_t i = find_control_character(text); i != std::string::npos; i = find_control_character(text, i)) {
+    do {
+      text[i++] = ' ';
+    } while (i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0u) == 0x80u);
+  }
+  return text;
+}
+
 std::string with_caret(const SourceMark& mark, const std::string& remedy) {
   const std::string number = std::to_string(mark.line);
   const int first = std::max(0, mark.column - 1 - kShownColumns / 2);
   std::string shown = mark.line_text.substr(std::min<std::size_t>(first, mark.line_text.size()), kShownColumns);
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, ' ');
+  std::ranges::replace(shown, '\t', ' ');
+  shown = without_control_characters(std::move(shown));
   const int caret = std::max(0, mark.column - 1 - first);
   const std::string margin = "    " + std::string(number.size(), ' ') + " | ";
   std::string text = "    " + number + " | " + shown + "\n" + margin + std::string(caret, ' ') + "^";

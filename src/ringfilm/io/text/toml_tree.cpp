@@ -210,9 +210,7 @@ std::string control_character_words(const std::string& text, LinesAndTabs lines_
   std::size_t at = find_control_character(text);
   if (lines_and_tabs == LinesAndTabs::kRefused) at = std::min(at, text.find_first_of("\n\t"));
   if (at == std::string::npos) return "";
-  const auto first = static_cast<unsigned char>(text[at]);  // of C1, UTF-8 has two bytes, of which the second counts
-  const unsigned code = first < 0x80 ? first : static_cast<unsigned char>(text[at + 1]);
-  return fmt::format("holds the control character U+{:04X}", code);
+  return fmt::format("holds the control character U+{:04X}", static_cast<unsigned>(code_point_at(text, at)));
 }
 
 std::string quoted(const std::string& text) {
