@@ -14,6 +14,7 @@
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/io/storage/shipped_oils.hpp"
 #include "ringfilm/io/storage/shipped_pairs.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
@@ -105,7 +106,7 @@ void check(const CheckOptions& options) {
   for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";
 }
 
-void fields() { std::cout << io::fields_table(); }
+void fields(const FieldsOptions& options) { std::cout << io::fields_table(options.words); }
 
 void oils(const OilsOptions& options) {
   const std::vector<io::ShippedOil> shipped = io::shipped_oils(io::Units());
@@ -139,6 +140,10 @@ void start_case(const NewOptions& options) {
   } else {
     std::cout << "next: state what is missing in " << path << " (lines with MISSING), then ringfilm check " << path
               << "\n";
+  }
+  if (!io::find_shipped_folder()) {  // of which the oil of the case is one
+    const Fault missing = io::missing_shipped_folder();
+    std::cout << "before that: " << missing.remedy << "; " << missing.message << "\n";
   }
 }
 

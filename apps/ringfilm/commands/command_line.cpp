@@ -89,7 +89,8 @@ constexpr const char* kPairsFooter = R"(Examples:
 
 constexpr const char* kFieldsFooter = R"(Examples:
   ringfilm fields
-  ringfilm fields | grep ring.
+  ringfilm fields ring
+  ringfilm fields ring.face clearance
 )";
 
 constexpr const char* kNewFooter = R"(Examples:
@@ -269,7 +270,11 @@ class Commands {
   }
 
   void add_fields() {
-    add("fields", "Print all keys of a case with unit, default, range and meaning", &fields).footer(kFieldsFooter);
+    auto& command =
+        add("fields", "Print the keys of a case with unit, default, range and meaning", [this] { fields(fields_); });
+    command.add_option("WORD", fields_.words, "a section, a key or a part of it; all keys if none is named")
+        ->type_name("...");
+    command.footer(kFieldsFooter);
   }
 
   void add_oils() {
@@ -391,6 +396,7 @@ class Commands {
   std::optional<std::string> output_, csv_, jobs_, vts_shape_;
   std::vector<std::string> varied_;
   bool json_ = false, ledger_ = false, error_estimate_ = false;
+  FieldsOptions fields_;
   NewOptions new_;
   ReportOptions report_;
   ReproduceOptions reproduce_;

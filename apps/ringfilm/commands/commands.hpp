@@ -83,8 +83,11 @@ class FailedChecks : public std::runtime_error {
 /// Runs the shipped cases with known answers. Throws FailedChecks.
 void verify(const VerifyOptions& options);
 
+struct FieldsOptions {
+  std::vector<std::string> words;  ///< sections, keys or parts of keys; empty: all keys
+};
 /// Prints the table of case keys.
-void fields();
+void fields(const FieldsOptions& options);
 
 /// Of `oils` and `pairs`.
 struct OilsOptions {

@@ -15,12 +15,14 @@ using surface::HeightSense;
 
 constexpr const char* kFaceFooter = R"(Examples:
   ringfilm face trace.csv --heights material --width "1.2 mm"
+  ringfilm face cases/measured/face_new.csv --heights material --width "1.2 mm" --start "0.1 mm" --tilt "2 mrad"
   ringfilm face trace.csv --heights material --width "1.2 mm" --fragment face.toml --html face.html
   ringfilm face trace.x3p --heights material --width "1.2 mm" --start "0.35 mm" --direction turned
   ringfilm face sprayed.csv --heights material --width "1.2 mm" --pore-depth "1 um" --as points --fragment face.toml
 
 A trace as text has the columns x and z with their units: x [mm],z [um]. A stylus counts heights away from the ring:
 --heights material. What a case calls the gap to a straight liner is --heights gap. Neither is guessed.
+A round running surface is as round when it is tilted: state the --tilt of the holder, or take --levelling none.
 The case reads the fragment with include = ["face.toml"]; with --as points the points are next to it in face.csv.
 )";
 

@@ -111,6 +111,7 @@ class Checks {
       add(key, entry.key_mark, key + " is not used in this case",
           "it is used where " + field.active_when + places_of_conditions(field) + "; take it out (or add --set " + key +
               "= on the command line), or change that");
+      faults_.back().used_where = field.active_when;
     }
   }
 

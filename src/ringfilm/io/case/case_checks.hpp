@@ -27,6 +27,7 @@ struct StatedKeys {
 struct KeyFault {
   std::string key;
   Fault fault;
+  std::string used_where = {};  ///< of a key that is not used in the case: the words on its use
 };
 
 /// Everything that is wrong with a case whose values are good one by one. Empty if nothing is.

@@ -1,5 +1,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -217,8 +219,33 @@ std::vector<Fault> pack_faults(const Case& pack, const std::vector<std::map<std:
   return faults;
 }
 
+/// One fault in place of those of a pack that describes the gas between its rings without asking for it: each of these
+/// keys is unused, and each pressure that they would give is missing.
+void join_gas_faults(PackTrees& pack, std::vector<std::vector<KeyFault>>& of_rings) {
+  const auto waits_for_gas = [](const KeyFault& one) {
+    return one.used_where.find("gas_path.model = \"orifice-volume\"") != std::string::npos;
+  };
+  std::vector<KeyFault> waiting;
+  for (std::size_t i = 0; i < of_rings.size(); ++i) {
+    for (KeyFault one : of_rings[i]) {
+      one.key = cycle::pack_key(i + 1, one.key);
+      const bool is_known = std::ranges::any_of(waiting, [&](const KeyFault& k) { return k.key == one.key; });
+      if (waits_for_gas(one) && !is_known) waiting.push_back(std::move(one));
+    }
+  }
+  if (waiting.size() < 2) return;
+  for (std::vector<KeyFault>& ring : of_rings) std::erase_if(ring, waits_for_gas);
+  pack.missing_pressures.clear();
+  const KeyFault& first = waiting.front();
+  pack.faults.push_back({first.fault.mark,
+                         fmt::format("{} and {} more keys are those of the gas between the rings, which is not "
+                                     "computed: the case does not state gas_path.model = \"orifice-volume\"",
+                                     first.key, waiting.size() - 1),
+                         "write model = \"orifice-volume\" in [gas_path]; or remove these keys and state "
+                         "pressure_below, the pressure between two rings, in each [[ring]] but the last"});
+}
+
 Case case_of(PackTrees pack, const Units& units, CasePurpose purpose = CasePurpose::kFilm) {
-  std::vector<Fault> faults = std::move(pack.faults);
   std::vector<Case> cases;
   std::vector<std::map<std::string, SourceMark>> places(pack.trees.size());
   std::vector<std::vector<KeyFault>> of_rings(pack.trees.size());
@@ -226,6 +253,9 @@ Case case_of(PackTrees pack, const Units& units, CasePurpose purpose = CasePurpo
     for (const TomlEntry& entry : pack.trees[i].entries) places[i][entry.key] = entry.value.mark;
     cases.push_back(CaseReader(std::move(pack.trees[i]), units, purpose).read(of_rings[i]));
   }
+  if (pack.is_pack) join_gas_faults(pack, of_rings);
+  std::vector<Fault> faults = std::move(pack.faults);
+  std::ranges::move(pack.missing_pressures, std::back_inserter(faults));
   if (pack.is_pack) {
     append_ring_faults(of_rings, faults);
   } else {

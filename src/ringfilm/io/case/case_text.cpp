@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "ringfilm/io/case/case_value_text.hpp"
 #include "ringfilm/io/case/case_values.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
+#include "ringfilm/io/text/suggestion.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -104,11 +107,12 @@ std::string meaning_words(const Field& field) {
   return field.help + (field.active_when.empty() ? "" : " (where " + field.active_when + ")");
 }
 
-/// Rows of the table of keys, the first its head.
-std::vector<std::vector<std::string>> rows(const std::string& section, const Units& units) {
+/// Rows of the table of keys, the first its head. @param keys of which there are rows
+std::vector<std::vector<std::string>> rows(const std::string& section, const std::set<std::string>& keys,
+                                           const Units& units) {
   std::vector<std::vector<std::string>> rows{{"key", "unit", "default", "allowed", "meaning"}};
   for (const Field& field : cycle::case_fields()) {
-    if (section_of(field) != section) continue;
+    if (section_of(field) != section || !keys.contains(field.key)) continue;
     rows.push_back({name_of(field), unit_words(field), default_words(field, units), allowed_words(field, units),
                     meaning_words(field)});
   }
@@ -128,6 +132,35 @@ std::vector<std::string> sections() {
     if (sections.empty() || sections.back() != section_of(field)) sections.push_back(section_of(field));
   }
   return sections;
+}
+
+std::set<std::string> all_keys() {
+  std::set<std::string> keys;
+  for (const Field& field : cycle::case_fields()) keys.insert(field.key);
+  return keys;
+}
+
+/// The keys that a word selects: the key itself or those of the section of that name, else all that contain it.
+std::set<std::string> keys_of_word(std::string word, const std::set<std::string>& all) {
+  std::erase_if(word, [](char c) { return c == '[' || c == ']'; });
+  if (word.ends_with('.')) word.pop_back();
+  std::set<std::string> selected;
+  const auto select = [&](const auto& is_meant) {
+    std::ranges::copy_if(all, std::inserter(selected, selected.end()), is_meant);
+    return !selected.empty();
+  };
+  if (select([&](const std::string& key) { return key == word || key.starts_with(word + "."); })) return selected;
+  if (select([&](const std::string& key) { return key.find(word) != std::string::npos; })) return selected;
+  const KeyProposal proposal = key_proposal(word, {all.begin(), all.end()});
+  throw InputError("ringfilm fields " + word + ": there is no such section or key" + proposal.message,
+                   proposal.remedy.empty() ? "ringfilm fields lists all keys" : proposal.remedy);
+}
+
+std::set<std::string> selected_keys(const std::vector<std::string>& words) {
+  const std::set<std::string> all = all_keys();
+  std::set<std::string> keys;
+  for (const std::string& word : words) keys.merge(keys_of_word(word, all));
+  return words.empty() ? all : keys;
 }
 
 /// Writes "[section]" whenever it changes.
@@ -238,11 +271,15 @@ std::string commented_case(const std::string& head, const std::vector<StartValue
   return text;
 }
 
-std::string fields_table() {
+std::string fields_table(const std::vector<std::string>& words) {
   const Units units;
-  std::string text = "include = [\"fragment.toml\"] before the first section reads more keys from other files.\n";
+  const std::set<std::string> keys = selected_keys(words);
+  std::string text;
+  if (words.empty())
+    text = "include = [\"fragment.toml\"] before the first section reads more keys from other files.\n";
   for (const std::string& section : sections()) {
-    const auto table = rows(section, units);
+    const auto table = rows(section, keys, units);
+    if (table.size() == 1) continue;
     std::vector<std::size_t> width(table.front().size(), 0);
     for (const auto& row : table) {
       for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], row[i].size());
@@ -259,11 +296,12 @@ std::string fields_table() {
 
 std::string fields_markdown() {
   const Units units;
+  const std::set<std::string> keys = all_keys();
   std::string text;
   for (const std::string& section : sections()) {
     text += section.empty() ? "\n### Before the first section\n\n" : fmt::format("\n### `[{}]`\n\n", section);
     std::string after_head = "|---|---|---|---|---|\n";
-    for (const auto& row : rows(section, units)) {
+    for (const auto& row : rows(section, keys, units)) {
       text += "|";
       for (const std::string& cell : row) text += fmt::format(" {} |", in_markdown(cell));
       text += "\n";

@@ -17,7 +17,9 @@ struct StartValue {
 std::string commented_case(const std::string& head, const std::vector<StartValue>& values);
 
 /// The table of case keys for a terminal (`ringfilm fields`): key, unit, default, range, meaning, when it is in use.
-std::string fields_table();
+/// @param words sections, keys or parts of keys, "ring.face", of which the table is made; empty: all keys. Throws
+/// InputError for a word that is in no key.
+std::string fields_table(const std::vector<std::string>& words = {});
 
 /// The same as Markdown tables, one a section, for the manual.
 std::string fields_markdown();

@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/io/storage/shipped_oils.hpp"
+#include "ringfilm/io/text/document_kind.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/io/text/trade_terms.hpp"
 
@@ -130,6 +131,7 @@ class Gatherer {
   CaseTree gather(const std::vector<Override>& overrides) {
     const SourceText source = read_source_text(tree_.path, tree_.path, kLargestToml);
     const TomlValue root = parse_toml(source);
+    check_document_kind(root, DocumentKind::kCase, tree_.path);
     record(source, "case");
     open_.push_back(identity(tree_.path));
     add_file(root, tree_.path);

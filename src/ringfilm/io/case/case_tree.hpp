@@ -32,7 +32,8 @@ CaseTree read_case_tree(const std::string& path, const std::vector<Override>& ov
 struct PackTrees {
   std::vector<CaseTree> trees;  ///< one where the case is not a ring pack
   bool is_pack = false;
-  std::vector<Fault> faults;  ///< of the pack as a whole
+  std::vector<Fault> faults;             ///< of the pack as a whole
+  std::vector<Fault> missing_pressures;  ///< of pressures between two rings that the case does not state
 };
 
 /// Cuts the tree of a ring pack ([[ring]] sections, whose keys are "ring.1.face_width", ...) into those of its rings.

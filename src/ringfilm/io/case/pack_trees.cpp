@@ -39,23 +39,24 @@ bool has_given_gas(const std::vector<TomlEntry>& common) {
 }
 
 /// Gives each ring the pressure of the piston land above it.
-void join_lands(std::map<std::size_t, RingEntries>& rings, const std::string& path, std::vector<Fault>& faults) {
+void join_lands(std::map<std::size_t, RingEntries>& rings, const std::string& path, PackTrees& pack) {
   for (std::size_t i = 2; i <= rings.size(); ++i) {
     Entries &upper = rings.at(i - 1).entries, &ring = rings.at(i).entries;
     if (const auto stated = ring.find(kAbove); stated != ring.end()) {
-      faults.push_back({stated->second.value.key_mark,
-                        cycle::pack_key(i, kAbove) + " is the pressure below ring " + number(i - 1),
-                        "state " + cycle::pack_key(i - 1, kBelow) + " alone"});
+      pack.faults.push_back({stated->second.value.key_mark,
+                             cycle::pack_key(i, kAbove) + " is the pressure below ring " + number(i - 1),
+                             "state " + cycle::pack_key(i - 1, kBelow) + " alone"});
     } else if (const auto land = upper.find(kBelow); land != upper.end()) {
       TomlEntry above = land->second;
       above.key = kAbove;
       ring.emplace(kAbove, std::move(above));
     } else if (!rings.at(i - 1).faulty.contains(kBelow)) {
-      faults.push_back({{path, 0, 0, ""},
-                        "the key " + cycle::pack_key(i - 1, kBelow) +
-                            " is missing: the gas pressure between the rings " + number(i - 1) + " and " + number(i),
-                        "write, for example, pressure_below = \"1.4 bar\", or a CSV file like that of the cylinder, in "
-                        "that [[ring]]"});
+      pack.missing_pressures.push_back(
+          {{path, 0, 0, ""},
+           "the key " + cycle::pack_key(i - 1, kBelow) + " is missing: the gas pressure between the rings " +
+               number(i - 1) + " and " + number(i),
+           "write, for example, pressure_below = \"1.4 bar\", or a CSV file like that of the cylinder, in that "
+           "[[ring]]"});
     }
   }
 }
@@ -114,7 +115,7 @@ PackTrees pack_trees(CaseTree tree) {
       faulty.insert(key);
     }
   }
-  if (has_given_gas(common)) join_lands(rings, tree.path, pack.faults);
+  if (has_given_gas(common)) join_lands(rings, tree.path, pack);
   const Entries& last = rings.at(n).entries;
   const auto land = last.find(kLand);
   refuse_last_land(cycle::pack_key(n, kLand), land == last.end() ? nullptr : &land->second, pack.faults);

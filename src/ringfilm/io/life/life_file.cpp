@@ -23,7 +23,7 @@ class LifeReader : DocumentReader {
       : DocumentReader(path), overrides_(overrides) {}
 
   LifeFile read() {
-    const TomlValue root = read_document("life");
+    const TomlValue root = read_document(DocumentKind::kLife, "life");
     StudyTable table(
         root, "a life",
         {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},

@@ -1,5 +1,7 @@
 #include "ringfilm/io/storage/digest_trailer.hpp"
 
+#include <algorithm>
+
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 
@@ -12,10 +14,22 @@ constexpr std::string_view kTrailerStart = "\nringfilm sha256 ";
 
 std::string digest_trailer(std::string_view digits) { return std::string(kTrailerStart) + std::string(digits) + "\n"; }
 
+bool begins_as_netcdf(std::string_view bytes) {
+  constexpr std::string_view kClassicVersions = "\x01\x02\x05";
+  const bool is_classic =
+      bytes.starts_with("CDF") && bytes.size() > 3 && kClassicVersions.find(bytes[3]) != std::string_view::npos;
+  return is_classic || bytes.starts_with("\x89HDF\r\n\x1a\n");
+}
+
+bool has_digest_trailer(std::string_view bytes) {
+  const std::string_view trailer = bytes.substr(bytes.size() - std::min(bytes.size(), kDigestTrailerSize));
+  return trailer.starts_with(kTrailerStart) && trailer.ends_with('\n');
+}
+
 std::string_view content_before_trailer(const std::string& name, std::string_view bytes) {
   const std::size_t size = bytes.size() < kDigestTrailerSize ? 0 : bytes.size() - kDigestTrailerSize;
   const std::string_view content = bytes.substr(0, size), trailer = bytes.substr(size);
-  if (!trailer.starts_with(kTrailerStart) || !trailer.ends_with('\n')) {
+  if (!has_digest_trailer(bytes)) {
     throw InputError(name + ": the file does not end with the SHA-256 digest that ringfilm writes",
                      "name a result as ringfilm wrote it: another program made or changed this file, it is cut off or "
                      "damaged, or an older ringfilm wrote it; for a result, run its case again");

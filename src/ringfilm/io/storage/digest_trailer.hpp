@@ -13,6 +13,12 @@ inline constexpr std::size_t kDigestTrailerSize = 82;
 /// The line for bytes whose SHA-256 has these 64 hexadecimal digits.
 std::string digest_trailer(std::string_view digits);
 
+/// Do the bytes begin as a NetCDF file, of HDF5 or classic?
+bool begins_as_netcdf(std::string_view bytes);
+
+/// Do the bytes end with such a line, be its digest theirs or not?
+bool has_digest_trailer(std::string_view bytes);
+
 /// The bytes before the line. Throws InputError if there is no such line, or if the bytes are not those of its digest.
 /// @param name how errors name the file
 std::string_view content_before_trailer(const std::string& name, std::string_view bytes);

@@ -64,20 +64,40 @@ std::vector<fs::path> candidates() {
   return folders;
 }
 
+bool holds_shipped_data(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder / "cases", error) && fs::is_directory(folder / "data", error);
+}
+
 }  // namespace
 
 std::optional<std::string> find_shipped_folder() {
   for (const fs::path& folder : candidates()) {
-    std::error_code error;
-    if (fs::is_directory(folder / "cases", error) && fs::is_directory(folder / "data", error)) return folder.string();
+    if (holds_shipped_data(folder)) return folder.string();
   }
   return std::nullopt;
 }
 
+Fault missing_shipped_folder() {
+  const std::string required = "the folder that holds cases/ and data/ as they are shipped";
+  const char* stated = std::getenv("RINGFILM_DATA");
+  if (stated == nullptr || *stated == '\0') {
+    return {{},
+            "the shipped cases and data are not found",
+            "set the environment variable RINGFILM_DATA to " + required + ", or run the installed program"};
+  }
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(stated, error);
+  const bool is_inside = !error && holds_shipped_data(folder.parent_path());
+  return {{},
+          "the shipped cases and data are not found: the environment variable RINGFILM_DATA is " + std::string(stated) +
+              ", which holds no cases/ and data/",
+          "set RINGFILM_DATA to " + (is_inside ? folder.parent_path().string() + ", " : "") + required};
+}
+
 std::string shipped_folder() {
   if (const auto folder = find_shipped_folder()) return *folder;
-  throw InputError("the shipped cases and data are not found",
-                   "set the environment variable RINGFILM_DATA to the folder that holds cases/ and data/");
+  throw InputError({missing_shipped_folder()});
 }
 
 }  // namespace ringfilm::io

@@ -11,10 +11,12 @@ namespace ringfilm::io {
 DocumentReader::DocumentReader(const std::string& path)
     : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
 
-TomlValue DocumentReader::read_document(const std::string& kind) {
+TomlValue DocumentReader::read_document(DocumentKind kind, const std::string& role) {
   const SourceText source = read_source_text(path_, path_, kLargestToml);
-  record({kind, path_, source.sha256});
-  return parse_toml(source);
+  record({role, path_, source.sha256});
+  TomlValue root = parse_toml(source);
+  check_document_kind(root, kind, path_);
+  return root;
 }
 
 void DocumentReader::record(const cycle::InputFile& file) {

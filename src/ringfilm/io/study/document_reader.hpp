@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/io/text/document_kind.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/io/text/units.hpp"
 
@@ -15,8 +16,8 @@ class DocumentReader {
  protected:
   explicit DocumentReader(const std::string& path);
 
-  /// The file itself as a tree. @param kind of cycle::InputFile, e.g. "study"
-  TomlValue read_document(const std::string& kind);
+  /// The file itself as a tree; throws InputError for a file of another kind. @param role of cycle::InputFile
+  TomlValue read_document(DocumentKind kind, const std::string& role);
 
   void record(const cycle::InputFile& file);  ///< once
   void record(const cycle::Case& input);      ///< the files that it was read from

@@ -33,7 +33,7 @@ class StudyReader : DocumentReader {
   explicit StudyReader(const std::string& path) : DocumentReader(path) {}
 
   StudyFile read() {
-    const TomlValue root = read_document("study");
+    const TomlValue root = read_document(DocumentKind::kStudy, "study");
     StudyTable table(root, "a study",
                      {"title", "kind", "compute", "seed", "base", "factor", "measured", "correlation", "plan", "point",
                       "keep", "accuracy"},

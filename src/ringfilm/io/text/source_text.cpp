@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ringfilm/io/storage/digest.hpp"
+#include "ringfilm/io/storage/digest_trailer.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
 
 namespace ringfilm::io {
@@ -19,13 +20,21 @@ namespace fs = std::filesystem;
   throw InputError(std::vector<Fault>{{mark, message, remedy}});
 }
 
+/// @param shown the file, which may be one of the shipped data
+std::string remedy_of_missing(const std::string& shown) {
+  const std::string remedy = "check the name and the folder";
+  if (!shown.starts_with("data/") || find_shipped_folder()) return remedy;
+  const Fault missing = missing_shipped_folder();
+  return remedy + "; " + missing.message + ": " + missing.remedy;
+}
+
 }  // namespace
 
 std::string read_source_bytes(const std::string& path, const std::string& shown, std::size_t limit) {
   const SourceMark file{shown, 0, 0, ""};
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found) refuse(file, "there is no such file", "check the name and the folder");
+  if (status.type() == fs::file_type::not_found) refuse(file, "there is no such file", remedy_of_missing(shown));
   if (fs::is_directory(status)) refuse(file, "this is a folder, not a file", "name the file in it");
   // To open a pipe waits for somebody who writes into it.
   if (fs::exists(status) && !fs::is_regular_file(status)) {
@@ -85,6 +94,15 @@ std::string normalised(const std::string& bytes, bool& has_byte_order_mark) {
   return text;
 }
 
+/// Refuses a NetCDF file where a text is read, before its bytes are searched for what is not text.
+void refuse_netcdf(const SourceMark& file, const std::string& bytes) {
+  if (!begins_as_netcdf(bytes)) return;
+  if (!has_digest_trailer(bytes)) refuse(file, "this is a NetCDF file, not text", "is it the right file?");
+  refuse(file, "this is a NetCDF file that ringfilm wrote, not text",
+         "name the file that it was computed from; a web page of a result is drawn by ringfilm report " + file.file +
+             " --output X.html");
+}
+
 void check_text(const SourceText& source) {
   int line = 1;
   std::size_t line_start = 0;
@@ -127,6 +145,7 @@ SourceText read_source_text(const std::string& path, const std::string& shown, s
   if (bytes.rfind("\xFF\xFE", 0) == 0 || bytes.rfind("\xFE\xFF", 0) == 0) {
     refuse(file, "the file is UTF-16 text", "save it as UTF-8");
   }
+  refuse_netcdf(file, bytes);
   SourceText source;
   source.path = shown;
   source.sha256 = sha256(bytes);

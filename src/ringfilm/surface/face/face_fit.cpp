@@ -100,7 +100,7 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
   if (length < rule.width_m * (1 - 1e-6)) {
     throw InputError(
         "the trace is " + micrometres(length) + " long and does not cover the face of " + micrometres(rule.width_m),
-        "no shape is invented beyond a trace; measure a longer one, or state the width that it covers");
+        "no shape is invented beyond a trace; measure a longer one, or state the width that it covers (--width)");
   }
   if (!rule.start_m) return;
   if (std::isfinite(*rule.start_m) && *rule.start_m >= trace.x_m.front() - 1e-6 * rule.width_m &&
@@ -108,7 +108,8 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
     return;
   }
   throw InputError("the face of " + micrometres(rule.width_m) + " does not lie in the trace from the stated start on",
-                   "the trace runs from " + micrometres(trace.x_m.front()) + " to " + micrometres(trace.x_m.back()));
+                   "the trace runs from " + micrometres(trace.x_m.front()) + " to " + micrometres(trace.x_m.back()) +
+                       ": state another --start, or none");
 }
 
 }  // namespace
@@ -157,7 +158,8 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
       throw InputError(
           "the running surface of the face cannot be made level: with each tilt another part of the trace is the "
           "running surface",
-          "state the tilt, take the trace as it is, or state a larger height of the running surface");
+          "state the tilt of the holder (--tilt \"2 mrad\"), take the trace as it is (--levelling none), or state a "
+          "larger height of the running surface (--running-surface-height \"5 um\")");
     }
     fit.tilt = *tilt;
   }

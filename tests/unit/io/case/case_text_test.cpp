@@ -122,6 +122,28 @@ TEST(FieldsTable, HasEveryKeyWithItsMeaning) {
   EXPECT_THAT(markdown, HasSubstr("trace \\| wiebe"));
 }
 
+TEST(FieldsTable, OfASectionAKeyOrAWordHasThoseKeysAlone) {
+  const auto has = [](const std::string& table, const char* key) {
+    return table.find(cycle::find_field(key)->help) != std::string::npos;
+  };
+  const std::string ring = fields_table({"ring"});
+  EXPECT_TRUE(has(ring, "ring.face_width") && has(ring, "ring.face.form"));
+  EXPECT_FALSE(has(ring, "engine.bore"));
+  EXPECT_EQ(ring, fields_table({"[ring]"}));
+  const std::string some = fields_table({"engine.bore", "clearance"});
+  EXPECT_TRUE(has(some, "engine.bore") && has(some, "ring.side_clearance") && has(some, "ring.land_clearance"));
+  EXPECT_FALSE(has(some, "engine.stroke") || has(some, "ring.face_width"));
+}
+
+TEST(FieldsTable, RefusesAWordThatIsInNoKey) {
+  try {
+    fields_table({"ring.face_widht"});
+    ADD_FAILURE() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean ring.face_width?"));
+  }
+}
+
 class ShippedCase : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedCase, StatesEveryKeyThatIsInUse) {
