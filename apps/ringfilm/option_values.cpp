@@ -19,6 +19,16 @@ double OptionValues::quantity(const std::string& option, const std::string& text
   }
 }
 
+double OptionValues::positive(const std::string& option, const std::string& text, const std::string& si_unit,
+                              const std::string& example) {
+  const std::size_t before = faults_.size();
+  const double value = quantity(option, text, si_unit, example);
+  if (faults_.size() == before && !(value > 0)) {
+    refuse(option + " \"" + text + "\" is not above 0", "for example \"" + example + "\"");
+  }
+  return value;
+}
+
 double OptionValues::length(const std::string& option, const std::string& text, const std::string& example) {
   const std::size_t before = faults_.size();
   const double value = quantity(option, text, "m", example);

@@ -17,6 +17,9 @@ class OptionValues {
   /// In `si_unit`; 0 where the text is refused. @param example what one could have written
   double quantity(const std::string& option, const std::string& text, const std::string& si_unit,
                   const std::string& example);
+  /// The same above zero; what cannot be read is reported once.
+  double positive(const std::string& option, const std::string& text, const std::string& si_unit,
+                  const std::string& example);
   /// A length above zero [m].
   double length(const std::string& option, const std::string& text, const std::string& example);
   /// A number without unit between both, ends included.

@@ -85,11 +85,11 @@ struct ContactArguments {
         maps.selected_preparation(values, {periodic ? surface::FormKind::mean : surface::FormKind::tilt});
     of.analysis.has_flow = flow;
     if (modulus) {
-      of.analysis.material.E_star = pressure(values, "--composite-modulus", *modulus, "134.8 GPa") / 2;
+      of.analysis.material.E_star = values.positive("--composite-modulus", *modulus, "Pa", "134.8 GPa") / 2;
     } else {
       values.refuse("--composite-modulus is missing", "for example --composite-modulus \"134.8 GPa\"");
     }
-    if (hardness) of.analysis.material.hardness = pressure(values, "--hardness", *hardness, "2.5 GPa");
+    if (hardness) of.analysis.material.hardness = values.positive("--hardness", *hardness, "Pa", "2.5 GPa");
     if (separations) of.analysis.separations_m = lengths(values);
     if (grid) std::tie(of.analysis.regions_across, of.analysis.regions_down) = counts_of("--grid", *grid);
     if (shifts) of.analysis.shifts = count_of_shifts(values);
@@ -125,18 +125,11 @@ struct ContactArguments {
     return of;
   }
 
-  static double pressure(OptionValues& values, const std::string& option, const std::string& text,
-                         const std::string& example) {
-    const double value = values.quantity(option, text, "Pa", example);
-    if (!(value > 0)) values.refuse(option + " \"" + text + "\" is not above 0", "for example \"" + example + "\"");
-    return value;
-  }
-
   std::vector<double> lengths(OptionValues& values) const {
     std::vector<double> of;
     for (const std::string& word : parts(*separations)) {
       of.push_back(values.length("--separations", word, "0.32 um, 0.27 um"));
-      if (std::count(of.begin(), of.end(), of.back()) > 1) {
+      if (of.back() > 0 && std::count(of.begin(), of.end(), of.back()) > 1) {  // 0: refused
         values.refuse("--separations has " + word + " twice", "state each separation once");
       }
     }

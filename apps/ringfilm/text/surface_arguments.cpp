@@ -161,16 +161,11 @@ struct LawArguments {
   void fill(SurfaceCommand& of) const {
     const io::Units units;
     OptionValues values(units);
-    const auto pressure = [&](const std::string& option, const std::string& text, const std::string& example) {
-      const double value = values.quantity(option, text, "Pa", example);
-      if (!(value > 0)) values.refuse(option + " \"" + text + "\" is not above 0", "for example \"" + example + "\"");
-      return value;
-    };
-    if (hardness) of.analysis.hardness = pressure("--hardness", *hardness, "2.5 GPa");
+    if (hardness) of.analysis.hardness = values.positive("--hardness", *hardness, "Pa", "2.5 GPa");
     if (law.has_value() != modulus.has_value()) {
       values.refuse("--law and --composite-modulus belong together", "state both, or neither");
     } else if (law) {
-      of.law = LawRequest{*law, pressure("--composite-modulus", *modulus, "134.8 GPa"), shifts};
+      of.law = LawRequest{*law, values.positive("--composite-modulus", *modulus, "Pa", "134.8 GPa"), shifts};
     }
     values.check();
   }

@@ -382,6 +382,12 @@ class Refusals(ContactTest):
         self.assertIn("--composite-modulus is missing", self.refused(*wave_at, "0.5 um"))
         for hardness in ("0 GPa", "-2 GPa"):
             self.assertIn("is not above 0", self.refused(*wave_at, "0.5 um", *MODULUS, "--hardness", hardness))
+        for option in ("--hardness", "--composite-modulus"):
+            modulus = () if option == "--composite-modulus" else MODULUS
+            refused = self.refused(*wave_at, "0.5 um", *modulus, option, "2.5 kg")
+            self.assertIn(f'{option} "2.5 kg" is not a pressure', refused)
+            self.assertIn("\n1 error; nothing", refused)
+        self.assertIn("\n2 errors; nothing", self.refused(*wave_at, "1 kg, 2 kg", *MODULUS))
         self.assertIn("contradict", self.refused(*wave_at, "0.5 um", *MODULUS, "--mirrored"))
         self.assertIn("there is one", self.refused(*wave_at, "0.5 um", *MODULUS, "--shifts", "8"))
         self.assertIn("not a count", self.refused(*wave_at, "0.5 um", *MODULUS, "--shifts", "none"))
