@@ -45,6 +45,16 @@ std::string gas_summary(const io::GasPathDocument& document) {
 
 namespace {
 
+/// Settings that the gas alone does not use, on standard error: they may be meant for another command.
+void print_settings_without_effect(const std::vector<io::Override>& overrides) {
+  std::string keys;
+  for (const io::Override& one : overrides) {
+    const bool is_title = one.key == "title";  // which is printed
+    if (!one.value.empty() && !is_title && !acts_on_gas(one.key)) keys += (keys.empty() ? "" : ", ") + one.key;
+  }
+  if (!keys.empty()) std::cerr << "--set states keys that the gas alone does not use: " << keys << "\n";
+}
+
 /// The table of all combinations of varied values, on standard output or in a file.
 void gas_of_variations(const GasOptions& options, const cycle::Case& input) {
   if (options.output || options.summary == SummaryForm::kJson) {
@@ -66,9 +76,7 @@ void gas_of_variations(const GasOptions& options, const cycle::Case& input) {
 
 void gas(const GasOptions& options) {
   const cycle::Case input = case_with_settings(options.case_path, options.overrides, cycle::CasePurpose::kGasPath);
-  if (input.problem == cycle::Problem::kPad) {
-    throw InputError(options.case_path + ": a pad has no ring pack", "name a case with [engine], [gas] and [[ring]]");
-  }
+  print_settings_without_effect(options.overrides);
   if (!options.varied.empty()) return gas_of_variations(options, input);
   check_output(options.csv, "--csv", OutputKind::kCsv, input);
   check_output(options.output, "--output", OutputKind::kNetcdf, input);

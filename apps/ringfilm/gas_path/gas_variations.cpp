@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ringfilm/base/trimmed.hpp"
+#include "ringfilm/cycle/case/case_fields.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 
 namespace ringfilm::app {
@@ -121,7 +122,29 @@ std::string line_of(const Row& row, const std::vector<std::string>& regions) {
   return line + std::string(kOtherValues + regions.size(), ',') + quoted_cell(row.reason) + "\n";
 }
 
+/// Refuses what varies nothing, or what --set fixes.
+void check_varied(const std::vector<Variation>& varied, const std::vector<io::Override>& overrides) {
+  std::vector<Fault> faults;
+  for (const Variation& one : varied) {
+    if (std::ranges::find(overrides, one.key, &io::Override::key) != overrides.end()) {
+      faults.push_back({{}, one.key + " is stated by --set and by --vary", "keep one of them"});
+    } else if (!acts_on_gas(one.key)) {
+      faults.push_back({{},
+                        "--vary " + one.key + " has no effect: the gas of a ring pack alone does not follow from it",
+                        "vary a key of the engine, the gas or the rings, for example ring.1.end_gap; ringfilm study "
+                        "varies keys of the films"});
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 }  // namespace
+
+bool acts_on_gas(const std::string& key) {
+  const auto of_ring = cycle::ring_key(key);
+  const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : key);
+  return field == nullptr || (cycle::is_of_gas_path(*field) && !cycle::is_for_record(*field));
+}
 
 std::vector<Variation> variations(const std::vector<std::string>& texts) {
   std::vector<Variation> all;
@@ -148,6 +171,7 @@ std::vector<Variation> variations(const std::vector<std::string>& texts) {
 
 std::string gas_variations_csv(const std::string& case_path, const std::vector<io::Override>& overrides,
                                const std::vector<Variation>& varied) {
+  check_varied(varied, overrides);
   std::size_t n = 1;
   for (const Variation& one : varied) n *= one.values.size();
   if (n > kMostCombinations) {

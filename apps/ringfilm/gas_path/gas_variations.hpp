@@ -14,10 +14,15 @@ struct Variation {
   std::vector<std::string> values;  ///< as written
 };
 
+/// Does the gas of a ring pack alone follow from the key, of one ring or of a ring of a pack? True for an unknown key,
+/// which the reader of the case reports.
+bool acts_on_gas(const std::string& key);
+
 /// Throws InputError where a text is not of that form, or a key is varied twice.
 std::vector<Variation> variations(const std::vector<std::string>& texts);
 
-/// Computes the gas of a pack for each combination of the values, the last key fastest.
+/// Computes the gas of a pack for each combination of the values, the last key fastest. Throws InputError where a
+/// varied key is one of `overrides` or has no effect on the gas.
 /// @returns a header and one row each: the values, blow-by, peak pressures of the regions of all combinations (empty
 /// where one has no such region), flutter, and why one was not solved
 std::string gas_variations_csv(const std::string& case_path, const std::vector<io::Override>& overrides,

@@ -285,6 +285,13 @@ class TableInACase(ContactTest):
             result = self.run_program("run", "case.toml", "--set", f"contact.law={name}")
             self.assertEqual(result.returncode, 2, result.stderr)
             self.assertIn(message, result.stderr)
+        self.run_well("contact", "--case", "case.toml", "-o", "of_case.nc")
+        for name, command in (("surface.nc", "surface"), ("of_case.nc", "contact")):
+            result = self.run_program("report", name, "-o", "page.html")
+            self.assert_refused(result, f"{name}: a measurement by ringfilm {command}", "writes its page with --html")
+        (self.folder / "cut.nc").write_bytes((self.folder / "surface.nc").read_bytes()[:-200])
+        result = self.run_program("run", "case.toml", "--set", "contact.law=cut.nc")
+        self.assert_refused(result, "contact.law: cut.nc: the file does not end with the SHA-256 digest")
         result = self.run_program("run", "case.toml", "--set", "contact.law=")
         self.assertEqual(result.returncode, 2)
         self.assertIn("contact.law", result.stderr)

@@ -173,6 +173,49 @@ class GasTest(program.ProgramTest):
         refused = self.run_program("report", "gas.nc", "-o", "gas.html")
         self.assert_refused(refused, "the gas of a ring pack alone")
 
+    def test_keys_that_do_not_act_on_the_gas_are_refused_or_reported(self):
+        for key, values in (
+            ("title", "a, b"),
+            ("ring.2.name", "a, b"),
+            ("ring.3.rails", "1, 2"),
+            ("gas_path.film", "sealing, breakthrough"),
+            ("lubricant.grade", "SAE 30, SAE 40"),
+            ("ring.1.conformity", "rigid, beam"),
+        ):
+            refused = self.run_program("gas", "pack.toml", "--vary", f"{key}={values}")
+            self.assert_refused(
+                refused, f"--vary {key} has no effect: the gas of a ring pack alone does not follow from it"
+            )
+        done = self.run_program("gas", "pack.toml", "--json", "--set", "ring.3.rails=2", "--set", "title=new")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "--set states keys that the gas alone does not use: ring.3.rails\n")
+        self.assertEqual(json.loads(done.stdout)["title"], "new")
+
+    def test_a_key_that_set_states_is_not_varied(self):
+        self.assert_refused(
+            self.run_program("gas", "pack.toml", "--set", "ring.1.mass=9 g", "--vary", "ring.1.mass=8 g, 10 g"),
+            "ring.1.mass is stated by --set and by --vary",
+        )
+
+    def test_gas_through_films_is_noted_where_the_gas_alone_is_computed(self):
+        self.write((HEAD + TOP + SECOND + OIL).replace("[gas_path]\n", '[gas_path]\nfilm = "breakthrough"\n'))
+        messages = [note["message"] for note in self.json_of()["notes"]]
+        self.assertTrue(any(message.startswith('gas_path.film = "breakthrough" is not used') for message in messages))
+
+    def test_a_pad_has_no_ring_pack(self):
+        pad = program.SOURCES / "cases" / "pad" / "pocket.toml"
+        done = self.run_program("gas", str(pad))
+        self.assert_refused(done, "a case with [pad] has no ring pack")
+        self.assertIn("\n1 error; nothing", done.stderr)
+
+    def test_run_of_the_gas_alone_names_the_command_for_it(self):
+        self.write((HEAD + TOP + SECOND + OIL).replace("mass = ", 'land_below = "4 mm"\nmass = ', 1))
+        for command in ("run", "check"):
+            done = self.run_program(command, "pack.toml")
+            self.assert_refused(done, "the case describes the gas of its rings alone", "ringfilm gas pack.toml")
+            self.assertNotIn("land_below", done.stderr)
+            self.assertIn("\n1 error; nothing", done.stderr)
+
     def test_static_twist_is_reported_of_rings_with_a_width(self):
         found = self.json_of()
         self.assertEqual(found["units"]["largest_static_twist"], "rad")

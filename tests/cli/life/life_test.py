@@ -78,6 +78,8 @@ class Path(LifeTest):
         stored = (self.folder / "life.nc").read_bytes()
         for name in (b"running_time", b"mean_power_loss_high", b"face_height", b"ringfilm_life_schema"):
             self.assertIn(name, stored)
+        refused = self.run_program("report", "life.nc", "--output", "life.html")
+        self.assert_refused(refused, "life.nc: a life; a report is drawn of single cycles", "ringfilm life writes")
 
     def test_the_page_holds_the_life_and_fetches_nothing(self):
         self.run_well("life", "life.toml", "--html", "life.html")

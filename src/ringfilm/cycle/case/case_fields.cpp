@@ -212,7 +212,7 @@ bool is_of_gas_path(const Field& field) {
                                                "ring.youngs_modulus",
                                                "ring.bore_friction_coefficient"};
   const auto lies_in = [&](const char* section) { return field.key.rfind(section, 0) == 0; };
-  if (field.key == "gas.pressure_behind_ring") return false;
+  if (field.key == "gas.pressure_behind_ring" || field.key == "gas_path.film") return false;  // of gas with films
   return lies_in("engine.") || lies_in("gas.") || lies_in("gas_path.") || others.contains(field.key);
 }
 

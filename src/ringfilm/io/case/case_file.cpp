@@ -114,7 +114,8 @@ class CaseReader {
       for (const Fault& f : error.faults()) {
         const bool in_file = f.mark.line > 0;
         const SourceMark& named = given_.at(data.key)->value.mark;
-        tree_.faults.push_back(in_file ? f : Fault{named, data.key + ": " + f.mark.file + ": " + f.message, f.remedy});
+        const std::string file = f.mark.file.empty() ? "" : f.mark.file + ": ";
+        tree_.faults.push_back(in_file ? f : Fault{named, data.key + ": " + file + f.message, f.remedy});
       }
     }
   }
@@ -245,7 +246,44 @@ void join_gas_faults(PackTrees& pack, std::vector<std::vector<KeyFault>>& of_rin
                          "pressure_below, the pressure between two rings, in each [[ring]] but the last"});
 }
 
+/// Refuses a pad where rings are required.
+void refuse_pad(const CaseTree& tree, const char* what, const char* remedy) {
+  for (const TomlEntry& entry : tree.entries) {
+    if (entry.key.rfind("pad.", 0) == 0) {
+      throw InputError({Fault{entry.value.key_mark, std::string("a case with [pad] has no ") + what, remedy}});
+    }
+  }
+}
+
+/// Refuses a case that describes the gas of its rings alone where films are to be computed: every key of oil and
+/// contact would be missing.
+void refuse_gas_alone(const PackTrees& pack, const std::string& path) {
+  const auto states = [&](const auto& is_meant) {
+    return std::ranges::any_of(pack.trees, [&](const CaseTree& tree) {
+      return std::ranges::any_of(tree.entries, [&](const TomlEntry& one) { return is_meant(one.key); }) ||
+             std::ranges::any_of(tree.faulty, is_meant) || !tree.complete;
+    });
+  };
+  const auto is_of_films = [](const std::string& key) {
+    return key.starts_with("contact.") || key.starts_with("lubricant.") || key == "operating.oil_temperature";
+  };
+  const auto is_of_gas = [](const std::string& key) { return key == "gas_path.model"; };
+  if (!states(is_of_gas) || states(is_of_films)) return;
+  throw InputError(
+      {Fault{{path, 0, 0, ""},
+             "the case describes the gas of its rings alone: it states no key of [lubricant] and [contact]",
+             "compute it with ringfilm gas " + path +
+                 ", in a study with compute = \"gas\"; films require [lubricant] and [contact], too"}});
+}
+
 Case case_of(PackTrees pack, const Units& units, CasePurpose purpose = CasePurpose::kFilm) {
+  if (purpose == CasePurpose::kGasPath) {
+    for (const CaseTree& tree : pack.trees) {
+      refuse_pad(tree, "ring pack", "name a case with [engine], [gas] and [ring] or [[ring]]");
+    }
+  } else if (purpose == CasePurpose::kFilm && !pack.trees.empty()) {
+    refuse_gas_alone(pack, pack.trees.front().path);
+  }
   std::vector<Case> cases;
   std::vector<std::map<std::string, SourceMark>> places(pack.trees.size());
   std::vector<std::vector<KeyFault>> of_rings(pack.trees.size());
@@ -302,11 +340,7 @@ void keep_closure(CaseTree& tree) {
     const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : key);
     return (of_ring && of_ring->ring > 1) || (field != nullptr && !cycle::belongs(*field, closure));
   };
-  for (const TomlEntry& entry : tree.entries) {
-    if (entry.key.rfind("pad.", 0) != 0) continue;
-    throw InputError({Fault{entry.value.key_mark, "a case with [pad] has no ring that could close",
-                            "name the case of a ring, with engine.bore, [ring] and [liner]"}});
-  }
+  refuse_pad(tree, "ring that could close", "name the case of a ring, with engine.bore, [ring] and [liner]");
   std::erase_if(tree.entries, [&](const TomlEntry& entry) { return is_other(entry.key); });
   std::erase_if(tree.faulty, is_other);
   tree.from_oil_file.clear();

@@ -15,33 +15,45 @@
 namespace ringfilm::io {
 namespace {
 
-std::string bytes_of(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) {
-    throw InputError(path + ": there is no such file", "name a result that ringfilm run --output has written");
-  }
-  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": this is a folder, not a result file");
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw InputError(path + ": this is a device or a pipe, not a result file", "write its content into a file first");
-  }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(path + ": cannot be opened", "is it yours to read?");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+/// A file of ours that is not a result of films.
+struct OtherFile {
+  const char* attribute;  ///< that only such files have
+  const char* what;
+  const char* remedy;  ///< where its page comes from
+};
+
+constexpr OtherFile kOtherFiles[] = {
+    {"ringfilm_pad_schema", "the film of a pad; a report is drawn of rings",
+     "name a result of an engine cycle; any program for NetCDF reads this one"},
+    {"ringfilm_gas_schema", "the gas of a ring pack alone, without films",
+     "ringfilm report draws its page where it is named alone"},
+    {"ringfilm_life_schema", "a life; a report is drawn of single cycles",
+     "ringfilm life writes its page with --html, together with this file"},
+    {"ringfilm_measurement_schema", "a measurement; a report is drawn of engine cycles",
+     "the command that wrote it writes its page with --html"}};
+
+std::string page_beside(const std::string& path) {
+  return std::filesystem::path(path).replace_extension(".html").string();
+}
+
+/// The words of a measurement by its kind: "a measurement by ringfilm contact".
+std::string with_command(const ResultFileReader& file, std::string what) {
+  if (!file.has_attribute("ringfilm_measurement_schema")) return what;
+  std::string kind;
+  file.attribute("kind", kind);
+  const std::string command = kind == "conformity" ? "conform" : kind == "contact-of-case" ? "contact" : kind;
+  return what.insert(what.find(';'), " by ringfilm " + command);
 }
 
 void refuse_what_is_not_ours(const std::string& path, const ResultFileReader& file) {
-  if (file.has_attribute("ringfilm_pad_schema")) {
-    throw InputError(path + ": the film of a pad; a report is drawn of rings",
-                     "name a result of an engine cycle; any program for NetCDF reads this one");
-  }
-  if (file.has_attribute("ringfilm_gas_schema")) {
-    throw InputError(path + ": the gas of a ring pack alone; a report is drawn of rings with their films",
-                     "name a result that ringfilm run --output has written; any program for NetCDF reads this one");
+  for (const OtherFile& other : kOtherFiles) {
+    if (file.has_attribute(other.attribute)) {
+      throw InputError(path + ": " + with_command(file, other.what), other.remedy);
+    }
   }
   if (file.has_attribute("ringfilm_study_schema")) {
     throw InputError(path + ": the result of a study; a report is drawn of single cycles",
-                     "ringfilm study wrote the page of the study together with it: " +
-                         std::filesystem::path(path).replace_extension(".html").string());
+                     "ringfilm study wrote the page of the study together with it: " + page_beside(path));
   }
   if (!file.has_attribute("ringfilm_schema")) {
     throw InputError(path + ": a NetCDF file, but not one of ringfilm (it has no attribute ringfilm_schema)",
@@ -135,10 +147,24 @@ std::string result_bytes(const ResultDocument& document) {
   return std::string(file.bytes());
 }
 
-ResultDocument read_result(const std::string& path) { return result_of_bytes(path, bytes_of(path)); }
+std::string read_netcdf_bytes(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) {
+    throw InputError(path + ": there is no such file", "name a result that ringfilm run --output has written");
+  }
+  if (std::filesystem::is_directory(path, error)) throw InputError(path + ": this is a folder, not a result file");
+  if (!std::filesystem::is_regular_file(path, error)) {
+    throw InputError(path + ": this is a device or a pipe, not a result file", "write its content into a file first");
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw InputError(path + ": cannot be opened", "is it yours to read?");
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+ResultDocument read_result(const std::string& path) { return result_of_bytes(path, read_netcdf_bytes(path)); }
 
 ResultDocument result_of_bytes(const std::string& path, const std::string& bytes) {
-  if (!bytes.starts_with("\x89HDF\r\n\x1a\n") && !bytes.starts_with("CDF")) {
+  if (!begins_as_netcdf(bytes)) {
     throw InputError(path + ": this is not a NetCDF file", "name a result that ringfilm run --output has written");
   }
   ResultFileReader file(path, content_before_trailer(path, bytes));

@@ -68,6 +68,9 @@ void write_result(const std::string& path, const ResultDocument& document);
 /// one of ours (another program's NetCDF, newer schema, truncated).
 ResultDocument read_result(const std::string& path);
 
+/// The bytes of a file of results. Throws InputError: missing, a folder, a device.
+std::string read_netcdf_bytes(const std::string& path);
+
 /// The bytes that write_result writes, for who sends a result elsewhere. Throws OutputError.
 std::string result_bytes(const ResultDocument& document);
 

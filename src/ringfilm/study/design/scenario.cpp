@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <type_traits>
 
@@ -389,6 +390,59 @@ std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base) 
   return scenarios;
 }
 
+namespace {
+
+/// Scenarios with a choice that are tried at most before it is refused.
+constexpr std::uint64_t kMostTriedOfChoice = 256;
+/// Scenarios that are looked through for them: all of a usual plan.
+constexpr std::uint64_t kMostLookedAt = 100'000;
+
+/// A step through the plan that meets each scenario once, and early ones everywhere: near the golden section.
+std::uint64_t scattering_step(std::uint64_t size) {
+  auto step = static_cast<std::uint64_t>(0.618 * static_cast<double>(size));
+  while (std::gcd(step, size) != 1) ++step;
+  return step;
+}
+
+/// What is wrong with a choice of a factor with which no scenario of any base can be run; nothing where one can.
+std::optional<Fault> useless_choice(const Plan& plan, std::size_t factor, std::size_t choice) {
+  const std::uint64_t size = plan.size(), step = scattering_step(size);
+  std::string reason;
+  std::uint64_t n_tried = 0;
+  for (std::uint64_t k = 0; k < std::min(size, kMostLookedAt) && n_tried < kMostTriedOfChoice; ++k) {
+    const Point point = plan.point(k * step % size);
+    const std::optional<double> number = point.values[factor];
+    if (!number || static_cast<std::size_t>(*number) != choice) continue;
+    ++n_tried;
+    try {
+      scenario_case(plan.study(), point);
+      return std::nullopt;
+    } catch (const InputError& refusal) {
+      if (reason.empty()) reason = refusal.faults().front().message;
+    }
+  }
+  if (n_tried == 0) return std::nullopt;
+  const Factor& of = plan.study().factors[factor];
+  const Choice& text = std::get<Choices>(of.variation).values[choice];
+  return Fault{text.mark.file.empty() ? of.mark : text.mark,
+               called(of) + " = \"" + text.text + "\": no scenario with it can be run, of " + std::to_string(n_tried) +
+                   " tried; the first is refused because " + reason,
+               "remove this value, or the values of other factors that contradict it"};
+}
+
+void check_choices(const Plan& plan) {
+  std::vector<Fault> faults;
+  for (std::size_t j = 0; j < plan.study().factors.size(); ++j) {
+    const auto* choices = std::get_if<Choices>(&plan.study().factors[j].variation);
+    for (std::size_t k = 0; choices != nullptr && k < choices->values.size(); ++k) {
+      if (std::optional<Fault> fault = useless_choice(plan, j, k)) faults.push_back(std::move(*fault));
+    }
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
+}  // namespace
+
 void check_scenarios(const Plan& plan) {
   for (std::size_t base = 0; base < plan.study().bases.size(); ++base) {
     const std::vector<std::uint64_t> tried = spread_scenarios(plan, base);
@@ -409,6 +463,7 @@ void check_scenarios(const Plan& plan) {
                                       "the first of them is refused because"});
     throw InputError(first);
   }
+  check_choices(plan);
 }
 
 std::string digest_text(const Case& c) {

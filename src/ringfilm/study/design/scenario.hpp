@@ -36,8 +36,9 @@ cycle::Case with_accuracy_of_study(cycle::Case c, const Study& study);
 std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base);
 
 /// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
-/// stated twice over, a number to scale that is not there. To be asked before anything is run; a plan of which some
-/// scenarios can be run is run, and the others are rows with their reasons.
+/// stated twice over, a number to scale that is not there; or if a listed text of a factor has none, of 256. To be
+/// asked before anything is run; a plan of which some scenarios can be run is run, and the others are rows with their
+/// reasons.
 void check_scenarios(const Plan& plan);
 
 /// A key of a base: of a pack one ring's, "ring.1.end_gap", or one that its rings have in common; nullptr: there is

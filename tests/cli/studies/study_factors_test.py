@@ -1,0 +1,55 @@
+"""What a study states of its factors: listed texts that nothing can be run with."""
+
+import csv
+import unittest
+
+import program
+
+GAS = (
+    program.CASE + '[film]\nchamber_edge = "gas"\ncrankcase_edge = "gas"\nsupply = "given"\n[supply]\nfilm = "0.9 um"\n'
+)
+BASE = '[[base]]\ncase = "gas.toml"\n'
+GRID = '[plan]\nmethod = "grid"\n'
+
+
+def factor(key, values):
+    return f"[[factor]]\nname = \"{key.split('.')[-1]}\"\nkey = \"{key}\"\nvalues = {values}\n"
+
+
+CAVITATION = factor("film.cavitation", '["reynolds-exit", "mass-conserving"]')
+
+
+class FactorsTest(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "gas.toml").write_text(GAS)
+
+    def study(self, *parts):
+        (self.folder / "study.toml").write_text("".join((BASE, *parts, GRID)))
+        return self.run_program("study", "study.toml", "-o", "out")
+
+    def test_a_text_that_no_scenario_can_have_is_refused_before_anything_is_run(self):
+        speed = factor("operating.speed", '["1000 rpm", "1200 rpm", "1500 rpm"]')
+        done = self.study(CAVITATION, speed)
+        self.assert_refused(
+            done,
+            'study.toml:6:11: factor "cavitation" = "reynolds-exit": no scenario with it can be run, of 3 tried; the '
+            'first is refused because film.chamber_edge = "gas" requires film.cavitation = "mass-conserving"',
+        )
+        self.assertIn("\n1 error; nothing", done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_a_text_that_some_scenarios_can_have_is_run_with_these(self):
+        edges = factor("film.chamber_edge", '["gas", "oil"]').replace(
+            'key = "film.chamber_edge"', 'keys = ["film.chamber_edge", "film.crankcase_edge"]'
+        )
+        (self.folder / "gas.toml").write_text(program.CASE)
+        done = self.study(CAVITATION, edges)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(self.folder / "out" / "study.csv", newline="") as file:
+            solved = [row["reason"] == "" for row in csv.DictReader(file)]
+        self.assertEqual(solved, [False, True, True, True])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
