@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/note_topics.hpp"
@@ -148,6 +149,14 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators, PackG
   return result;
 }
 
+void append_pressure_note(const Life& life, LifeResult& result) {
+  std::vector<const cycle::Case*> points;
+  for (const OperatingPoint& point : life.points) points.push_back(&point.input);
+  const std::optional<std::string> kept = cycle::kept_pressure(points);
+  if (!kept) return;
+  result.notes.push_back({"pressure-kept", *kept + "; state peak_pressure or cylinder_pressure at each point", 1});
+}
+
 }  // namespace
 
 LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
@@ -157,6 +166,7 @@ LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
   result.unworn_blow_by_flow = gas.blow_by_flow({});
   for (cycle::Note& note : gas.notes()) result.notes.push_back(std::move(note));
   if (!life.accuracy.empty()) result.notes.push_back({"accuracy-asked-for", life.accuracy, 1});
+  append_pressure_note(life, result);
   result.ends = ends_of_life(life, result);
   append_notes_of_ends(life, result);
   return result;

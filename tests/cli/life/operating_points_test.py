@@ -62,6 +62,25 @@ class OperatingPoints(program.ProgramTest):
         text = text.replace('"operating.oil_temperature" = "120 degC"', '"film.cavitation" = "mass-conserving"')
         self.assertEqual(self.study(text).returncode, 0)
 
+    def test_one_pressure_at_several_speeds_is_noted(self):
+        kept = (
+            'base "new": operating.speed goes from 900 to 3000 rpm, and the cylinder pressure stays the same, with a '
+            "peak of 41.1556 bar"
+        )
+        self.assertIn(kept, self.study().stdout)
+        self.assertIn(b"and the cylinder pressure stays the same", (self.folder / "out" / "study.nc").read_bytes())
+
+    def test_a_pressure_of_its_own_at_each_point_is_not(self):
+        (self.folder / "low.csv").write_text(program.TRACE.replace(".2", ".1"))
+        text = STUDY
+        for temperature, trace in (("90 degC", "low.csv"), ("120 degC", "trace.csv")):
+            text = text.replace(
+                f'"operating.oil_temperature" = "{temperature}"', f'"gas.cylinder_pressure" = "{trace}"'
+            )
+        done = self.study(text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("stays the same", done.stdout)
+
     def test_refusals(self):
         for old, new, fragment in (
             ("weight = 1", "weight = 0", "the weight of a point is above 0"),
@@ -72,6 +91,21 @@ class OperatingPoints(program.ProgramTest):
         ):
             with self.subTest(fragment):
                 self.assert_refused(self.study(STUDY.replace(old, new)), fragment)
+
+
+class Duty(program.ProgramTest):
+    def notes(self, full_load):
+        (self.folder / "life.toml").write_text(
+            'case = "case.toml"\nhours = ["0 h"]\n[[state]]\nhours = "0 h"\ncase = "case.toml"\n'
+            '[[state]]\nhours = "10 h"\ncase = "case.toml"\n'
+            '[[duty.point]]\nname = "idle"\nweight = 1\nspeed = "900 rpm"\n'
+            f'[[duty.point]]\nname = "full load"\nweight = 1\nspeed = "3000 rpm"\n{full_load}'
+        )
+        return [note["topic"] for note in json.loads(self.run_well("life", "life.toml", "--json"))["notes"]]
+
+    def test_one_pressure_at_several_speeds_is_noted(self):
+        self.assertIn("pressure-kept", self.notes(""))
+        self.assertNotIn("pressure-kept", self.notes('peak_pressure = "80 bar"\n'))
 
 
 if __name__ == "__main__":

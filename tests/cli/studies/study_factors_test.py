@@ -1,4 +1,4 @@
-"""What a study states of its factors: listed texts that nothing can be run with."""
+"""What a study states of its factors: listed texts that nothing can be run with, numbers to which friction is flat."""
 
 import csv
 import unittest
@@ -49,6 +49,22 @@ class FactorsTest(program.ProgramTest):
         with open(self.folder / "out" / "study.csv", newline="") as file:
             solved = [row["reason"] == "" for row in csv.DictReader(file)]
         self.assertEqual(solved, [False, True, True, True])
+
+    def test_a_number_to_which_friction_is_flat_is_noted_as_one_that_cannot_be_fitted(self):
+        done = self.study(factor("supply.film", '["0.2 um", "0.4 um", "5 um", "10 um", "20 um"]'))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(
+            'note: fmep changes by less than 2 % with "film" from 5 um to 20 um, the other factors unchanged: such a '
+            "factor cannot be fitted to a measured fmep",
+            done.stdout,
+        )
+        self.assertIn(b"cannot be fitted to a measured fmep", (self.folder / "out" / "study.nc").read_bytes())
+
+    def test_a_number_that_counts_is_not(self):
+        done = self.study(factor("contact.boundary_shear_strength_coefficient", "[0.08, 0.12, 0.2]"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("a measured fmep", done.stdout)
+        self.assertIn("cannot be fitted to a measured min_film_thickness", done.stdout)
 
 
 if __name__ == "__main__":

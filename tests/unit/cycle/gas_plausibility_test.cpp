@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -311,6 +312,39 @@ TEST(GasPlausibility, APartOfTheCycleSpansCompressionAndExpansion) {
   EXPECT_THAT(refusal(std::numbers::pi / 180, 0), HasSubstr("are its crank angles in radians?"));
   EXPECT_THAT(refusal(std::numbers::pi / 180, 360), HasSubstr("are its crank angles in radians?"));
   EXPECT_THAT(refusal(1.0 / 360, 0), HasSubstr("less than the 180 degree"));
+}
+
+/// The same pressures at another speed [rad/s].
+Case at_speed(Case c, double speed) {
+  c.operating.speed = speed;
+  return c;
+}
+
+TEST(KeptPressure, IsNotedWhereTheSpeedChangesAndThePressureDoesNot) {
+  const Case idle = at_speed(whole(), 90), full = at_speed(whole(), 400);
+  const std::optional<std::string> kept = kept_pressure({&idle, &full});
+  ASSERT_TRUE(kept);
+  EXPECT_THAT(*kept, HasSubstr("operating.speed goes from 859.437 to 3819.72 rpm"));
+  EXPECT_THAT(*kept, HasSubstr("the cylinder pressure stays the same, with a peak of"));
+}
+
+TEST(KeptPressure, IsNotNotedOfOneSpeedOtherPressuresOrARigWithoutCompression) {
+  const Case idle = at_speed(whole(), 90), full = at_speed(whole(), 400), near = at_speed(whole(), 92);
+  EXPECT_FALSE(kept_pressure({}));
+  EXPECT_FALSE(kept_pressure({&idle}));
+  EXPECT_FALSE(kept_pressure({&idle, &near}));  // an uncertain speed
+  const Case boosted = at_speed(changed(whole(), 2, 0), 400);
+  EXPECT_FALSE(kept_pressure({&idle, &full, &boosted}));
+  SampledTrace open = engine_trace(0.95e5, 1.05e5, -360, 358);
+  for (double& p : open.value) p = 1.01e5;
+  const Case slow = at_speed(with(open), 9), fast = at_speed(with(open), 40);
+  EXPECT_FALSE(kept_pressure({&slow, &fast}));
+  Case one = at_speed(whole(), 90);
+  one.gas.model = GasModel::kWiebe;
+  Case other = at_speed(one, 400);
+  EXPECT_TRUE(kept_pressure({&one, &other}));
+  other.gas.peak_pressure *= 2;
+  EXPECT_FALSE(kept_pressure({&one, &other}));
 }
 
 }  // namespace

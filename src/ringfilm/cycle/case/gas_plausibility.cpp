@@ -366,6 +366,28 @@ class GasNotes {
   bool is_whole_ = false;                           ///< does the trace cover the cycle?
 };
 
+/// The speed of an operating point that is not that of another: more than any uncertainty of a speed.
+constexpr double kOtherSpeed = 1.25;
+
+bool has_same_pressure(const Gas& one, const Gas& other) {
+  if (one.model != other.model) return false;
+  if (one.model == GasModel::kWiebe) {
+    return one.peak_pressure == other.peak_pressure && one.intake_pressure == other.intake_pressure;
+  }
+  return one.cylinder_pressure->crank_angle_deg == other.cylinder_pressure->crank_angle_deg &&
+         one.cylinder_pressure->value == other.cylinder_pressure->value;
+}
+
+/// The highest pressure [Pa]; nothing where it shows no compression.
+std::optional<double> peak_of_compression(const Gas& gas) {
+  if (gas.model == GasModel::kWiebe) return gas.peak_pressure;
+  const std::vector<double>& values = gas.cylinder_pressure->value;
+  if (values.empty()) return std::nullopt;
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double rise = rise_of_reference(gas);
+  return *high + rise >= kLeastCompression * (*low + rise) ? std::optional(*high + rise) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TraceStart> trace_start(const Case& c) {
@@ -390,6 +412,23 @@ bool contradicts_intake(const TraceStart& start) {
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes) {
   if (c.gas.model == GasModel::kTrace && c.gas.cylinder_pressure->value.empty()) return;
   GasNotes(c, cylinder, notes).append();
+}
+
+std::optional<std::string> kept_pressure(const std::vector<const Case*>& cases) {
+  if (cases.empty()) return std::nullopt;
+  const Case& first = *cases.front();
+  double slowest = first.operating.speed, fastest = slowest;
+  for (const Case* c : cases) {
+    if (!has_same_pressure(first.gas, c->gas)) return std::nullopt;
+    slowest = std::min(slowest, c->operating.speed);
+    fastest = std::max(fastest, c->operating.speed);
+  }
+  const std::optional<double> peak = peak_of_compression(first.gas);
+  if (!peak || fastest <= kOtherSpeed * slowest) return std::nullopt;
+  constexpr double kPerMinute = 30 / std::numbers::pi;
+  return "operating.speed goes from " + number_text(slowest * kPerMinute) + " to " + number_text(fastest * kPerMinute) +
+         " rpm, and the cylinder pressure stays the same, with a peak of " + in_bar(*peak) +
+         ": an engine has another at each speed and load, at idle a fraction of that at full load";
 }
 
 }  // namespace ringfilm::cycle

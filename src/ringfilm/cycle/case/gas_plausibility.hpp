@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ringfilm/cycle/case/case.hpp"
@@ -28,5 +29,10 @@ bool contradicts_intake(const TraceStart& start);
 /// of Wiebe's cycle also on its angles.
 /// @param cylinder the pressure of the whole cycle
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes);
+
+/// Where the speed of these cases changes by more than a quarter and the cylinder pressure stays the same, which is
+/// that of one speed and load: what an engine has there. Nothing where a pressure differs or shows no compression.
+/// @param cases those of operating points or scenarios, each of one ring or a pack
+std::optional<std::string> kept_pressure(const std::vector<const Case*>& cases);
 
 }  // namespace ringfilm::cycle

@@ -14,11 +14,6 @@ namespace {
 /// set of other numbers is looked at, with all scenarios that have it.
 constexpr std::uint64_t kMostRemembered = std::uint64_t{1} << 16;
 
-bool is_drawn_as_a_whole(const Sampling& sampling) {
-  return sampling.method == Method::kLatinHypercube ||
-         (sampling.method == Method::kSobol && sampling.indices == Indices::kNone);
-}
-
 std::uint64_t bits(const std::optional<double>& number) {
   return std::bit_cast<std::uint64_t>(number.value_or(std::numeric_limits<double>::quiet_NaN()));
 }
@@ -29,6 +24,13 @@ std::uint64_t hash_of(std::span<const double> values) {
   return all;
 }
 
+}  // namespace
+
+bool has_pairs(const Sampling& sampling) {
+  return sampling.method != Method::kLatinHypercube &&
+         (sampling.method != Method::kSobol || sampling.indices != Indices::kNone);
+}
+
 std::uint64_t hash_without(const Point& point, std::size_t factor) {
   std::uint64_t others = hash(point.base, 0);
   for (std::size_t j = 0; j < point.values.size(); ++j) {
@@ -37,12 +39,14 @@ std::uint64_t hash_without(const Point& point, std::size_t factor) {
   return others;
 }
 
-}  // namespace
+std::uint64_t thinning_of_pairs(const Plan& plan) {
+  return std::max<std::uint64_t>(plan.size() * plan.study().factors.size() / kMostRemembered, 1);
+}
 
 IdleFactors::IdleFactors(const Plan& plan)
     : plan_(plan),
-      has_pairs_(!is_drawn_as_a_whole(plan.study().sampling)),
-      thinning_(std::max<std::uint64_t>(plan.size() * plan.study().factors.size() / kMostRemembered, 1)),
+      has_pairs_(has_pairs(plan.study().sampling)),
+      thinning_(thinning_of_pairs(plan)),
       factors_(plan.study().factors.size()),
       bases_(plan.study().bases.size()) {}
 

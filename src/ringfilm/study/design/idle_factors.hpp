@@ -9,6 +9,13 @@
 
 namespace ringfilm::study {
 
+/// Are there scenarios of the method that differ in one factor alone?
+bool has_pairs(const Sampling& sampling);
+/// A hash of a point without the number of one of its factors: the same for points that differ in it alone.
+std::uint64_t hash_without(const Point& point, std::size_t factor);
+/// Of so many sets of other numbers one is looked at, so that the memory stays small.
+std::uint64_t thinning_of_pairs(const Plan& plan);
+
 /// Looks for factors that change no value of the cycle at all, as scenarios come.
 ///
 /// Two scenarios of one base that differ in one factor alone are a pair. A factor is idle where there are pairs and the

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <numeric>
 #include <stdexcept>
 
+#include "ringfilm/cycle/case/gas_plausibility.hpp"
 #include "ringfilm/study/design/hash.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/wording.hpp"
@@ -66,6 +68,31 @@ std::string text_of(const Variation& variation) {
     }
   }
   return text;
+}
+
+/// Notes on bases whose pressure stays while the speed changes, as far as scenarios spread over the plan show it.
+void append_kept_pressures(const Plan& plan, std::vector<std::string>& notes) {
+  std::map<std::string, std::string> bases;  // by the message
+  for (std::size_t b = 0; b < plan.study().bases.size(); ++b) {
+    std::vector<cycle::Case> cases;
+    for (const std::uint64_t i : spread_scenarios(plan, b)) {
+      try {
+        cases.push_back(scenario_case(plan.study(), plan.point(i)));
+      } catch (const InputError&) {
+        // A scenario that is refused has no pressure; its row has the reason.
+      }
+    }
+    std::vector<const cycle::Case*> all;
+    for (const cycle::Case& one : cases) all.push_back(&one);
+    const std::optional<std::string> kept = cycle::kept_pressure(all);
+    if (!kept) continue;
+    std::string& names = bases[*kept];
+    names += (names.empty() ? "\"" : ", \"") + plan.study().bases[b].name + "\"";
+  }
+  for (const auto& [message, names] : bases) {
+    notes.push_back("base " + names + ": " + message +
+                    "; vary gas.peak_pressure or gas.cylinder_pressure with the speed");
+  }
 }
 
 }  // namespace
@@ -298,6 +325,7 @@ std::vector<std::string> Plan::notes() const {
   if (sampling.indices == Indices::kFirstAndTotal && groups_.size() < study_.factors.size()) {
     notes.push_back("correlated factors share one index: the contribution of each cannot be separated");
   }
+  append_kept_pressures(*this, notes);
   return notes;
 }
 
