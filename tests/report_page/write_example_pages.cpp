@@ -9,6 +9,7 @@
 #include "example_document.hpp"
 #include "measurement_example.hpp"
 #include "ringfilm/io/result/result_document.hpp"
+#include "ringfilm/report/gas_page.hpp"
 #include "ringfilm/report/html.hpp"
 #include "ringfilm/report/measurement_page.hpp"
 #include "study_example.hpp"
@@ -76,6 +77,18 @@ ringfilm::io::ResultDocument pack_with_gas() {
   return pack;
 }
 
+/// The gas of that pack alone.
+ringfilm::io::GasPathFile gas_alone(const std::string& title) {
+  ringfilm::io::GasPathFile file;
+  file.title = title;
+  file.inputs = {{"engine.bore", "0.089", "89 mm", false, "bore of the cylinder", 0.089, "m"},
+                 {"ring.1.side_clearance", "5e-5", "50 um", false, "clearance in the groove", 5e-5, "m"},
+                 {"ring.2.side_clearance", "5e-5", "50 um", true, "clearance in the groove", 5e-5, "m"}};
+  file.notes = {{"oil-ring-missing", "the pack has no oil ring: " + title, 1}};
+  file.gas = pack_with_gas().gas;
+  return file;
+}
+
 }  // namespace
 
 /// Writes the pages that the browser test opens: write_example_pages FOLDER
@@ -114,8 +127,11 @@ int main(int argc, char** argv) {
 
   const io::ResultDocument pack =
       io::pack_document("a pack", {example::document("top"), example::document("second", 0.7)});
-  const bool pack_written = write("pack.html", report::report_page({pack}, {})) &&
-                            write("ring_pack.html", report::report_page({pack_with_gas()}, {}));
+  const bool pack_written =
+      write("pack.html", report::report_page({pack}, {})) &&
+      write("ring_pack.html", report::report_page({pack_with_gas()}, {})) &&
+      write("gas.html", report::gas_page(gas_alone("the gas of a pack"))) &&
+      write("hostile_gas.html", report::gas_page(gas_alone(hostile.title)));
 
   io::ResultDocument coarse = example::document("coarse grid");
   for (cycle::Sample& error : coarse.errors->samples) {

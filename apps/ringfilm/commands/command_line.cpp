@@ -306,7 +306,9 @@ class Commands {
       if (vts_shape_) report_.vts_shape = vts_shape_of(*vts_shape_);
       report(report_);
     });
-    command.add_option("X.nc", report_.results, "results of ringfilm run --output")->required()->type_name("...");
+    command.add_option("X.nc", report_.results, "results of ringfilm run --output, or one of ringfilm gas --output")
+        ->required()
+        ->type_name("...");
     command.add_option("--overlay", report_.overlays, "measured curves to lay over; may be repeated")
         ->allow_extra_args(false)
         ->type_name("X.csv");

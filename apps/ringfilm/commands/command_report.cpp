@@ -1,14 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "commands/commands.hpp"
 #include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/gas_path/gas_path_file.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/verification/overlay_file.hpp"
+#include "ringfilm/report/gas_page.hpp"
 #include "ringfilm/report/html.hpp"
 
 namespace ringfilm::app {
@@ -41,6 +45,33 @@ void check_output_apart(const ReportOptions& options) {
   }
 }
 
+/// A result with the bytes of its file.
+struct ResultBytes {
+  std::string path, bytes;
+};
+
+std::vector<ResultBytes> read_files(const ReportOptions& options) {
+  std::vector<ResultBytes> files;
+  for (const std::string& path : options.results) files.push_back({path, io::read_netcdf_bytes(path)});
+  return files;
+}
+
+/// The page of the gas of a ring pack alone; nothing where no file is one.
+std::optional<std::string> gas_page_of(const ReportOptions& options, const std::vector<ResultBytes>& files) {
+  const auto is_gas = [](const ResultBytes& file) { return io::is_gas_path(file.path, file.bytes); };
+  const auto gas = std::ranges::find_if(files, is_gas);
+  if (gas == files.end()) return std::nullopt;
+  if (files.size() > 1) {
+    throw InputError(gas->path + ": the gas of a ring pack alone has a page of its own, and other results are named",
+                     "draw it alone");
+  }
+  if (!options.overlays.empty() || options.vts_folder) {
+    throw InputError(gas->path + ": the gas of a ring pack alone has neither curves of films nor fields",
+                     "draw its page without --overlay and --vts");
+  }
+  return ringfilm::report::gas_page(io::gas_path_of_bytes(gas->path, gas->bytes));
+}
+
 std::string page_of(const ReportOptions& options, const std::vector<io::ResultDocument>& documents) {
   std::vector<ringfilm::report::Overlay> overlays;
   const io::Units units;
@@ -62,8 +93,14 @@ void report(const ReportOptions& options) {
     check_suffix("--output", *options.output, OutputKind::kPage);
   }
   if (options.vts_folder) io::check_can_write_series(*options.vts_folder);
+  const std::vector<ResultBytes> files = read_files(options);
+  if (const std::optional<std::string> page = gas_page_of(options, files)) {
+    io::write_atomically(*options.output, *page);
+    std::cout << "wrote " << *options.output << "\n";
+    return;
+  }
   std::vector<io::ResultDocument> documents;
-  for (const std::string& path : options.results) documents.push_back(io::read_result(path));
+  for (const auto& [path, bytes] : files) documents.push_back(io::result_of_bytes(path, bytes));
   // Whatever can be refused is, before anything is written.
   const std::string page = options.output ? page_of(options, documents) : "";
   if (options.vts_folder) {

@@ -15,5 +15,6 @@ PageTemplate verification();
 PageTemplate measurement();
 PageTemplate study();
 PageTemplate life();
+PageTemplate gas();
 
 }  // namespace ringfilm::report::page_template

@@ -170,8 +170,29 @@ class GasTest(program.ProgramTest):
     def test_the_file_has_the_curves(self):
         self.run_well("gas", "pack.toml", "-o", "gas.nc")
         self.assertTrue((self.folder / "gas.nc").read_bytes().startswith(b"\x89HDF"))
-        refused = self.run_program("report", "gas.nc", "-o", "gas.html")
-        self.assert_refused(refused, "the gas of a ring pack alone")
+
+    def test_the_file_is_drawn_as_a_page(self):
+        self.run_well("gas", "pack.toml", "-o", "gas.nc")
+        self.run_well("report", "gas.nc", "-o", "gas.html")
+        page = (self.folder / "gas.html").read_text()
+        drawn = json.loads(re.search(r'id="result-data">(.*?)</script>', page, re.DOTALL)[1])
+        printed = self.json_of()
+        self.assertEqual(drawn["gas"]["blow_by_per_cycle"], printed["blow_by_per_cycle"])
+        self.assertEqual(len(drawn["gas"]["pressure"]), len(printed["regions"]))
+        self.assertIn("ring.1.side_clearance", [entry["key"] for entry in drawn["inputs"]])
+        self.assertEqual([file["role"] for file in drawn["files"]], ["case", "gas.cylinder_pressure"])
+
+    def test_the_page_of_the_gas_is_of_one_file_without_films(self):
+        self.run_well("gas", "pack.toml", "-o", "gas.nc")
+        self.run_well("run", "case.toml", "-o", "film.nc")
+        for words, text in (
+            (("film.nc", "gas.nc", "-o", "x.html"), "gas.nc: the gas of a ring pack alone has a page of its own"),
+            (("gas.nc", "--vts", "fields"), "has neither curves of films nor fields"),
+        ):
+            self.assert_refused(self.run_program("report", *words), text)
+        cut = (self.folder / "gas.nc").read_bytes()
+        (self.folder / "cut.nc").write_bytes(cut[:-100])
+        self.assert_refused(self.run_program("report", "cut.nc", "-o", "x.html"), "cut.nc: the file does not end with")
 
     def test_keys_that_do_not_act_on_the_gas_are_refused_or_reported(self):
         for key, values in (

@@ -13,7 +13,7 @@
 #include "ringfilm/io/gas_path/gas_json.hpp"
 #include "ringfilm/io/gas_path/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
-#include "ringfilm/io/result/result_file_quantities.hpp"
+#include "ringfilm/io/result/result_file_layout.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 
@@ -99,6 +99,7 @@ void write_gas_path(const std::string& path, const GasPathDocument& document) {
   const struct { std::optional<PackGas> gas; } content{document.gas};
   exchange_pack_gas(file, content);
   exchange_notes(file, document.input_notes, document.notes);
+  exchange_inputs(file, document);
   write_atomically(path, file.bytes());
 }
 

@@ -139,10 +139,9 @@ void exchange_fields(File& file, Result& result) {
   }
 }
 
+/// The inputs of a case and the files that it was read from.
 template <class File, class Document>
-void exchange_case(File& file, Document& document) {
-  file.scalar(text("resolved_case", "a complete case file in SI that gives the same bits again"),
-              document.resolved_case);
+void exchange_inputs(File& file, Document& document) {
   file.rows("input", document.inputs);
   file.column("input", text("input_key", "key of the case"), document.inputs, &CaseEntry::key);
   file.column("input", text("input_value", "value in SI as in a case file"), document.inputs, &CaseEntry::value);
@@ -158,6 +157,13 @@ void exchange_case(File& file, Document& document) {
   file.column("file", text("file_role", "what the file was read for"), document.files, &cycle::InputFile::role);
   file.column("file", text("file_path", "name of the file"), document.files, &cycle::InputFile::path);
   file.column("file", text("file_sha256", "SHA-256 of its bytes"), document.files, &cycle::InputFile::sha256);
+}
+
+template <class File, class Document>
+void exchange_case(File& file, Document& document) {
+  file.scalar(text("resolved_case", "a complete case file in SI that gives the same bits again"),
+              document.resolved_case);
+  exchange_inputs(file, document);
 }
 
 /// @param table the variants of all entries one after the other, a row of `values` each

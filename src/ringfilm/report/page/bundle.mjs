@@ -78,5 +78,6 @@ writeFileSync(
     asSource('measurement', 'src/measurement/measurement.js') +
     asSource('study', 'src/study/study.js') +
     asSource('life', 'src/life/life.js') +
+    asSource('gas', 'src/pack/gas.js') +
     '}  // namespace ringfilm::report::page_template\n',
 );

@@ -211,17 +211,6 @@ ordered_json note_object(const cycle::Note& note) {
 }
 
 ordered_json document(const io::ResultDocument& d) {
-  ordered_json inputs = ordered_json::array();
-  for (const io::CaseEntry& e : d.inputs) {
-    inputs.push_back({{"key", e.key},
-                      {"value", e.value},
-                      {"shown", e.shown},
-                      {"assumed", e.assumed},
-                      {"help", e.help},
-                      {"value_si", std::isnan(e.value_si) ? ordered_json(nullptr) : exact(e.value_si)}});
-  }
-  ordered_json files = ordered_json::array();
-  for (const cycle::InputFile& f : d.files) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});
   ordered_json notes = ordered_json::array();
   for (const cycle::Note& n : d.result.notes) notes.push_back(note_object(n));
   ordered_json derived = ordered_json::object();
@@ -239,14 +228,10 @@ ordered_json document(const io::ResultDocument& d) {
           {"notes", std::move(notes)},
           {"input_notes", d.input_notes},
           {"effort", effort(d.result.effort)},
-          {"inputs", std::move(inputs)},
-          {"files", std::move(files)},
+          {"inputs", inputs_payload(d.inputs)},
+          {"files", files_payload(d.files)},
           {"resolved_case", d.resolved_case},
-          {"provenance",
-           {{"program", d.provenance.program},
-            {"commit", d.provenance.commit},
-            {"compiler", d.provenance.compiler},
-            {"kernels", d.provenance.kernels}}},
+          {"provenance", provenance_payload(d.provenance)},
           {"ledger", ledger(d.ledger)},
           {"ledger_computed", d.ledger_computed},
           {"comparison", comparison(d.comparison)},
@@ -254,6 +239,32 @@ ordered_json document(const io::ResultDocument& d) {
 }
 
 }  // namespace
+
+ordered_json inputs_payload(const std::vector<io::CaseEntry>& entries) {
+  ordered_json inputs = ordered_json::array();
+  for (const io::CaseEntry& e : entries) {
+    inputs.push_back({{"key", e.key},
+                      {"value", e.value},
+                      {"shown", e.shown},
+                      {"assumed", e.assumed},
+                      {"help", e.help},
+                      {"value_si", std::isnan(e.value_si) ? ordered_json(nullptr) : exact(e.value_si)}});
+  }
+  return inputs;
+}
+
+ordered_json files_payload(const std::vector<cycle::InputFile>& of) {
+  ordered_json files = ordered_json::array();
+  for (const cycle::InputFile& f : of) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});
+  return files;
+}
+
+ordered_json provenance_payload(const io::Provenance& provenance) {
+  return {{"program", provenance.program},
+          {"commit", provenance.commit},
+          {"compiler", provenance.compiler},
+          {"kernels", provenance.kernels}};
+}
 
 std::string payload(const std::vector<io::ResultDocument>& documents, const std::vector<Overlay>& overlays) {
   ordered_json root;

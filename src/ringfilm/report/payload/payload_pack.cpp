@@ -83,4 +83,6 @@ ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case
           {"gas", pack.gas ? gas_payload(*pack.gas) : ordered_json(nullptr)}};
 }
 
+ordered_json gas_alone_payload(const io::PackGas& gas) { return gas_payload(gas); }
+
 }  // namespace ringfilm::report

@@ -10,4 +10,7 @@ namespace ringfilm::report {
 /// @param first_case index of its first ring among the cases of the page
 nlohmann::ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case);
 
+/// The gas between the rings: values and curves over crank angle.
+nlohmann::ordered_json gas_alone_payload(const io::PackGas& gas);
+
 }  // namespace ringfilm::report

@@ -1,5 +1,6 @@
 // A ring pack of the payload with its cases, and the gas between its rings: computed, or the pressures that are given.
-import { onCycleAxis } from '../model.js';
+import { kOnlyCase, onCycleAxis } from '../model.js';
+import { wrapped } from '../units.js';
 
 const kBar = 1e5;
 
@@ -109,4 +110,34 @@ export class PackModel {
 /** "piston land 2" for the names of the gas path, which count the piston lands alone. */
 export function regionWords(name) {
   return name.replace(/^land /, 'piston land ').replace(/^chamber$/, 'cylinder');
+}
+
+/** Inputs of the ring of that number under the keys of a case of one ring. */
+function inputsOfRing(inputs, ring) {
+  const own = `ring.${ring}.`;
+  return inputs.flatMap((entry) => {
+    if (entry.key.startsWith(own)) return [{ ...entry, key: `ring.${entry.key.slice(own.length)}` }];
+    return /^ring\.\d+\./.test(entry.key) ? [] : [entry];
+  });
+}
+
+/** The gas as the figures of a pack take it: a case for each ring, without a film. */
+export function packOfGas(payload) {
+  const { gas, inputs } = payload;
+  const numbers = gas.paths.flatMap((path) => {
+    const [, ring] = /^end gap (\d+)$/.exec(path.name) ?? [];
+    return ring ? [Number(ring)] : [];
+  });
+  const several = numbers.length > 1;
+  const cases = numbers.map((n, index) => ({
+    name: `ring ${n}`,
+    index,
+    series: several ? index : kOnlyCase,
+    inputs: inputsOfRing(inputs, n),
+    curves: { crank_angle: [] },
+  }));
+  const chamber = gas.regions[0];
+  const peakAngle = () => (chamber ? wrapped(chamber.peak_pressure_angle) : null);
+  const pack = { first_case: 0, ring_numbers: numbers, gas };
+  return new PackModel(pack, { cases, several, peakAngle });
 }

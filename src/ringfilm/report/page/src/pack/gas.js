@@ -1,0 +1,214 @@
+// The page of the gas of a ring pack alone: no films, so no friction and no oil.
+import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { code, element } from '../dom.js';
+import { shownInput } from '../model.js';
+import { headWarning, numberCard, pageHead } from '../page_head.js';
+import { CycleGroup } from '../plot/chart.js';
+import { figure as numberCell, folded, section, table } from '../tables.js';
+import { angleInWords, number, sentence, shortPath, typeset, wrapped } from '../units.js';
+import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
+import { packOfGas, regionWords } from './pack_model.js';
+import { PackDrawing } from './pack_view.js';
+
+const kBar = 1e5;
+const kMilligrams = 1e6;
+const kLitresPerMinute = 6e4;
+
+const kOperating = [
+  ['engine.bore', 'bore'],
+  ['engine.stroke', 'stroke'],
+  ['operating.speed', 'speed'],
+  ['gas_path.ring_motion', 'ring motion'],
+];
+
+function operatingLine(inputs) {
+  return kOperating
+    .flatMap(([key, word]) => {
+      const entry = inputs.find((one) => one.key === key);
+      return entry ? [`${word} ${shownInput(entry)}`] : [];
+    })
+    .join(', ');
+}
+
+function firstScreen(payload) {
+  const { gas, notes } = payload;
+  const land = gas.regions.find((region) => region.name.startsWith('land'));
+  const synthetic = payload.inputs.some(
+    (entry) => entry.key === 'gas.trace_origin' && entry.shown === 'synthetic',
+  );
+  const warning = synthetic
+    ? 'the cylinder pressure is SYNTHETIC: made by a formula, not measured on an engine.'
+    : notes.length
+      ? `${notes[0].message}.`
+      : null;
+  return pageHead(
+    {
+      kind: 'Gas between the rings of a pack over one engine cycle, without films',
+      title: payload.title,
+      operating: operatingLine(payload.inputs),
+    },
+    warning ? headWarning('Warning', typeset(warning)) : null,
+    element(
+      'div',
+      { class: 'cards' },
+      numberCard('Blow-by of a cylinder', number(gas.blow_by_per_cycle * kMilligrams, 3), {
+        of: ' mg per cycle',
+        detail: `${number(gas.blow_by_flow * kLitresPerMinute, 3)} l/min at 1.01325 bar and 25 °C`,
+      }),
+      land
+        ? numberCard(`Peak on ${regionWords(land.name)}`, number(land.peak_pressure / kBar, 3), {
+            of: ' bar',
+            detail: angleInWords(wrapped(land.peak_pressure_angle)),
+          })
+        : null,
+      numberCard('Changes of flank contact', String(gas.events.length), { detail: 'in a cycle, all rings' }),
+    ),
+  );
+}
+
+const head = (text) => ({ text, attributes: { class: 'number' } });
+
+function regionTable({ regions }) {
+  const hasMeans = regions.every((region) => region.mean_pressure !== undefined);
+  return table(
+    'Pressures of the regions',
+    ['region', head('peak [bar]'), head('at'), ...(hasMeans ? [head('mean [bar]')] : [])],
+    regions.map((region) => [
+      regionWords(region.name),
+      numberCell(number(region.peak_pressure / kBar, 4)),
+      numberCell(angleInWords(wrapped(region.peak_pressure_angle))),
+      ...(hasMeans ? [numberCell(number(region.mean_pressure / kBar, 4))] : []),
+    ]),
+  );
+}
+
+/** Less than this share of the largest is what the balance of a cycle is off, not a flow. */
+const kNoFlow = 1e-6;
+
+function pathTable({ paths }) {
+  const largest = Math.max(...paths.map((path) => Math.abs(path.mass_per_cycle)));
+  const shown = (mass) => (Math.abs(mass) > kNoFlow * largest ? number(mass * kMilligrams, 4) : '0');
+  return table(
+    'Net mass along each path',
+    ['path', head('mass per cycle [mg]')],
+    paths.map((path) => [path.name, numberCell(shown(path.mass_per_cycle))]),
+  );
+}
+
+const kEvents = {
+  'leaves-lower': 'leaves the lower flank',
+  'lands-lower': 'lands on the lower flank',
+  'leaves-upper': 'leaves the upper flank',
+  'lands-upper': 'lands on the upper flank',
+};
+
+function eventTable({ events }) {
+  if (events.length === 0) return null;
+  return table(
+    'Changes of flank contact',
+    ['ring', head('crank angle'), 'event'],
+    events.map((event) => [
+      `ring ${event.ring}`,
+      numberCell(angleInWords(wrapped(event.crank_angle))),
+      kEvents[event.event] ?? event.event,
+    ]),
+  );
+}
+
+function inputTable(inputs) {
+  return folded(
+    `${inputs.length} inputs, ${inputs.filter((entry) => entry.assumed).length} of them assumed`,
+    table(
+      'Inputs',
+      ['key', 'value'],
+      inputs.map((entry) => [
+        { text: [code(entry.key), element('span', { class: 'help' }, typeset(entry.help))] },
+        {
+          text: entry.assumed
+            ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')]
+            : shownInput(entry),
+          attributes: { class: entry.assumed ? 'assumed' : '' },
+        },
+      ]),
+      { folds: true, classes: 'inputs' },
+    ),
+  );
+}
+
+function provenanceTables({ provenance, files }) {
+  return [
+    table(
+      'Program',
+      ['what', 'value'],
+      ['program', 'commit', 'compiler'].map((key) => [key, provenance[key] || '–']),
+    ),
+    files.length
+      ? table(
+          'Files read',
+          ['file', 'role', 'SHA-256'],
+          files.map((file) => [
+            { text: code(shortPath(file.path)) },
+            file.role,
+            { text: element('code', { class: 'hash' }, file.sha256) },
+          ]),
+          { folds: true },
+        )
+      : null,
+  ].filter(Boolean);
+}
+
+function buildPage(payload) {
+  const packed = packOfGas(payload);
+  const context = {
+    visibility: new Visibility(),
+    group: new CycleGroup(),
+    besidePaper: false,
+    stem: payload.title,
+    subtitle: payload.title,
+  };
+  const figures = [gasPressures(packed), blowBy(packed), ringPositions(packed)]
+    .filter(Boolean)
+    .map((figure) => new FigureView(figure, context));
+  const views = [new PackDrawing(packed, context), ...figures];
+  const { gas } = payload;
+  document.getElementById('report').replaceChildren(
+    ...[
+      firstScreen(payload),
+      section(
+        'pack',
+        'Ring pack',
+        element(
+          'div',
+          { class: 'charts' },
+          views.map((view) => view.node),
+        ),
+        regionTable(gas),
+        pathTable(gas),
+        eventTable(gas),
+      ),
+      payload.notes.length
+        ? section(
+            'validity',
+            'Validity: what to know before using these results',
+            table(
+              'Notes on validity',
+              ['note', 'topic'],
+              payload.notes.map((note) => [sentence(note.message), { text: code(note.topic) }]),
+              { folds: true },
+            ),
+          )
+        : null,
+      section('inputs', 'Inputs', inputTable(payload.inputs)),
+      section('provenance', 'Where this comes from', provenanceTables(payload)),
+    ].filter(Boolean),
+  );
+  views.forEach((view) => view.start());
+  window.addEventListener('beforeprint', () => {
+    document.querySelectorAll('details.fold').forEach((fold) => {
+      fold.open = true;
+    });
+    views.forEach((view) => view.beforePrint());
+  });
+}
+
+buildPage(JSON.parse(document.getElementById('result-data').textContent));
