@@ -5,7 +5,9 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
-const { PackModel } = await load('pack/pack_model.js');
+const { Model } = await load('model.js');
+const { byFace, comparisonFigures } = await load('pack/pack_comparison.js');
+const { PackModel, packOfGas } = await load('pack/pack_model.js');
 const { pressuresAt } = await load('pack/pack_drawing.js');
 
 const kAngles = [0, 180, 360, 540];
@@ -61,4 +63,143 @@ const packOf = (cases, numbers, gas = null) =>
     { above: 4, groove: 20, below: 4 },
     { above: 4, groove: 1, below: 1 },
   ]);
+}
+
+// Two packs of one title that differ in the end gap of a ring: named by it, one colour a pack, one row a ring.
+{
+  const gasOf = (blowBy, flow) => ({
+    crank_angle: kAngles,
+    blow_by_per_cycle: blowBy,
+    blow_by_flow: blowBy,
+    regions: ['chamber', 'land 2', 'crankcase'].map((name) => ({ name })),
+    pressure: [50, 4, 1].map(constant),
+    paths: [{ name: 'end gap 1' }, { name: 'above ring 1' }, { name: 'end gap 2' }],
+    flow: [flow, 0, flow].map(constant),
+    rings: [1],
+    position: [[0, 0, 50e-6, 0]],
+    events: [{ ring: 1, crank_angle: 300, event: 'leaves-lower' }],
+  });
+  const ring = (title, friction, inputs) => ({
+    title,
+    complete: true,
+    inputs: [
+      { key: 'operating.speed', shown: '1500 rpm' },
+      { key: 'contact.roughness', shown: '0.4 um' },
+      ...inputs,
+    ],
+    curves: { crank_angle: kAngles, total_friction: constant(friction), gas_pressure: constant(1) },
+    values: {},
+    unrolled_values: {},
+  });
+  const oil = (rail) => ring(`a pack, oil ring, ${rail} rail`, 20, [{ key: 'ring.kind', shown: 'oil' }]);
+  const top = (gap) => ring('a pack, top ring', 10, [{ key: 'ring.end_gap', shown: gap }]);
+  const packOfThree = (first_case, gas) => ({
+    title: 'a pack',
+    complete: true,
+    first_case,
+    ring_numbers: [1, 2, 2],
+    gas,
+  });
+  const payload = (gaps, packs) => ({
+    curve_quantities: [{ name: 'total_friction', unit: 'N', display_unit: 'N', long_name: 'friction' }],
+    cycle_quantities: [],
+    derived_quantities: [],
+    unrolled_quantities: [],
+    unrolled_cycle_quantities: [],
+    cases: gaps.flatMap((gap) => [top(gap), oil('upper'), oil('lower')]),
+    packs,
+  });
+  const two = new Model(
+    payload(['0.4 mm', '0.2 mm'], [packOfThree(0, gasOf(2e-6, 1e-6)), packOfThree(3, gasOf(1e-6, 5e-7))]),
+  );
+  assert.ok(two.comparesPacks);
+  assert.equal(two.sharedTitle, 'a pack');
+  assert.deepEqual(two.entries, [
+    { series: 0, name: 'ring 1 end gap 0.4 mm' },
+    { series: 1, name: 'ring 1 end gap 0.2 mm' },
+  ]);
+  assert.deepEqual(
+    two.cases.map((c) => c.series),
+    [0, 0, 0, 1, 1, 1],
+  );
+  assert.equal(two.cases[0].name, 'ring 1 end gap 0.4 mm, top ring');
+  assert.equal(new Set(two.cases.map((c) => c.name)).size, 6);
+
+  const rows = byFace(two, (model) => ({
+    id: 'x',
+    panels: [
+      {
+        id: 'x',
+        yLabel: 'friction',
+        series: model.cases.map((c) => ({ caseIndex: c.series, label: c.name })),
+      },
+    ],
+  }));
+  assert.deepEqual(
+    rows.panels.map((panel) => panel.yLabel),
+    ['ring 1: friction', 'ring 2, rail 1: friction', 'ring 2, rail 2: friction'],
+  );
+  for (const { series } of rows.panels)
+    assert.deepEqual(
+      series.map(({ caseIndex, label }) => [caseIndex, label]),
+      [
+        [0, 'ring 1 end gap 0.4 mm'],
+        [1, 'ring 1 end gap 0.2 mm'],
+      ],
+    );
+
+  const figures = new Map(comparisonFigures(two).map((figure) => [figure.id, figure]));
+  assert.deepEqual(
+    [...figures.keys()],
+    ['pack-friction', 'pack-pressures', 'pack-blow-by', 'pack-positions'],
+  );
+  assert.deepEqual(
+    figures.get('pack-friction').panels[0].series.map((one) => one.y[0]),
+    [50, 50], // 10 + 20 + 20
+  );
+  assert.deepEqual(
+    figures.get('pack-blow-by').panels.map((panel) => panel.series.map((one) => one.y[0])),
+    [
+      [1, 0.5],
+      [1, 0.5],
+    ],
+  );
+  assert.match(figures.get('pack-blow-by').caption, /0\.4 mm 2\.00 mg per cycle.*0\.2 mm 1\.00 mg per cycle/);
+
+  // Titles that differ name packs; what all rings have alike is stated once; a pack next to a ring alone is not compared.
+  const named = payload(
+    ['0.4 mm', '0.4 mm'],
+    [packOfThree(0, null), { ...packOfThree(3, null), title: 'another pack' }],
+  );
+  assert.deepEqual(
+    new Model(named).entries.map(({ name }) => name),
+    ['a pack', 'another pack'],
+  );
+  const rough = payload(['0.4 mm', '0.4 mm'], [packOfThree(0, null), packOfThree(3, null)]);
+  for (const c of rough.cases.slice(3)) c.inputs[1] = { key: 'contact.roughness', shown: '0.5 um' };
+  assert.deepEqual(
+    new Model(rough).entries.map(({ name }) => name),
+    ['roughness 0.4 µm', 'roughness 0.5 µm'],
+  );
+  const mixed = payload(['0.4 mm', '0.2 mm'], [packOfThree(0, null)]);
+  assert.ok(!new Model(mixed).comparesPacks);
+
+  // The gas alone: a case for each ring, with the inputs of that ring.
+  const alone = packOfGas({
+    gas: { ...gasOf(2e-6, 1e-6), regions: [{ name: 'chamber', peak_pressure_angle: 700 }] },
+    inputs: [
+      { key: 'engine.bore', value_si: 0.089 },
+      { key: 'ring.1.side_clearance', value_si: 50e-6 },
+      { key: 'ring.2.kind', shown: 'oil' },
+    ],
+  });
+  assert.deepEqual(alone.pack.ring_numbers, [1, 2]);
+  assert.deepEqual(
+    alone.cases.map((c) => c.inputs.map((entry) => entry.key)),
+    [
+      ['engine.bore', 'ring.side_clearance'],
+      ['engine.bore', 'ring.kind'],
+    ],
+  );
+  assert.equal(alone.model.peakAngle(alone.cases[0]), -20);
 }

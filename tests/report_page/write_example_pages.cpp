@@ -77,6 +77,16 @@ ringfilm::io::ResultDocument pack_with_gas() {
   return pack;
 }
 
+/// The same pack with another end gap and more friction.
+ringfilm::io::ResultDocument pack_with_other_gap() {
+  ringfilm::io::ResultDocument pack = pack_with_gas();
+  for (ringfilm::io::ResultDocument& ring : pack.rings) {
+    ring.inputs.push_back({"ring.end_gap", "2e-4", "0.2 mm", false, "end gap of the ring", 2e-4, "m"});
+    for (ringfilm::cycle::Sample& sample : ring.result.samples) sample.total_friction *= 1.2;
+  }
+  return pack;
+}
+
 /// The gas of that pack alone.
 ringfilm::io::GasPathFile gas_alone(const std::string& title) {
   ringfilm::io::GasPathFile file;
@@ -130,6 +140,7 @@ int main(int argc, char** argv) {
   const bool pack_written =
       write("pack.html", report::report_page({pack}, {})) &&
       write("ring_pack.html", report::report_page({pack_with_gas()}, {})) &&
+      write("two_packs.html", report::report_page({pack_with_gas(), pack_with_other_gap()}, {})) &&
       write("gas.html", report::gas_page(gas_alone("the gas of a pack"))) &&
       write("hostile_gas.html", report::gas_page(gas_alone(hostile.title)));
 

@@ -101,6 +101,21 @@ TEST(ReportPage, MarksNotesThatAreOnlyForInformation) {
   EXPECT_TRUE(notes[1]["for_information"].get<bool>());
 }
 
+TEST(ReportPage, CarriesNoFieldsOfPacksThatItCompares) {
+  const auto pack = [](const char* title) {
+    return io::pack_document(title, {example::document("top"), example::document("second", 0.7)});
+  };
+  const json one = example::data_of(report::report_page({pack("a")}, {}));
+  EXPECT_FALSE(one["cases"][0]["fields"]["film_pressure"].empty());
+  const std::string page = report::report_page({pack("a"), pack("b")}, {});
+  for (const json& of_ring : example::data_of(page)["cases"]) {
+    EXPECT_TRUE(of_ring["fields"]["film_pressure"].empty());
+    EXPECT_TRUE(of_ring["fields"]["crank_angle"].empty());
+    EXPECT_FALSE(of_ring["fields"]["face_height"].empty());
+    EXPECT_FALSE(of_ring["curves"]["total_friction"].empty());
+  }
+}
+
 TEST(ReportPage, HasOneScriptAndOneDataElementWhateverTheTextsState) {
   const std::size_t harmless = count(report::report_page({example::document("harmless")}, {}), "</script");
   for (const std::string hostile : {"</script><img src=x onerror=alert(1)>", "<!--<script>",

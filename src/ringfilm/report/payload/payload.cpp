@@ -82,14 +82,17 @@ ordered_json stroke_profile(const cycle::StrokeProfile& stroke) {
   return object;
 }
 
-ordered_json face_fields(const cycle::FaceFields& fields) {
+/// Which numbers along the faces the page carries.
+enum class FaceNumbers { kShapeAndFields, kShape };
+
+ordered_json face_fields(const cycle::FaceFields& fields, FaceNumbers numbers) {
   const std::size_t n_nodes = fields.x.size();
   const std::size_t n_angles = fields.crank_angle_deg.size();
   const std::size_t most = n_nodes == 0 ? 1 : std::max<std::size_t>(1, kFieldNumbers / n_nodes);
   const std::size_t stride = (n_angles + most - 1) / most;
   std::vector<std::size_t> kept;
   std::vector<double> angles;
-  for (std::size_t k = 0; k < n_angles; k += stride) {
+  for (std::size_t k = 0; k < n_angles && numbers == FaceNumbers::kShapeAndFields; k += stride) {
     kept.push_back(k);
     angles.push_back(fields.crank_angle_deg[k]);
   }
@@ -210,7 +213,7 @@ ordered_json note_object(const cycle::Note& note) {
           {"rank", cycle::note_rank(note.topic)}};
 }
 
-ordered_json document(const io::ResultDocument& d) {
+ordered_json document(const io::ResultDocument& d, FaceNumbers numbers) {
   ordered_json notes = ordered_json::array();
   for (const cycle::Note& n : d.result.notes) notes.push_back(note_object(n));
   ordered_json derived = ordered_json::object();
@@ -219,7 +222,7 @@ ordered_json document(const io::ResultDocument& d) {
           {"complete", d.result.complete},
           {"curves", curves(d.result)},
           {"values", cycle_values(d.result.values)},
-          {"fields", face_fields(d.result.fields)},
+          {"fields", face_fields(d.result.fields, numbers)},
           {"unrolled_values", unrolled_values(d.result)},
           {"unrolled", unrolled_payload(d.result.unrolled, rupture_pressure(d.inputs))},
           {"stroke", stroke_profile(d.result.stroke)},
@@ -278,9 +281,12 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["strip_fields"] = described_all(cycle::strip_fields());
   root["cases"] = ordered_json::array();
   root["packs"] = ordered_json::array();
+  // Of packs beside each other the page draws no fields: those of all their rings take most of 16 MB.
+  const bool compares_packs = std::ranges::count_if(documents, &io::ResultDocument::is_pack) > 1;
   for (const io::ResultDocument& d : documents) {
     if (d.is_pack()) root["packs"].push_back(pack_payload(d, root["cases"].size()));
-    for (const io::ResultDocument& ring : io::rings_of(d)) root["cases"].push_back(document(ring));
+    const FaceNumbers numbers = d.is_pack() && compares_packs ? FaceNumbers::kShape : FaceNumbers::kShapeAndFields;
+    for (const io::ResultDocument& ring : io::rings_of(d)) root["cases"].push_back(document(ring, numbers));
   }
   root["overlays"] = ordered_json::array();
   for (const Overlay& o : overlays) {

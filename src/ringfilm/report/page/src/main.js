@@ -5,7 +5,8 @@ import { hasBore } from './cycle/bore_drawing.js';
 import { BoreView } from './cycle/bore_view.js';
 import { CycleGroup } from './plot/chart.js';
 import {
-  cycleFigures,
+  cycleFigure,
+  kCycleFigures,
   kCycleRange,
   otherQuantityFigure,
   shownElsewhere,
@@ -27,6 +28,7 @@ import {
   stribeckFigure,
   wearFigure,
 } from './cycle/other_figures.js';
+import { byFace, comparisonFigures, comparisonTable } from './pack/pack_comparison.js';
 import { packFigures } from './pack/pack_figures.js';
 import { PackModel } from './pack/pack_model.js';
 import { PackDrawing, packSentences, ringTable } from './pack/pack_view.js';
@@ -46,19 +48,19 @@ const kRanges = [
 
 function toolbar(model, visibility, group) {
   const cases = model.several
-    ? model.cases.map((c) =>
+    ? model.entries.map(({ series, name }) =>
         element(
           'button',
           {
             type: 'button',
             class: 'entry',
             'aria-pressed': 'true',
-            title: `Hide or show ${c.name}`,
-            'data-case': c.index,
-            onclick: () => visibility.toggle(c.index),
+            title: `Hide or show ${name}`,
+            'data-case': series,
+            onclick: () => visibility.toggle(series),
           },
-          svgElement(swatchSvg({ caseIndex: c.index, part: null })),
-          element('span', { class: 'label' }, c.name),
+          svgElement(swatchSvg({ caseIndex: series, part: null })),
+          element('span', { class: 'label' }, name),
         ),
       )
     : [];
@@ -104,7 +106,10 @@ function otherQuantity(model, context, started) {
       context.visibility.forget(view);
       started.splice(started.indexOf(view), 1);
     }
-    view = new FigureView(otherQuantityFigure(model, name), context);
+    view = new FigureView(
+      byFace(model, (own) => otherQuantityFigure(own, name)),
+      context,
+    );
     host.replaceChildren(view.node);
     view.heading.after(choice);
     view.start();
@@ -160,13 +165,25 @@ function unrolledCases(model) {
     }));
 }
 
-/** The section of the ring pack: one pack of the page, as its drawing has one slider; null where there is none. */
+/**
+ * The section of the ring pack: one pack, as its drawing has one slider, or several and nothing else beside each
+ * other; null where there is none.
+ */
 function packPart(model, context) {
+  if (model.comparesPacks) {
+    const views = comparisonFigures(model).map((figure) => new FigureView(figure, context));
+    return { words: [comparisonTable(model)], views };
+  }
   if (model.packs.length !== 1) return null;
   const packed = new PackModel(model.packs[0], model);
   const figures = packFigures(packed).map((figure) => new FigureView(figure, context));
   const drawing = packed.hasCurves || packed.pack.gas ? new PackDrawing(packed, context) : null;
-  return { packed, views: [drawing, ...figures].filter(Boolean) };
+  return { words: [ringTable(packed), packSentences(packed)], views: [drawing, ...figures].filter(Boolean) };
+}
+
+/** May the reader get fields along the face? Pages of compared packs have none, and no cycle means none. */
+function hasNoFields(model) {
+  return !model.comparesPacks && (model.several || model.cases[0].complete);
 }
 
 /** Film and friction: before the fields along the face. */
@@ -185,20 +202,24 @@ function buildPage(model) {
   const context = { visibility, group, besidePaper, stem: title, subtitle: subtitle(model) };
   const views = [];
   const view = (figure) => (figure ? new FigureView(figure, context) : null);
+  const faceView = (make) => view(byFace(model, make));
   const started = [];
 
   const hasCurves = model.cases.some((c) => c.curves.crank_angle.length > 1);
   const cycle = hasCurves
-    ? [...cycleFigures(model).map(view), otherQuantity(model, context, started)].filter(Boolean)
+    ? [
+        ...kCycleFigures.map((make) => faceView((own) => cycleFigure(own, make))),
+        otherQuantity(model, context, started),
+      ].filter(Boolean)
     : [];
   const others = [
-    hasCurves ? view(zoomFigure(model)) : null,
-    hasCurves ? view(stribeckFigure(model)) : null,
-    view(linerFilmFigure(model)),
-    view(wearFigure(model)),
-    view(energyFigure(model)),
+    hasCurves ? faceView(zoomFigure) : null,
+    hasCurves ? faceView(stribeckFigure) : null,
+    faceView(linerFilmFigure),
+    faceView(wearFigure),
+    faceView(energyFigure),
   ].filter(Boolean);
-  const faces = [view(faceFigure(model))].filter(Boolean);
+  const faces = [faceView(faceFigure)].filter(Boolean);
   const along = fieldAngles(model).length ? new FaceView(model, context) : null;
   const unrolled = unrolledCases(model);
   const inBore = unrolled.find(({ data }) => hasBore(data));
@@ -209,9 +230,7 @@ function buildPage(model) {
     hasCurves ? view(gapFigure(model)) : null,
   ].filter(Boolean);
   const pack = packPart(model, context);
-  const contact = [contactPressureFigure(model), realAreaFigure(model), flowFactorFigure(model)]
-    .map(view)
-    .filter(Boolean);
+  const contact = [contactPressureFigure, realAreaFigure, flowFactorFigure].map(faceView).filter(Boolean);
   const influence = view(influenceFigure(model));
   views.push(
     ...cycle,
@@ -250,9 +269,8 @@ function buildPage(model) {
       pack
         ? section(
             'pack',
-            'Ring pack',
-            ringTable(pack.packed),
-            packSentences(pack.packed),
+            model.comparesPacks ? 'Ring packs' : 'Ring pack',
+            pack.words,
             charts(pack.views.map((v) => v.node)),
           )
         : null,
@@ -272,7 +290,7 @@ function buildPage(model) {
             toolbar(model, visibility, group),
             charts([
               ...cycle.slice(0, kFirstRow).map((v) => v.node),
-              along ? along.node : model.several || model.cases[0].complete ? howToStoreFields() : null,
+              along ? along.node : hasNoFields(model) ? howToStoreFields() : null,
               ...cycle.slice(kFirstRow).map((v) => v.node),
             ]),
           )

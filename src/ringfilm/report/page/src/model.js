@@ -23,6 +23,13 @@ export function shortNames(titles) {
 /** Inputs of the method or of files, not of the engine: no case is named after them. */
 const kNoName = /^(output|solver)\.|\.(file|name)$|file$/;
 
+/** A key as a name of a case has it: "end gap", of a ring of a pack "ring 1 end gap". */
+function keyWords(key) {
+  const [, ring, own] = /^ring\.(\d+)\.(.*)$/.exec(key) ?? [];
+  const words = (own ?? key).split('.').pop().replace(/_/g, ' ');
+  return ring ? `ring ${ring} ${words}` : words;
+}
+
 /** Cases of one title, named after the inputs in which they differ (at most two), else by their number. */
 export function namesByInputs(cases) {
   const shown = (c, key) => c.inputs.find((entry) => entry.key === key)?.shown;
@@ -34,7 +41,7 @@ export function namesByInputs(cases) {
     differing
       .map(
         (key) =>
-          `${key.split('.').pop().replace(/_/g, ' ')} ` +
+          `${keyWords(key)} ` +
           (shown(c, key) === undefined ? 'not used' : shownInput({ shown: shown(c, key).replace(/"/g, '') })),
       )
       .join(', '),
@@ -49,6 +56,47 @@ function named(cases) {
   const byTitle = shortNames(titles);
   if (byTitle) return byTitle;
   return { shared: new Set(titles).size === 1 ? titles[0] : '', names: namesByInputs(cases) };
+}
+
+/** The inputs of a ring pack: those that its rings share once, those of a ring by its number. */
+export function packInputs(pack, cases) {
+  const rings = cases.slice(pack.first_case, pack.first_case + pack.ring_numbers.length);
+  const inputs = new Map([['rings', { key: 'rings', shown: String(new Set(pack.ring_numbers).size) }]]);
+  const isCommon = ({ key, shown }) =>
+    !key.startsWith('ring.') &&
+    rings.every((c) => c.inputs.every((one) => one.key !== key || one.shown === shown));
+  rings.forEach((c, i) => {
+    for (const entry of c.inputs) {
+      const key = isCommon(entry)
+        ? entry.key
+        : `ring.${pack.ring_numbers[i]}.${entry.key.replace(/^ring\./, '')}`;
+      if (!inputs.has(key)) inputs.set(key, { ...entry, key });
+    }
+  });
+  return [...inputs.values()];
+}
+
+/** Ring packs beside each other, named by their titles or by the inputs in which they differ. */
+function namedPacks(packs, cases) {
+  const titles = packs.map((pack) => pack.title);
+  const byTitle = shortNames(titles);
+  if (byTitle) return byTitle;
+  const names = namesByInputs(packs.map((pack) => ({ inputs: packInputs(pack, cases) })));
+  return { shared: new Set(titles).size === 1 ? titles[0] : '', names };
+}
+
+/** The rings of ring packs: each has the name of its pack and its own. @returns as named(), with the names of packs */
+function namedRings(packs, cases) {
+  const { shared, names: packNames } = namedPacks(packs, cases);
+  const names = packs.flatMap((pack, p) => {
+    const titles = cases
+      .slice(pack.first_case, pack.first_case + pack.ring_numbers.length)
+      .map((c) => c.title);
+    const own =
+      shortNames(titles)?.names ?? pack.ring_numbers.map((number, i) => `face ${i + 1}, ring ${number}`);
+    return own.map((name) => `${packNames[p]}, ${titles.length > 1 ? name : 'the ring'}`);
+  });
+  return { shared, names, packNames };
 }
 
 /** Stands for the only case of a page in place of its number: it needs no mark and cannot be hidden. */
@@ -88,19 +136,30 @@ export class Model {
     this.curveQuantity = byName([...payload.curve_quantities, ...payload.unrolled_quantities]);
     this.cycleQuantity = byName([...payload.cycle_quantities, ...payload.unrolled_cycle_quantities]);
     this.derivedQuantity = byName(payload.derived_quantities);
-    const { shared, names } = named(payload.cases);
+    const packs = payload.packs ?? [];
+    const packOf = packs.flatMap((pack, p) => pack.ring_numbers.map(() => p));
+    // Several ring packs and nothing else are compared as packs: one colour for each.
+    this.comparesPacks = packs.length > 1 && packOf.length === payload.cases.length;
+    const { shared, names, packNames } = this.comparesPacks
+      ? namedRings(packs, payload.cases)
+      : named(payload.cases);
     this.sharedTitle = shared;
     this.several = payload.cases.length > 1;
     this.cases = payload.cases.map((c, index) => ({
       ...c,
       index,
-      series: this.several ? index : kOnlyCase,
+      series: this.comparesPacks ? packOf[index] : this.several ? index : kOnlyCase,
       name: names[index],
       // Sums and extremes of an integration that stopped early are not those of a cycle: they are omitted.
       values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
     // Of a pack that stopped early there is no sum, either.
-    this.packs = (payload.packs ?? []).filter((pack) => pack.complete);
+    this.allPacks = packs.map((pack, p) => ({ ...pack, name: packNames?.[p] ?? pack.title }));
+    this.packs = this.allPacks.filter((pack) => pack.complete);
+    /** What readers may hide and show: each has a colour of its own. */
+    this.entries = this.comparesPacks
+      ? packNames.map((name, series) => ({ series, name }))
+      : this.cases.map(({ series, name }) => ({ series, name }));
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
   }
 

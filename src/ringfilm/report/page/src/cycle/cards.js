@@ -67,7 +67,7 @@ function packRow(model, pack, { value, unit }, detail) {
   return element(
     'div',
     { class: 'card-row' },
-    element('span', { class: 'card-name' }, `${isAlone ? '' : `${pack.title}: `}all ${pack.n_rings} rings`),
+    element('span', { class: 'card-name' }, `${isAlone ? '' : `${pack.name}: `}all ${pack.n_rings} rings`),
     shownValue(meaningful(value, null), value === null ? '' : unit),
     element('span', { class: 'card-detail' }, detail(pack)),
   );
@@ -84,7 +84,7 @@ function card(model, heading, of, detail, sums = []) {
         ? element(
             'span',
             { class: 'card-name' },
-            svgElement(swatchSvg({ caseIndex: c.index, part: null })),
+            svgElement(swatchSvg({ caseIndex: c.series, part: null })),
             c.name,
           )
         : null,

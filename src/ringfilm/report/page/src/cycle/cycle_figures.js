@@ -87,7 +87,7 @@ export function pressurePeaks(model) {
     if (at === null) continue;
     const known = peaks.find((p) => Math.abs(p.at - at) < 0.25);
     if (known) known.caseIndex = null;
-    else peaks.push({ at, caseIndex: model.several ? c.index : null });
+    else peaks.push({ at, caseIndex: model.several ? c.series : null });
   }
   return peaks;
 }
@@ -391,17 +391,20 @@ function flowFigure(model) {
   };
 }
 
-export function cycleFigures(model) {
-  const figures = [
-    filmFigure,
-    frictionFigure,
-    pressureFigure,
-    lambdaRatioFigure,
-    asperityShareFigure,
-    linerFrictionFigure,
-    flowFigure,
-  ];
-  return figures.map((make) => withBandSentence({ ...make(model), group: 'cycle' }));
+/** What makes the figures of the section over the cycle, in their order. */
+export const kCycleFigures = [
+  filmFigure,
+  frictionFigure,
+  pressureFigure,
+  lambdaRatioFigure,
+  asperityShareFigure,
+  linerFrictionFigure,
+  flowFigure,
+];
+
+/** @param make one of kCycleFigures */
+export function cycleFigure(model, make) {
+  return withBandSentence({ ...make(model), group: 'cycle' });
 }
 
 function withBandSentence(figure) {

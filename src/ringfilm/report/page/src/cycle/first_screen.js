@@ -38,7 +38,10 @@ export function operatingLine(model) {
 
 export function reportTitle(model) {
   if (!model.several) return model.cases[0].title || 'One engine cycle';
-  return model.sharedTitle || `${model.cases.length} engine cycles compared`;
+  if (model.sharedTitle) return model.sharedTitle;
+  return model.comparesPacks
+    ? `${model.entries.length} ring packs compared`
+    : `${model.cases.length} engine cycles compared`;
 }
 
 /** The most serious thing first, without what is only for information. */
