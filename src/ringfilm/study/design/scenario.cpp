@@ -421,7 +421,7 @@ std::optional<Fault> useless_choice(const Plan& plan, std::size_t factor, std::s
       if (reason.empty()) reason = refusal.faults().front().message;
     }
   }
-  if (n_tried == 0) return std::nullopt;
+  if (n_tried < 2) return std::nullopt;  // a single scenario is a row with its reason
   const Factor& of = plan.study().factors[factor];
   const Choice& text = std::get<Choices>(of.variation).values[choice];
   return Fault{text.mark.file.empty() ? of.mark : text.mark,

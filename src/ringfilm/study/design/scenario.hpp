@@ -36,7 +36,7 @@ cycle::Case with_accuracy_of_study(cycle::Case c, const Study& study);
 std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base);
 
 /// Throws InputError if a base has no scenario that can be made into a case, of 16 spread over the plan: a key that is
-/// stated twice over, a number to scale that is not there; or if a listed text of a factor has none, of 256. To be
+/// stated twice over, a number to scale that is not there; or if a listed text of a factor has none, of 2 to 256. To be
 /// asked before anything is run; a plan of which some scenarios can be run is run, and the others are rows with their
 /// reasons.
 void check_scenarios(const Plan& plan);
