@@ -166,7 +166,8 @@ const packOf = (cases, numbers, gas = null) =>
   );
   assert.match(figures.get('pack-blow-by').caption, /0\.4 mm 2\.00 mg per cycle.*0\.2 mm 1\.00 mg per cycle/);
 
-  // Titles that differ name packs; what all rings have alike is stated once; a pack next to a ring alone is not compared.
+  // Titles that differ name packs; what all rings have alike is stated once; a pack next to a ring alone is not
+  // compared.
   const named = payload(
     ['0.4 mm', '0.4 mm'],
     [packOfThree(0, null), { ...packOfThree(3, null), title: 'another pack' }],

@@ -27,7 +27,7 @@ std::string with_caret(const SourceMark& mark, const std::string& remedy) {
   const std::string number = std::to_string(mark.line);
   const int first = std::max(0, mark.column - 1 - kShownColumns / 2);
   std::string shown = mark.line_text.substr(std::min<std::size_t>(first, mark.line_text.size()), kShownColumns);
-  std::ranges::replace(shown, '\t', ' ');
+  std::replace(shown.begin(), shown.end(), '\t', ' ');
   shown = without_control_characters(std::move(shown));
   const int caret = std::max(0, mark.column - 1 - first);
   const std::string margin = "    " + std::string(number.size(), ' ') + " | ";
