@@ -32,7 +32,7 @@ function operatingLine(inputs) {
 
 function firstScreen(payload) {
   const { gas, notes } = payload;
-  const land = gas.regions.find((region) => region.name.startsWith('land'));
+  const below = gas.regions.find((region) => /^land/.test(region.name));
   const synthetic = payload.inputs.some(
     (entry) => entry.key === 'gas.trace_origin' && entry.shown === 'synthetic',
   );
@@ -55,10 +55,10 @@ function firstScreen(payload) {
         of: ' mg per cycle',
         detail: `${number(gas.blow_by_flow * kLitresPerMinute, 3)} l/min at 1.01325 bar and 25 °C`,
       }),
-      land
-        ? numberCard(`Peak on ${regionWords(land.name)}`, number(land.peak_pressure / kBar, 3), {
+      below
+        ? numberCard(`Peak on ${regionWords(below.name)}`, number(below.peak_pressure / kBar, 3), {
             of: ' bar',
-            detail: angleInWords(wrapped(land.peak_pressure_angle)),
+            detail: angleInWords(wrapped(below.peak_pressure_angle)),
           })
         : null,
       numberCard('Changes of flank contact', String(gas.events.length), { detail: 'in a cycle, all rings' }),

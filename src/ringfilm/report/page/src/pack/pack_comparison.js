@@ -138,7 +138,7 @@ const namesOf = (packs, names) => [
 
 function landPressures(packs) {
   const lands = namesOf(packs, (gas) =>
-    gas.regions.map((region) => region.name).filter((name) => name.startsWith('land')),
+    gas.regions.map((region) => region.name).filter((name) => /^land/.test(name)),
   );
   if (lands.length === 0) return null;
   return {
