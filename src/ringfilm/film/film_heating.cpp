@@ -4,6 +4,7 @@
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/fronts.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film {
@@ -43,11 +44,12 @@ HeatingSums sums_of_full_cells(const FilmProblem& problem, const FilmInputs& inp
 }
 
 /// Of the cell behind node `i`, in which the film ends or begins [m].
-double filled_length(const FilmProblem& problem, const FilmInputs& inputs, const double* p, int i, bool ends) {
+double filled_length(const FilmProblem& problem, const FilmInputs& inputs, const GasReach& reach, const double* p,
+                     int i, bool ends) {
   const FilmGrid& grid = problem.grid;
   const int inside = ends ? i : i + 1, outside = ends ? i + 1 : i;
   const double front =
-      front_position(grid, p, inputs.pressure_bound(grid, outside), inside, outside, ends_level(problem, inputs, ends));
+      front_position(grid, p, reach.pressure_bound(outside), inside, outside, ends_level(problem, inputs, ends));
   return std::abs(front - grid.x[inside]);
 }
 
@@ -72,14 +74,15 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
   double length = full.length, flow = full.flow;
   // In the part of a cell in which the film ends or begins pressure falls to that of the cavity.
   const int n = grid.n_cells();
+  const GasReach reach(grid, inputs);
   for (int i = 0; i < n;) {
     const bool cavity = is_cavity(film.deficit[i]);
     i = problem.kernels->next_node(film.deficit, i + 1, n + 1, !cavity);
     if (i > n) break;
-    const double cell = filled_length(problem, inputs, film.p, i - 1, !cavity);
+    const double cell = filled_length(problem, inputs, reach, film.p, i - 1, !cavity);
     if (!(cell > 0)) continue;
     const int inside = cavity ? i : i - 1, outside = cavity ? i - 1 : i;
-    const double fall = film.p[inside] - inputs.pressure_bound(grid, outside);
+    const double fall = film.p[inside] - reach.pressure_bound(outside);
     const double slope = (cavity ? fall : -fall) / cell;
     const auto& oil = *inputs.oil;
     const double rho[] = {density_at(oil, laws, film.p[i - 1]), density_at(oil, laws, film.p[i])};

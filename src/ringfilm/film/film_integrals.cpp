@@ -8,6 +8,7 @@
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/factors/average_shear.hpp"
 #include "ringfilm/film/fronts.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 
@@ -98,10 +99,13 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
   const int n = grid.n_cells();
   const double* deficit = state.deficit.data();
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
+  const GasReach reach(grid, inputs);
   const auto front = [&](int inside, int outside) {
-    const double bound = inputs.pressure_bound(grid, outside);
+    const double bound = reach.pressure_bound(outside);
     return front_position(grid, state.p.data(), bound, inside, outside, ends_level(problem, inputs, inside < outside));
   };
+  const bool left_presses = inputs.left.pressure > inputs.right.pressure;
+  const bool right_presses = inputs.right.pressure > inputs.left.pressure;
   sums.wetted_end = grid.width;
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
@@ -109,28 +113,36 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
     cavity.begin = front(i - 1, i);
     i = next(i, false);
     cavity.end = std::max(front(i, i - 1), cavity.begin);
-    // Gas fills it from its edge up to the lowest place of the gap at most; what is beyond is a cavity of its own.
-    if (first == 1 && inputs.gas_at(grid, first) == &inputs.left) {
-      sums.is_broken_through = sums.is_broken_through || i >= grid.throat;
-      sums.wetted_begin = i > grid.throat ? grid.x[grid.throat] : cavity.end;
+    // Gas fills it from its edge up to the end of the narrowest stretch at most; what is beyond is a cavity of its own.
+    // The gas of the higher pressure that has come to that stretch blows through it.
+    if (first == 1 && reach.gas_at(first) == &inputs.left) {
+      sums.is_broken_through = sums.is_broken_through || i >= (left_presses ? reach.begin() : reach.end());
+      sums.wetted_begin = i > reach.end() ? grid.x[reach.end()] : cavity.end;
       cavity.begin = sums.wetted_begin;
     }
-    if (i == n && inputs.gas_at(grid, n - 1) == &inputs.right) {
-      sums.is_broken_through = sums.is_broken_through || first <= grid.throat + 1;
-      sums.wetted_end = first <= grid.throat ? grid.x[grid.throat] : cavity.begin;
+    if (i == n && reach.gas_at(n - 1) == &inputs.right) {
+      sums.is_broken_through = sums.is_broken_through || first <= (right_presses ? reach.end() : reach.begin()) + 1;
+      sums.wetted_end = first <= reach.begin() ? grid.x[reach.begin()] : cavity.begin;
       cavity.end = sums.wetted_end;
     }
     if (inputs.has_gas() && cavity.end <= cavity.begin) continue;
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     sums.cavities.push_back(cavity);
   }
+  if (sums.wetted_begin > sums.wetted_end) {  // both gases fill the narrowest stretch
+    sums.wetted_begin = sums.wetted_end = 0.5 * (sums.wetted_begin + sums.wetted_end);
+  }
 }
 
-/// The deficit where shear is counted by it; 1 where gas fills the gap: the thin film there lies on the liner.
+/// The deficit where shear is counted by it; 1 where gas fills the gap: the thin film there lies on the liner. Where
+/// both gases may be, so does what is less than half of the gap.
 std::vector<double> shear_deficit(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
+  const GasReach reach(problem.grid, inputs);
   std::vector<double> sheared = state.deficit;
   for (std::size_t i = 0; i < sheared.size(); ++i) {
-    if (is_cavity(sheared[i]) && inputs.gas_at(problem.grid, static_cast<int>(i)) != nullptr) sheared[i] = 1;
+    const int node = static_cast<int>(i);
+    if (!is_cavity(sheared[i]) || !reach.is_filled(node)) continue;
+    sheared[i] = reach.gas_at(node) != nullptr ? 1 : std::min(2 * sheared[i], 1.0);
   }
   return sheared;
 }

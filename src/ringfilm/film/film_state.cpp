@@ -27,8 +27,6 @@ void complete_grid(FilmGrid& grid) {
     grid.share[i] += 0.5 * grid.spacing[i];
     grid.share[i + 1] += 0.5 * grid.spacing[i];
   }
-  grid.throat =
-      static_cast<int>(std::min_element(grid.node_height.begin(), grid.node_height.end()) - grid.node_height.begin());
 }
 
 FilmGrid graded_grid(int n_cells, double width, const std::function<double(double)>& height, double thinnest,

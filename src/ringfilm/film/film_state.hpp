@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ringfilm/film/edge.hpp"
@@ -47,11 +48,10 @@ struct FilmGrid {
   std::vector<double> node_height;  ///< h_s at the nodes; at a jump the mean over the node's share [m]
   std::vector<double> face_height;  ///< h_s midway between nodes i and i+1 [m]
   std::vector<GapJump> jumps;       ///< in the order of their nodes; mostly empty
-  int throat = 0;                   ///< the lowest node
 
   int n_cells() const { return static_cast<int>(face_height.size()); }
 };
-/// Computes `share` from `spacing`, and the throat from the heights of the nodes.
+/// Computes `share` from `spacing`.
 void complete_grid(FilmGrid& grid);
 
 FilmGrid uniform_grid(int n_cells, double width, const std::function<double(double)>& height);
@@ -120,6 +120,8 @@ struct FilmInputs {
   double load = 0;                             ///< W per length [N/m]
   double time_step = kSteady;                  ///< [s]
   std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
+  double h_m_before = 0;     ///< film by which the narrowest stretch of the gap is found (GasReach); 0: unknown [m]
+  std::optional<int> crest;  ///< node up to which a full film keeps the gases of both edges apart (GasReach)
   Fallback fallback = Fallback::kSearch;
   /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].
   std::vector<double> source;
@@ -127,24 +129,6 @@ struct FilmInputs {
   /// Mean pressure that the film and the asperities must carry: the scale of all pressures [Pa].
   double mean_pressure(const FilmGrid& grid) const { return load / grid.width; }
 
-  /// The lowest pressure that the film can have at node `i` (eq-pressure-bound) [Pa].
-  double pressure_bound(const FilmGrid& grid, int i) const {
-    const EdgeState* gas = gas_at(grid, i);
-    return gas != nullptr ? gas->pressure : p_cavitation;
-  }
-  /// The edge whose gas would fill a cavity at node `i`; nullptr: none.
-  const EdgeState* gas_at(const FilmGrid& grid, int i) const {
-    const bool is_edge = i == 0 || i == grid.n_cells();
-    if (i == grid.throat && !is_edge) return nullptr;
-    const EdgeState& edge = i < grid.throat || i == 0 ? left : right;
-    return edge.fluid == EdgeFluid::kGas ? &edge : nullptr;
-  }
-  /// Of carried_share() at node `i`. Steady films store nothing, and films with a full inlet pass nothing on to a wall
-  /// that is followed: there theta is what flows.
-  double carry(const FilmGrid& grid, int i) const {
-    const bool follows_wall = !is_steady() && (std::isfinite(left.supply) || std::isfinite(right.supply));
-    return follows_wall && gas_at(grid, i) != nullptr ? kOnWall : kBetweenWalls;
-  }
   bool is_steady() const { return time_step == kSteady; }
   bool has_gas() const { return left.fluid == EdgeFluid::kGas || right.fluid == EdgeFluid::kGas; }
 };

@@ -13,10 +13,9 @@ double gas_holding_integral(const FilmGrid& grid, double h_m, FilmEdge exit) {
   const int n = grid.n_cells();
   const bool to_right = exit == FilmEdge::kRight;
   const auto node = [&](int k) { return h_m + grid.node_height[to_right ? k : n - k]; };
-  const int throat = to_right ? grid.throat : n - grid.throat;
   double squares = 0, cubes = 0, largest = 0;  // int dx/h^2 and int dx/h^3 from the inlet
   for (int k = 0; k <= n; ++k) {
-    if (k >= throat) largest = std::max(largest, squares - node(k) * cubes);
+    largest = std::max(largest, squares - node(k) * cubes);
     if (k == n) break;
     const int cell = to_right ? k : n - 1 - k;
     const double before = node(k), middle = h_m + grid.face_height[cell], after = node(k + 1);

@@ -6,6 +6,7 @@
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/film_heating.hpp"
 #include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 #include "ringfilm/pad/recording.hpp"
@@ -36,7 +37,6 @@ Peak peak(const film::FilmGrid& grid, const film::FilmState& state) {
 WideFilm::WideFilm(const PadSetup& setup, int n_cells)
     : PadFilm(setup),
       problem_(setup.problem(film::grid_of_pieces(n_cells, setup.pieces))),
-      lowest_node_(problem_.grid.throat),
       factors_(problem_, setup.factors),
       workspace_(problem_) {}
 
@@ -48,7 +48,8 @@ double WideFilm::lowest_height() const {
   return lowest;
 }
 
-film::FilmInputs WideFilm::supplied(film::FilmInputs inputs) const {
+film::FilmInputs WideFilm::supplied(film::FilmInputs inputs, double h_m) const {
+  inputs.h_m_before = h_m;
   if (const auto supply = setup().supply()) {
     film::EdgeState& inlet = inputs.U >= 0 ? inputs.left : inputs.right;
     inlet.supply = *supply * inputs.oil->density(inlet.pressure);
@@ -56,31 +57,33 @@ film::FilmInputs WideFilm::supplied(film::FilmInputs inputs) const {
   return inputs;
 }
 
-int WideFilm::meeting_of_bounds(const film::FilmInputs& inputs, const film::FilmState& state) const {
+std::optional<int> WideFilm::crest(const film::FilmInputs& inputs, const film::FilmState& state) const {
   const bool to_right = inputs.U >= 0;
   const film::EdgeState &inlet = to_right ? inputs.left : inputs.right, &outlet = to_right ? inputs.right : inputs.left;
   const double fall = inlet.pressure - outlet.pressure;
-  if (!inputs.is_steady() || inlet.fluid != film::EdgeFluid::kGas || !(fall > 0)) return lowest_node_;
+  if (!inputs.is_steady() || inlet.fluid != film::EdgeFluid::kGas || !(fall > 0)) return std::nullopt;
   // From its peak on the film falls to the pressure of the outlet: below that of the inlet, maybe before the lowest
   // place, and no gas of the inlet is there.
   constexpr double kRounding = 1e-6;
   const int top = static_cast<int>(std::max_element(state.p.begin(), state.p.end()) - state.p.begin());
   const bool is_peak = state.p[top] > inlet.pressure + kRounding * fall;
-  const bool is_before = to_right ? top < lowest_node_ : top > lowest_node_;
-  return is_peak && is_before ? top : lowest_node_;
+  const film::GasReach reach(problem_.grid, inputs);
+  const bool is_before = to_right ? top < reach.end() : top > reach.begin();
+  return is_peak && is_before ? std::optional(top) : std::nullopt;
 }
 
-film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
+film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& given, const film::FilmState& previous,
                                                film::FilmState& state) {
   constexpr int kMostMoves = 5;  // of the node at which the bounds meet; one or two are usual
-  problem_.grid.throat = lowest_node_;
-  film::FilmReport total = solve_with_bounds(inputs, previous, state);
+  const film::FilmInputs inputs = supplied(given, state.h_m);
+  film::FilmInputs held = inputs;
+  film::FilmReport total = solve_with_bounds(held, previous, state);
   for (int move = 0; move < kMostMoves && total.converged; ++move) {
-    const int node = meeting_of_bounds(inputs, state);
-    if (node == problem_.grid.throat) break;
-    problem_.grid.throat = node;
+    const std::optional<int> node = crest(inputs, state);
+    if (node == held.crest) break;
+    held.crest = node;
     film::FilmState next = state;
-    const film::FilmReport report = solve_with_bounds(inputs, previous, next);
+    const film::FilmReport report = solve_with_bounds(held, previous, next);
     total.iterations += report.iterations;
     if (!report.converged) break;
     state = std::move(next);
@@ -90,13 +93,15 @@ film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& inputs, c
 
 film::FilmReport WideFilm::solve_with_bounds(const film::FilmInputs& inputs, const film::FilmState& previous,
                                              film::FilmState& state) {
-  return factors_.solve(supplied(inputs), state, [&](const film::FilmInputs& held, film::FilmState& found) {
+  return factors_.solve(inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
     return film::solve_film_at_separation(problem_, held, previous, found, workspace_);
   });
 }
 
-film::FilmReport WideFilm::solve(const film::FilmInputs& inputs, const film::FilmState& previous,
+film::FilmReport WideFilm::solve(const film::FilmInputs& given, const film::FilmState& previous,
                                  film::FilmState& state) {
+  film::FilmInputs inputs = given;
+  inputs.h_m_before = previous.h_m;
   return factors_.solve(inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
     return film::solve_film(problem_, held, previous, found, workspace_);
   });
@@ -117,15 +122,14 @@ double WideFilm::load(const film::FilmState& state) const {
 
 Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& previous, const film::FilmState& state,
                         double time) const {
-  const film::FilmInputs inputs = supplied(given);
-  film::FilmProblem problem = problem_;
-  problem.grid.throat = meeting_of_bounds(inputs, state);
-  const film::FilmIntegrals sums = film::film_integrals(problem, inputs, previous, state);
+  film::FilmInputs inputs = supplied(given, state.h_m);
+  inputs.crest = crest(inputs, state);
+  const film::FilmIntegrals sums = film::film_integrals(problem_, inputs, previous, state);
   Sample out = sample_of(setup(), sums, state.h_m, time);
   const Peak top = peak(problem_.grid, state);
   out.peak_film_pressure = top.pressure;
   out.peak_position = top.position;
-  const double largest_flow = largest_flux(problem, inputs, state);
+  const double largest_flow = largest_flux(problem_, inputs, state);
   out.mass_residual = largest_flow > 0 ? std::abs(sums.mass_defect) / largest_flow : 0.0;
   const cycle::Lubricant& oil = setup().input.lubricant;
   out.viscous_heating_rise =

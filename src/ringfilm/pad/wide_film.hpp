@@ -27,14 +27,15 @@ class WideFilm : public PadFilm {
   Profile profile(const film::FilmState& state, double time) const override;
 
  private:
-  film::FilmInputs supplied(film::FilmInputs inputs) const;  ///< with the oil ahead of the inlet
+  /// With the oil ahead of the inlet, for a film of `h_m`.
+  film::FilmInputs supplied(film::FilmInputs inputs, double h_m) const;
   film::FilmReport solve_with_bounds(const film::FilmInputs& inputs, const film::FilmState& previous,
                                      film::FilmState& state);
-  /// The node at which the lower pressure bounds of the two edges meet, eq-pressure-bound.
-  int meeting_of_bounds(const film::FilmInputs& inputs, const film::FilmState& state) const;
+  /// The node from which on a steady film falls below the pressure of its inlet, eq-pressure-bound; nothing: the gases
+  /// meet on the narrowest stretch. @param inputs without one
+  std::optional<int> crest(const film::FilmInputs& inputs, const film::FilmState& state) const;
 
   film::FilmProblem problem_;
-  int lowest_node_;
   film::FactorIteration factors_;
   film::FilmWorkspace workspace_;
   std::vector<double> strips_{0.0};

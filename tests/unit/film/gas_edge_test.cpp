@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "film_cases.hpp"
 #include "gas_edge_cases.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/lane_newton.hpp"
 
 namespace ringfilm::film::testing {
@@ -107,6 +112,58 @@ TEST(GasEdge, AProblemBetweenEdgesOfOilTakesNoGas) {
   SmoothFilm film = film_of(form, 60);
   film.problem.terms = Terms::kPlain;
   EXPECT_THROW(steady_under_load(film.problem, inputs_of(form, film), 1e-6), std::invalid_argument);
+}
+
+/// Bounds of pressure of a film of 1 um between gas of 1 and 5 bar.
+std::vector<double> bounds(int n_cells, const std::function<double(double)>& height) {
+  const FilmGrid grid = uniform_grid(n_cells, 1e-3, height);
+  FilmInputs inputs;
+  inputs.left = {1e5, EdgeFluid::kGas};
+  inputs.right = {5e5, EdgeFluid::kGas};
+  inputs.h_m_before = 1e-6;
+  const GasReach reach(grid, inputs);
+  std::vector<double> bound;
+  for (int i = 0; i <= n_cells; ++i) bound.push_back(reach.pressure_bound(i));
+  return bound;
+}
+
+/// A land of 0.4 mm between two slopes, one end of which is higher by `tilt` [m].
+double land(double x, double tilt) {
+  const double beyond = std::max({0.3e-3 - x, x - 0.7e-3, 0.0});
+  return 0.05 * beyond + std::abs(tilt) * std::clamp((tilt > 0 ? x - 0.3e-3 : 0.7e-3 - x) / 0.4e-3, 0.0, 1.0);
+}
+
+TEST(GasReach, GasesMeetAtTheLowestNodeOfACrown) {
+  const std::vector<double> bound = bounds(100, [](double x) { return 100 * (x - 0.5e-3) * (x - 0.5e-3); });
+  // 3 % of the film of 1 um are the height 17 um beside the lowest node, less than two cells.
+  for (int i = 0; i < 49; ++i) EXPECT_EQ(bound[i], 1e5) << i;
+  EXPECT_GE(bound[50], bound[49]);
+  for (int i = 52; i <= 100; ++i) EXPECT_EQ(bound[i], 5e5) << i;
+}
+
+TEST(GasReach, PressureFallsAlongAFlatLandAsOfAFlowThroughIt) {
+  const std::vector<double> bound = bounds(1000, [](double x) { return land(x, 0); });
+  for (int i = 0; i <= 1000; ++i) {
+    const double share = std::clamp((1e-6 * i - 0.3e-3) / 0.4e-3, 0.0, 1.0);
+    EXPECT_NEAR(bound[i], 1e5 + 4e5 * share, 4e5 / 400) << i;  // of one cell
+  }
+}
+
+// Ten picometres are a tenth of an atom; the stretch is as high as 3 % of the film.
+TEST(GasReach, ATiltOfPicometresMovesNoGas) {
+  const std::vector<double> flat = bounds(200, [](double x) { return land(x, 0); });
+  for (const double tilt : {1e-11, -1e-11}) {
+    const std::vector<double> tilted = bounds(200, [tilt](double x) { return land(x, tilt); });
+    for (int i = 0; i <= 200; ++i) EXPECT_NEAR(tilted[i], flat[i], 4e5 * 1e-3) << i;
+  }
+}
+
+TEST(GasReach, EqualThroatsShareTheFallOfPressure) {
+  const std::vector<double> bound =
+      bounds(100, [](double x) { return 1e-5 * std::pow(std::sin(x * 2 * std::numbers::pi / 1e-3), 2); });
+  // Lowest at both edges and in the middle; an edge node is half as long.
+  EXPECT_NEAR(bound[20], 2e5, 1);
+  EXPECT_NEAR(bound[80], 4e5, 1);
 }
 
 }  // namespace

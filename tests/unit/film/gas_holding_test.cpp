@@ -48,7 +48,7 @@ TEST(GasHolding, TakesTheBetterOfTwoLowPlaces) {
   const auto height = [](double x) { return 4e-6 * std::pow(std::sin(x * std::numbers::pi / 0.5e-3), 2) + 2e-5 * x; };
   const FilmGrid grid = uniform_grid(4000, 1.25e-3, height);
   double best = 0;
-  for (int k = grid.throat; k <= grid.n_cells(); k += 10) {
+  for (int k = 0; k <= grid.n_cells(); k += 10) {
     const double h_exit = 0.5e-6 + height(grid.x[k]);
     const auto slope = [&](double x) {
       const double h = 0.5e-6 + height(x);

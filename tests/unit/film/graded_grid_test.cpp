@@ -60,7 +60,7 @@ TEST(GridByGap, CellsFollowTheRootOfTheGap) {
   const FilmGrid grid = grid_by_gap(100, width, height, reference);
   ASSERT_EQ(grid.n_cells(), 100);
   EXPECT_DOUBLE_EQ(grid.x.back(), width);
-  EXPECT_EQ(grid.throat, 50);
+  EXPECT_EQ(std::min_element(grid.node_height.begin(), grid.node_height.end()) - grid.node_height.begin(), 50);
   double length = 0;
   for (int i = 0; i < 100; ++i) {
     length += grid.spacing[i];

@@ -1,8 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <utility>
 
 #include "pad_cases.hpp"
 
@@ -154,6 +157,65 @@ TEST(PadGasEdge, OfAHigherPressureAtTheInletReachesToThePeakOfTheFilmAtMost) {
   const Sample flooded = solved(c);
   EXPECT_NEAR(supplied.load / flooded.load, 1, 1e-9);
   EXPECT_THAT(supplied.rupture_positions, ::testing::IsEmpty());
+}
+
+/// A land between two slopes and gas of two pressures, drawn at random.
+cycle::Case random_land(std::mt19937& random) {
+  const auto between = [&](double low, double high) {
+    return low * std::pow(high / low, std::uniform_real_distribution<double>(0, 1)(random));
+  };
+  cycle::Case c = cycle::blank_case(cycle::Problem::kPad);
+  c.pad.length = 1e-3;
+  const double begin = between(0.1e-3, 0.4e-3), end = 1e-3 - between(0.1e-3, 0.4e-3);
+  c.pad.gap_x = {0, begin, end, c.pad.length};
+  c.pad.gap_height = {between(1e-6, 1e-4), 0, 0, between(1e-6, 1e-4)};
+  c.pad.speed = between(0.05, 5);
+  c.pad.separation = between(0.3e-6, 3e-6);
+  c.pad.left_pressure = between(1e5, 2e6);
+  c.pad.right_pressure = between(1e5, 2e6);
+  c.lubricant.viscosity = 1e-2;
+  c.lubricant.constant_density = 850;
+  c.film.cavitation_pressure = 0;
+  c.film.left_edge = c.film.right_edge = cycle::EdgeFluid::kGas;
+  c.film.supply_left = *c.pad.separation * between(0.1, 3);
+  c.solver.cells = 200;
+  c.solver.tolerance = 1e-10;
+  return c;
+}
+
+/// The same as seen from the other side.
+cycle::Case mirrored(cycle::Case c) {
+  for (double& x : c.pad.gap_x) x = c.pad.length - x;
+  std::reverse(c.pad.gap_x.begin(), c.pad.gap_x.end());
+  std::reverse(c.pad.gap_height.begin(), c.pad.gap_height.end());
+  c.pad.direction = cycle::Direction::kMinusX;
+  std::swap(c.pad.left_pressure, c.pad.right_pressure);
+  std::swap(c.film.supply_left, c.film.supply_right);
+  return c;
+}
+
+TEST(PadBetweenGases, OnALandIsItsMirrorImageTheOtherWay) {
+  std::mt19937 random(1);
+  for (int k = 0; k < 60; ++k) {
+    const cycle::Case c = random_land(random);
+    const Sample there = solved(c), back = solved(mirrored(c));
+    EXPECT_NEAR(back.load / there.load, 1, 1e-6) << k;  // the root of the tolerance is 1e-5
+    EXPECT_NEAR(back.wetted_left, c.pad.length - there.wetted_right, c.pad.length / c.solver.cells)
+        << k;  // by rounding
+  }
+}
+
+TEST(PadBetweenGases, OnALandFollowsATiltSmoothly) {
+  std::mt19937 random(2);
+  for (int k = 0; k < 20; ++k) {
+    cycle::Case c = random_land(random);
+    const double flat = solved(c).load;
+    for (const std::size_t end : {1, 2}) {
+      cycle::Case tilted = c;
+      tilted.pad.gap_height[end] = 1e-11;
+      EXPECT_NEAR(solved(tilted).load / flat, 1, 1e-3) << k;
+    }
+  }
 }
 
 }  // namespace

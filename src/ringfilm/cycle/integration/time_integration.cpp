@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
@@ -153,9 +154,10 @@ film::MassSums TimeIntegration::mass_off(const film::FilmState& to, const film::
   }
   // Oil next to gas lies on the liner and moves with it: it bears nothing, and its steps in x are steps in time. So
   // are those of a meniscus that crosses nodes.
+  const film::GasReach reach(problem().grid, step_.at.inputs);
   const auto is_next_to_gas = [&](std::size_t i) {
     return (film::is_cavity(to.deficit[i]) || film::is_cavity(state_.deficit[i])) &&
-           step_.at.inputs.gas_at(problem().grid, static_cast<int>(i)) != nullptr;
+           reach.is_filled(static_cast<int>(i));
   };
   film::MassSums sums{0, 0};
   for (std::size_t i = 0; i < to.mass_per_area.size(); ++i) {
@@ -299,6 +301,7 @@ void TimeIntegration::lay_out_step() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + step_.ticks) / kTicks;
   step_.time_step = radians(base_deg * step_.ticks / kTicks) / setup_.engine.speed;
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
+  step_.at.inputs.h_m_before = state_.h_m;
 }
 
 void TimeIntegration::propose() {
@@ -434,6 +437,7 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
     for (int part = 1; part <= parts; ++part) {
       const double to_deg = angle_deg_ + part * part_deg;
       at = conditions(to_deg - part_deg, to_deg, radians(part_deg) / setup_.engine.speed);
+      at.inputs.h_m_before = to.h_m;
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;

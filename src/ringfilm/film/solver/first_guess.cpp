@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/film_solver.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 
@@ -61,7 +62,8 @@ std::optional<FilmState> dry_film(const FilmProblem& problem, const FilmInputs& 
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
   FilmState state;
-  for (int i = 0; i <= n; ++i) state.p.push_back(inputs.pressure_bound(grid, i));
+  const GasReach reach(grid, inputs);
+  for (int i = 0; i <= n; ++i) state.p.push_back(reach.pressure_bound(i));
   const double carried = inputs.load - least_hydrodynamic_load(problem, inputs);
   const auto excess = [&](double ln_h) { return asperity_load(problem, std::exp(ln_h)) / carried - 1; };
   const double thin = std::log(kMolecules), thick = std::log(problem.contact->reach());

@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver/reynolds.hpp"
 
@@ -244,16 +245,17 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
   }
   block_.left_supply[lane] = std::min(4 * inputs.left.supply, kUnlimited);
   block_.right_supply[lane] = std::min(4 * inputs.right.supply, kUnlimited);
+  const GasReach reach(at.problem->grid, inputs);
   const FlowFactors* factors = inputs.factors.get();
   const auto factor = [](const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; };
   for (int i = 0; i <= at.n_cells; ++i) {
     nodal(block_.mobility, i, lane) = factors ? factor(factors->mobility, i, 1) : 1;
-    nodal(block_.carry, i, lane) = inputs.carry(at.problem->grid, i);
+    nodal(block_.carry, i, lane) = reach.carry(i);
     nodal(block_.stored, i, lane) = factors ? factor(factors->stored, i, 0) : 0;
     if (i < at.n_cells) nodal(block_.carried, i, lane) = factors ? factor(factors->carried, i, 0) : 0;
   }
   for (int i = 0; i <= at.n_cells; ++i) {
-    nodal(block_.bound, i, lane) = inputs.pressure_bound(at.problem->grid, i) - inputs.p_cavitation;
+    nodal(block_.bound, i, lane) = reach.pressure_bound(i) - inputs.p_cavitation;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ringfilm/film/gas_reach.hpp"
+
 namespace ringfilm::film {
 
 double thickest(const FilmProblem& problem) {
@@ -46,10 +48,9 @@ double hydrodynamic_load(const FilmProblem& problem, const FilmState& state) {
 }
 
 double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs) {
+  const GasReach reach(problem.grid, inputs);
   double load = 0;
-  for (int i = 0; i <= problem.grid.n_cells(); ++i) {
-    load += problem.grid.share[i] * inputs.pressure_bound(problem.grid, i);
-  }
+  for (int i = 0; i <= problem.grid.n_cells(); ++i) load += problem.grid.share[i] * reach.pressure_bound(i);
   return load;
 }
 

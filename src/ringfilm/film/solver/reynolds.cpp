@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 
 namespace ringfilm::film {
@@ -135,7 +136,8 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
 
 FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   const FilmGrid& grid = problem.grid;
-  const auto is_on_wall = [&](int node) { return inputs.carry(grid, node) == kOnWall; };
+  const GasReach reach(grid, inputs);
+  const auto is_on_wall = [&](int node) { return reach.carry(node) == kOnWall; };
   const FlowFactors* factors = state.factors.get();
   const auto given = [factors](std::vector<double> FlowFactors::*list) {
     return factors == nullptr || (factors->*list).empty() ? nullptr : (factors->*list).data();
@@ -151,8 +153,8 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           state.deficit.data(),
           state.h_m,
           problem.cavitation == Cavitation::kMassConserving ? 1.0 : 0.0,
-          is_on_wall(0) ? grid.throat : 0,
-          is_on_wall(grid.n_cells()) ? grid.throat + 1 : grid.n_cells() + 1,
+          is_on_wall(0) ? std::max(reach.begin(), 1) : 0,
+          is_on_wall(grid.n_cells()) ? std::min(reach.end() + 1, grid.n_cells()) : grid.n_cells() + 1,
           std::min(4 * inputs.left.supply, kUnlimited),
           std::min(4 * inputs.right.supply, kUnlimited),
           inputs.is_steady(),

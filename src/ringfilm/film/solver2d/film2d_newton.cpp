@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/kernels/newton_sweep.hpp"
 #include "ringfilm/film/solver/load_balance.hpp"
 
@@ -220,9 +221,10 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
 
   const double beyond = kBeyondKink * block_.scale, content_scale = block_.content_scale, rate = block_.rate;
   double *z = block_.z, *inflow = block_.inflow;
+  const GasReach reach(problem.strip.grid, strip);
   for (int i = 0; i < shape_.n_across; ++i) {
-    double bound = 0;  // the same in all strips
-    if (block_.terms == Terms::kAll) bound = strip.pressure_bound(problem.strip.grid, i) - strip.p_cavitation;
+    // The same in all strips.
+    const double bound = block_.terms == Terms::kAll ? reach.pressure_bound(i) - strip.p_cavitation : 0;
     const double share = block_.share[i];
     for (int s = 0; s < shape_.n_strips; ++s) {
       const std::size_t place = shape_.at(i, s), node = static_cast<std::size_t>(s + first_) * shape_.n_across + i;
