@@ -173,29 +173,34 @@ RINGFILM_INLINE Flux<Real> flux(const Motion<Real, kFilmContent, kTerms>& motion
   return flux;
 }
 
-/// Through the face at an edge no more comes in than lies on the wall, eq-inlet-supply: of a steady film the whole flux
-/// is limited, in time that of the wall alone, which has no kink in the pressure beside the edge.
-/// @param flux that of a full gap at the edge @param is_steady mask of the films without storage
+/// Through the face at an edge no more comes in than lies on the wall, eq-inlet-supply. In time what the wall carries
+/// is limited first: where the pressure beside the edge is not below that of its gas, this has no kink in that
+/// pressure.
+/// @param flux that of a full gap at the edge  @param inward 1 at the left edge, -1 at the right one
 /// @param supply four times the mass per area on the wall, or kUnlimited [kg/m2]
+/// @param is_steady mask of the films without storage
 template <class Real, class Mask>
-RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real supply, Mask is_steady, const Node<Real>& left,
-                                 const Node<Real>& right, Flux<Real>& flux) {
-  const Real rho = left.rho + right.rho, limit = quarter_U * supply;
-  const Real excess = select(quarter_U >= Real(0), flux.value - limit, limit - flux.value);
-  const auto whole = Real::both(Real::both(excess > Real(0), supply < Real(kUnlimited)), is_steady);
-  if (Real::any(whole)) {
-    flux = {select(whole, limit, flux.value), select(whole, Real(0), flux.by_left),
-            select(whole, Real(0), flux.by_right), select(whole, Real(0), flux.by_h)};
-  }
-  const Real surplus = select(is_steady, Real(0), h * rho - supply);
+RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real inward, Real supply, Mask is_steady,
+                                 const Node<Real>& left, const Node<Real>& right, Flux<Real>& flux) {
+  const auto is_limited = supply < Real(kUnlimited);
+  if (!Real::any(is_limited)) return;
+  const Real rho = left.rho + right.rho, arriving = max(inward * quarter_U, Real(0));
+  const Real surplus = select(is_steady, Real(0), select(arriving > Real(0), h * rho - supply, Real(0)));
   const auto of_wall = surplus > Real(0);
-  if (!Real::any(of_wall)) return;
-  const auto take = [&](Real& from, Real what)
-                        RINGFILM_INLINE_BODY { from -= select(of_wall, quarter_U * what, Real(0)); };
-  take(flux.value, surplus);
-  take(flux.by_left, select(left.is_film, h * left.drho, Real(0)));
-  take(flux.by_right, select(right.is_film, h * right.drho, Real(0)));
-  take(flux.by_h, rho);
+  if (Real::any(of_wall)) {
+    const auto take = [&](Real& from, Real what)
+                          RINGFILM_INLINE_BODY { from -= select(of_wall, quarter_U * what, Real(0)); };
+    take(flux.value, surplus);
+    take(flux.by_left, select(left.is_film, h * left.drho, Real(0)));
+    take(flux.by_right, select(right.is_film, h * right.drho, Real(0)));
+    take(flux.by_h, rho);
+  }
+  const Real limit = arriving * supply;
+  const Real pressed = select(is_steady, Real(1), inward * (left.p - right.p));  // by the gas: rounding is not
+  const auto whole = Real::both(Real::both(inward * flux.value - limit > Real(0), pressed > Real(0)), is_limited);
+  if (!Real::any(whole)) return;
+  flux = {select(whole, inward * limit, flux.value), select(whole, Real(0), flux.by_left),
+          select(whole, Real(0), flux.by_right), select(whole, Real(0), flux.by_h)};
 }
 
 /// Where no wall moves along: the direction around the ring.

@@ -98,9 +98,9 @@ class Film2dBalance {
       Flux flux = film::flux(motion_, carried, upstream + beyond, conductance * cubed.value, conductance * cubed.square,
                              left, right);
       const auto is_steady = Real(0) >= Real(b_.rate);
-      if (i == 0) limit_inlet(motion_.quarter_U, carried, Real(b_.left_supply), is_steady, left, right, flux);
+      if (i == 0) limit_inlet(motion_.quarter_U, carried, Real(1), Real(b_.left_supply), is_steady, left, right, flux);
       if (i == shape_.n_across - 2)
-        limit_inlet(motion_.quarter_U, carried, Real(b_.right_supply), is_steady, left, right, flux);
+        limit_inlet(motion_.quarter_U, carried, Real(-1), Real(b_.right_supply), is_steady, left, right, flux);
       return flux;
     } else {
       return film::flux(motion_, h, upstream, conductance * cubed.value, conductance * cubed.square, left, right);

@@ -127,9 +127,9 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   const double dp = film.p[i + 1] - film.p[i];
   const auto mobile = [&](int k) { return film.mobility == nullptr ? K[k] : K[k] * film.mobility[i + k]; };
   const double supply = i == 0 ? film.left_supply : i == film.n_cells - 1 ? film.right_supply : kUnlimited;
-  const bool is_steady_inlet = supply < kUnlimited && film.is_steady;
+  const bool is_limited = supply < kUnlimited;
   const auto film_content = [&](bool from_left) {
-    if (is_steady_inlet && from_left == (i == 0)) return 1.0;
+    if (is_limited && from_left == (i == 0)) return 1.0;  // the edge, see limit_inlet
     const int node = from_left ? i : i + 1;
     const bool on_wall = node < film.left_gas_end || node >= film.right_gas_begin;
     return carried_share(1 - film.deficit_share * film.deficit[node], on_wall ? kOnWall : kBetweenWalls);
@@ -137,16 +137,17 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   const double content = film_content(U >= 0);
   const double upstream = film.h_m + film.node_height[U >= 0 ? i : i + 1] + (stream - h);
   double carried = entrainment(0.25 * U, content, carried_gap(content, upstream, stream).gap);
-  if (supply < kUnlimited && !film.is_steady) {
+  const double inward = i == 0 ? 1 : -1, arriving = inward * U > 0 ? 0.25 * inward * U : 0;
+  if (is_limited && !film.is_steady && arriving > 0) {
     const double limit = supply / (rho[0] + rho[1]);
     carried = 0.25 * U * (limit < stream ? limit : stream);
   }
   const double flux =
       face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
                 mobile(0) + mobile(1), dp);
-  if (!is_steady_inlet) return flux;  // limit_inlet
-  const double limit = 0.25 * U * supply;
-  return (U >= 0 ? flux > limit : flux < limit) ? limit : flux;
+  if (!is_limited || !(film.is_steady || inward * dp < 0)) return flux;
+  const double limit = arriving * supply;
+  return inward * flux > limit ? inward * limit : flux;
 }
 
 /// Heat of cell i, over the `length` of it that oil fills. @param rho,K of node i and the one after it

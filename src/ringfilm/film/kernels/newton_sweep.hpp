@@ -219,7 +219,7 @@ class NewtonSweep {
     if constexpr (kTerms == Terms::kAll) {
       const Real beyond = at(b_.carried, face), carried = h + beyond;
       Flux flux = film::flux(motion_, carried, upstream + beyond, third * h, third, left, right);
-      if (face == 0) limit_inlet(carried, Real::load(b_.left_supply), left, right, flux);
+      if (face == 0) limit_inlet(carried, Real(1), Real::load(b_.left_supply), left, right, flux);
       limit_right(face, carried, left, right, flux);
       return flux;
     } else {
@@ -233,12 +233,13 @@ class NewtonSweep {
     if (!Real::any(supply < Real(kUnlimited))) return;
     const Mask is_last = Real::only(at(b_.conductance, face) > Real(0), at(b_.conductance, face + 1) > Real(0));
     if (!Real::any(is_last)) return;
-    limit_inlet(carried, select(is_last, supply, Real(kUnlimited)), left, right, flux);
+    limit_inlet(carried, Real(-1), select(is_last, supply, Real(kUnlimited)), left, right, flux);
   }
 
-  RINGFILM_INLINE void limit_inlet(Real carried, Real supply, const Node& left, const Node& right, Flux& flux) const {
+  RINGFILM_INLINE void limit_inlet(Real carried, Real inward, Real supply, const Node& left, const Node& right,
+                                   Flux& flux) const {
     const Mask is_steady = Real(0) >= Real::load(b_.rate);
-    film::limit_inlet(motion_.quarter_U, carried, supply, is_steady, left, right, flux);
+    film::limit_inlet(motion_.quarter_U, carried, inward, supply, is_steady, left, right, flux);
   }
 
   /// Balance of mass and load, eliminated down to one equation for ln h_m; returns its solution.

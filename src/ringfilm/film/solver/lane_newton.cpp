@@ -243,8 +243,8 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
     if (inputs.factors) throw std::invalid_argument("a film between smooth walls has flow factors");
     return;
   }
-  block_.left_supply[lane] = std::min(4 * inputs.left.supply, kUnlimited);
-  block_.right_supply[lane] = std::min(4 * inputs.right.supply, kUnlimited);
+  block_.left_supply[lane] = std::min(4 * inputs.left_supply(), kUnlimited);
+  block_.right_supply[lane] = std::min(4 * inputs.right_supply(), kUnlimited);
   const GasReach reach(at.problem->grid, inputs);
   const FlowFactors* factors = inputs.factors.get();
   const auto factor = [](const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; };

@@ -202,8 +202,8 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   block_.rate = 1 / strip.time_step;
   block_.p_cavitation = strip.p_cavitation;
   block_.terms = problem.strip.terms;
-  block_.left_supply = std::min(4 * strip.left.supply, kUnlimited);
-  block_.right_supply = std::min(4 * strip.right.supply, kUnlimited);
+  block_.left_supply = std::min(4 * strip.left_supply(), kUnlimited);
+  block_.right_supply = std::min(4 * strip.right_supply(), kUnlimited);
   block_.scale = block_.content_scale = strip.mean_pressure(problem.strip.grid);
   block_.start_h = guess.h_m;
   block_.cavity_K = strip.oil->density(strip.p_cavitation) / strip.oil->viscosity(strip.p_cavitation);

@@ -7,6 +7,7 @@
 #include "../no_observer.hpp"
 #include "../styles_case.hpp"
 #include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/cycle/case/conditions.hpp"
 #include "ringfilm/cycle/integration/kinematics.hpp"
 
 /// Oil that lies on the liner ahead of a ring between edges of gas.
@@ -73,6 +74,35 @@ TEST(OilSupply, NoOilIsLostOrCreated) {
     EXPECT_LT(unexplained(c, 2), 1e-10) << film;
     c.supply.scraped = Scraped::kDiscarded;
     EXPECT_LT(unexplained(c, 2), 1e-10) << film;
+  }
+}
+
+/// A parabola whose lowest place is at an edge or next to it, so that the gases of both edges are neighbours.
+Case lowest_at(double apex) {
+  Case c = styles_new_ring();
+  set_conditions(Conditions::kEngine, c);
+  c.supply.film = {{0, 5e-6}};
+  c.gas = {};
+  c.gas.model = GasModel::kWiebe;
+  c.gas.peak_pressure = 120e5;
+  c.gas.intake_pressure = Gas::kWiebeIntakePressure;
+  c.gas.exhaust_pressure = Gas::kWiebeExhaustPressure;
+  c.ring.face = {};
+  c.ring.face.form = FaceForm::kParabola;
+  c.ring.face.crown_height = 10e-6;
+  c.ring.face.apex = apex;
+  c.solver.cells = 120;
+  c.solver.crank_step_control = StepControl::kAdaptive;
+  return c;
+}
+
+// The gas of the edge once pressed oil in that was not there, and no film balanced before firing TDC.
+TEST(OilSupply, AnEdgeThatIsTheLowestPlaceTakesWhatLiesThere) {
+  for (const double apex : {0., 0.001, 1.}) {
+    Case c = lowest_at(apex);
+    EXPECT_TRUE(simulated(c).complete) << apex;
+    c.solver.tolerance = 1e-13;
+    EXPECT_LT(unexplained(c, 1), 1e-10) << apex;
   }
 }
 
