@@ -129,8 +129,8 @@ struct FilmInputs {
   /// Mean pressure that the film and the asperities must carry: the scale of all pressures [Pa].
   double mean_pressure(const FilmGrid& grid) const { return load / grid.width; }
 
-  /// Oil on the moving wall that can enter at an edge [kg/m2]: none where a film leaves into gas. A steady film at rest
-  /// takes what it needs: the one from which an integration starts at a dead centre.
+  /// Oil on the moving wall that can enter at an edge [kg/m2]: in time none where a film leaves into gas. A steady film
+  /// takes there what it needs: the one from which an integration starts at a dead centre.
   double left_supply() const { return supply_at(left, U > 0); }
   double right_supply() const { return supply_at(right, U < 0); }
   bool is_steady() const { return time_step == kSteady; }
@@ -138,8 +138,7 @@ struct FilmInputs {
 
  private:
   double supply_at(const EdgeState& edge, bool enters) const {
-    const bool is_none = edge.fluid == EdgeFluid::kGas && !enters && !(is_steady() && U == 0);
-    return is_none ? 0 : edge.supply;
+    return edge.fluid == EdgeFluid::kGas && !enters && !is_steady() ? 0 : edge.supply;
   }
 };
 
