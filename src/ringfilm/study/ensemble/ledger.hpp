@@ -20,11 +20,11 @@ struct LedgerVariant {
 
 /// One simplification or unstated input.
 struct LedgerEntry {
-  std::string topic;           ///< stable word, e.g. "oil-supply"
-  std::string statement;       ///< what is assumed in this very case, a sentence with its figures
-  std::string consequence;     ///< what it is known or expected to do; empty if the variants show it
-  std::string source;          ///< where the decision is argued, e.g. "docs/theory/assumptions.md#oil-supply"
-  bool can_be_lifted = false;  ///< does this program offer another choice?
+  std::string topic;                    ///< stable word, e.g. "oil-supply"
+  std::string statement;                ///< what is assumed in this very case, a sentence with its figures
+  std::string consequence;              ///< what it is known or expected to do; empty if the variants show it
+  std::string source;                   ///< where the decision is argued, e.g. "docs/theory/assumptions.md#oil-supply"
+  bool can_be_lifted = false;           ///< does this program offer another choice?
   std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or only by a case of its own, or not computed
 };
 
