@@ -438,7 +438,8 @@ class Refusals(PadTest):
             "out.csv",
         )
         self.assertEqual(done.returncode, 3, done.stderr)
-        self.assertIn("the films that were tried carry from 1000 N/m", done.stderr)
+        self.assertIn("films were searched from 1e+04 um, the length of the pad", done.stderr)
+        self.assertIn("the smallest one 1000 N/m", done.stderr)
         self.assertNotIn("out.csv", self.names())
 
 

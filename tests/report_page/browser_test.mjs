@@ -402,7 +402,7 @@ test('the ledger is one table of words', async () => {
     /as run.*cavitation model: mass-conserving.*−9\.0\s%.*composite modulus: 190 GPa.*No solution/s,
   );
   assert.doesNotMatch(text, /film\.cavitation/);
-  assert.match(await page.textContent('#ledger .assumptions'), /Flooded inlet.*none in this program/s);
+  assert.match(await page.textContent('#ledger .assumptions'), /Oil supply.*none in this program/s);
   await page.close();
 });
 

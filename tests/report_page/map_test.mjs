@@ -47,7 +47,7 @@ test('differences below the numerical error are one colour', () => {
 });
 
 test('steps of colour are no finer than the numerical error', () => {
-  // 0.1 kPa of 7 kPa: without an estimate 0.035 kPa are told apart, with one of 0.02 % all steps.
+  // 0.1 kPa of 7 kPa: without an estimate 0.035 kPa are distinguished, with one of 0.02 % all steps.
   assert.ok(drawn(6.9, 7, null).colours <= 3);
   assert.ok(drawn(6.9, 7, 0.0002).colours > 5);
   assert.ok(drawn(1, 7, null).colours > 5);

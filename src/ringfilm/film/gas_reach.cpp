@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ringfilm/film/solver/load_balance.hpp"
+
 namespace ringfilm::film {
 namespace {
 
-/// A meniscus at a place that is wider than the lowest one by this share holds 9 % less pressure
-/// (eq-gas-holding-limit), as if the oil was 4 K hotter: places that differ by no more are one stretch [-].
-constexpr double kNarrowest = 0.03;
+/// Places that are wider than the lowest one by no more than this share, or by no more than molecules, are one stretch
+/// [-]. A meniscus there holds up to 0.6 % less pressure (eq-gas-holding-limit), as if the oil was 0.3 K hotter.
+constexpr double kNarrowest = 0.002;
 
 double cube(double x) { return x * x * x; }
 
@@ -23,7 +25,8 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs) : inputs_(&in
   }
   const std::vector<double>& height = grid.node_height;
   const double lowest = *std::min_element(height.begin(), height.end());
-  const double narrowest = std::max(inputs.h_m_before + lowest, 0.0), widest = (1 + kNarrowest) * narrowest;
+  const double narrowest = std::max(inputs.h_m_before + lowest, 0.0),
+               widest = narrowest + std::max(kNarrowest * narrowest, kMolecules);
   const auto is_narrow = [&](double h) { return h == lowest || inputs.h_m_before + h < widest; };
   begin_ = static_cast<int>(std::find_if(height.begin(), height.end(), is_narrow) - height.begin());
   end_ = static_cast<int>(height.rend() - std::find_if(height.rbegin(), height.rend(), is_narrow)) - 1;
@@ -31,7 +34,7 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs) : inputs_(&in
   double sum = 0;
   for (int i = begin_; i <= end_; ++i) {
     const double h = inputs.h_m_before + height[i];
-    const double resistance = narrowest > 0 ? cube(narrowest / h) - cube(1 / (1 + kNarrowest)) : h <= narrowest;
+    const double resistance = narrowest > 0 ? cube(narrowest / h) - cube(narrowest / widest) : h <= narrowest;
     if (is_narrow(height[i])) sum += grid.share[i] * std::max(resistance, 0.0);
     bound_.push_back(sum);  // up to the end of the node
   }

@@ -6,9 +6,9 @@
 namespace ringfilm::film {
 
 /// How far the gas of each edge comes into the gap, and the lowest pressure of the film there (eq-pressure-bound). The
-/// gases meet on the narrowest stretch of the gap: the nodes at which it is no more than kNarrowest wider than at its
-/// lowest place. Along it the bound falls from the one gas to the other as the pressure of a viscous flow does that
-/// blows through (eq-gas-through-throat).
+/// gases meet on the narrowest stretch of the gap: the nodes at which it is wider than at its lowest place by no more
+/// than 0.2 % or 1 nm. Along it the bound falls from the one gas to the other as the pressure of a viscous flow does
+/// that blows through (eq-gas-through-throat).
 class GasReach {
  public:
   /// Refers to `inputs`.

@@ -20,7 +20,7 @@ constexpr std::size_t kMinPoints = 8;   // of a map that is judged
 constexpr std::size_t kMinLine = 5;     // points of a row or column that is judged
 constexpr double kUnequal = 1e-3;       // of a step: places stored in single precision are even to that
 constexpr std::size_t kSample = 65536;  // points from which the bulk of the heights is found
-constexpr std::size_t kFrequent = 10;   // times of a value, and times as often as any other, that are no chance
+constexpr std::size_t kFrequent = 10;   // times of a value, and times as often as any other, that are not by chance
 constexpr double kFewFar = 0.01;        // share of the points; more of them, of many values, are a structure
 constexpr std::size_t kFewValues = 3;   // distinct values that may mark points without a height
 
@@ -38,7 +38,7 @@ std::string place(const HeightMap& map, std::size_t point) {
   return fmt::format("row {}, column {}", point / map.points_x + 1, point % map.points_x + 1);
 }
 
-/// In the unit of the file, since the user knows the number from there.
+/// In the unit of the file, where the user reads the number.
 std::string shown(double height_m, const HeightUnit& unit) {
   return fmt::format("{:.6g} {}", height_m / unit.size_m, unit.name);
 }
@@ -81,8 +81,8 @@ std::optional<double> constant_of(const Line& line) {
 
 struct Sequence {
   double first = 0, last = 0, step = 0;
-  /// Does it begin at 0 or at its own step, as counts and most axes do?
-  bool counts() const { return std::min(std::abs(first), std::abs(first - step)) <= kUnequal * std::abs(step); }
+  /// Does it rise from 0 or from its own step, as counts and most axes do?
+  bool counts() const { return step > 0 && std::min(std::abs(first), std::abs(first - step)) <= kUnequal * step; }
 };
 
 /// The points from..to of a line as a sequence of even steps, or of even steps that were rounded to some digit.
@@ -122,7 +122,7 @@ std::optional<Sequence> sequence_of(const Line& line) {
   return std::nullopt;
 }
 
-/// Which rows and columns are no part of a measured surface.
+/// Which rows and columns do not belong to a measured surface.
 struct OddLines {
   std::vector<std::uint8_t> row, column;  ///< 1: odd; empty: none is
   std::vector<Doubt> doubts;
@@ -201,7 +201,7 @@ OddLines odd_lines(const HeightMap& map, const HeightUnit& unit) {
   return odd;
 }
 
-/// Range of the heights that hang together.
+/// Range of the heights without those far from the rest.
 struct Bulk {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -490,7 +490,7 @@ std::vector<Doubt> count_doubts(const std::vector<double>& value) {
                                      head, values, rest),
              is_map ? "if the values behind them are those of a map of " + factors +
                           " points, write a row of the map a line, without the counts"
-                    : std::string("they are no heights if they are the head of the file: start their lines with #"),
+                    : std::string("they are not heights if they are the head of the file: start their lines with #"),
              is_far ? Weight::kRefusal : Weight::kNote}};
   }
   return {};

@@ -158,11 +158,12 @@ void doubt_empty_lines(const GridAxis& axis, const char* word, ChannelValues& gr
   if (static_cast<double>(empty) <= kManyEmpty * static_cast<double>(axis.points)) return;
   std::size_t first = 0;
   while (first < claimed.size() && claimed[first] == first) ++first;
-  grid.doubts.push_back({fmt::format("{} of the {} {}s of the grid have no point, the first of them {} {}", empty,
-                                     axis.points, word, word, first + 1),
-                         "if the steps were rounded or the first line is no point, write the places with more digits "
-                         "and without that line",
-                         Doubt::Weight::kNote});
+  grid.doubts.push_back(
+      {fmt::format("{} of the {} {}s of the grid have no point, the first of them {} {}", empty, axis.points, word,
+                   word, first + 1),
+       "if the steps were rounded or the first line is not a point, write the places with more digits "
+       "and without that line",
+       Doubt::Weight::kNote});
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ inline constexpr double kLongestTime = 1e6 * kHour;
 inline constexpr double kAssumedCoating = 100e-6;
 /// More jumps than a life can need: a coating of 1 mm takes a tenth.
 inline constexpr int kMostJumps = 100'000;
-/// No scan knows a face better than to some nanometres, nor does a depth below the size of an atom mean anything. A
+/// No scan measures a face better than to some nanometres, nor does a depth below the size of an atom mean anything. A
 /// jump of this depth takes a usual coating off in kMostJumps [m].
 inline constexpr double kSmallestJumpDepth = 1e-9;
 /// The two stages of a jump differ with the square of its length: at this difference jumps are a tenth of the usual

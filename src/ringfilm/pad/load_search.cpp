@@ -22,7 +22,7 @@ constexpr int kMaxEvaluations = 100;  // bisection alone takes 45 from one film 
 constexpr double kLnResolution = 1e-13;
 /// Relative error of a load that is found. Where the load jumps, as with another cavity, no film carries it.
 constexpr double kLoadError = 1e-6;
-/// Steps of a golden-section search, which then knows the place of an extremum to 1 % of a step of the scan: to 1e-4 of
+/// Steps of a golden-section search, which then has the place of an extremum to 1 % of a step of the scan: to 1e-4 of
 /// what the load changes by in that step.
 constexpr int kGoldenSteps = 10;
 

@@ -135,7 +135,7 @@ double land(double x, double tilt) {
 
 TEST(GasReach, GasesMeetAtTheLowestNodeOfACrown) {
   const std::vector<double> bound = bounds(100, [](double x) { return 100 * (x - 0.5e-3) * (x - 0.5e-3); });
-  // 3 % of the film of 1 um are the height 17 um beside the lowest node, less than two cells.
+  // 0.2 % of the film of 1 um are the height 4 um beside the lowest node, less than a cell.
   for (int i = 0; i < 49; ++i) EXPECT_EQ(bound[i], 1e5) << i;
   EXPECT_GE(bound[50], bound[49]);
   for (int i = 52; i <= 100; ++i) EXPECT_EQ(bound[i], 5e5) << i;
@@ -149,7 +149,7 @@ TEST(GasReach, PressureFallsAlongAFlatLandAsOfAFlowThroughIt) {
   }
 }
 
-// Ten picometres are a tenth of an atom; the stretch is as high as 3 % of the film.
+// Ten picometres are a tenth of an atom; the stretch is as high as 0.2 % of the film.
 TEST(GasReach, ATiltOfPicometresMovesNoGas) {
   const std::vector<double> flat = bounds(200, [](double x) { return land(x, 0); });
   for (const double tilt : {1e-11, -1e-11}) {

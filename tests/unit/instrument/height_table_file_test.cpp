@@ -394,7 +394,7 @@ TEST(HeightTable, StepsOfOneOrTwoDigitsAreOneStep) {
   ASSERT_EQ(file.map.points_y, 20u);
   EXPECT_NEAR(file.map.step_x_m, 1.66e-6, 1e-6 / 63);
   EXPECT_THAT(file.origin.doubts, testing::IsEmpty());
-  // With columns that are missing nobody can tell: the grid of whole digits has empty columns, which is noted.
+  // With columns that are missing this is ambiguous: the grid of whole digits has empty columns, which is noted.
   EXPECT_THAT(read_bytes("a.csv", points([](int column) { return column < 20 || column > 24; })).origin.doubts,
               testing::Contains(HasSubstr("columns of the grid have no point")));
 }

@@ -23,7 +23,7 @@ ordered_json every(const std::vector<double>& values, std::size_t stride) {
 }
 
 /// Curves of single scenarios, evenly picked with the first and the last of those that were solved; null of a sample
-/// and of many scenarios, of which bands tell more.
+/// and of many scenarios, of which bands show more.
 ordered_json scenario_curves(const io::StudyRows& rows, std::size_t n_curves, std::size_t n_angles, std::size_t stride,
                              const io::Units& units) {
   const study::Plan& plan = rows.plan;

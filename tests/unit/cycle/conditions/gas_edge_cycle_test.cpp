@@ -101,7 +101,7 @@ TEST(GasEdge, DoesNotReachTheLowestPlaceFromTheEdgeThatIsIt) {
   for (const Sample& s : simulated(c).samples) EXPECT_EQ(s.gas_breakthrough, 0) << s.crank_angle_deg;
 }
 
-/// A land of 0.9 mm between two steep slopes, whose ends are higher by as much [m].
+/// A flat of 0.9 mm between two steep slopes, whose ends are higher by as much [m].
 Case with_land(double left, double right) {
   Case c = with_gas(styles_new_ring(), 1500);
   c.ring.face = {};

@@ -13,7 +13,7 @@ export function oilAbove(c) {
   return { film: (1e6 * (mean(power) + mean(intake))) / 2 };
 }
 
-/** Less oil is not told apart [mg]. */
+/** Less oil is not distinguished [mg]. */
 const kLeastMass = 1e-3;
 
 /** A mass of oil in mg as text. @param kilograms null where it is not known */

@@ -227,7 +227,8 @@ export function mapFigure(model, q, choice) {
         levels.length
           ? 'The steps of colour are the same for all choices.'
           : `One step of colour: the value hardly varies, by ${number(size, 2)}${q.shown ? ` ${q.shown}` : ''}, ` +
-            `${isFlat ? 'less than' : 'about'} its numerical error of ${number(100 * relativeError(model, q.name), 2)} %.`,
+            `${isFlat ? 'less than' : 'about'} its numerical error of ` +
+            `${number(100 * relativeError(model, q.name), 2)} %.`,
         n
           ? `Hatched: next to the ${n === 1 ? 'scenario' : `${n} scenarios`} (×) that ` +
             `${n === 1 ? 'was' : 'were'} not solved.`

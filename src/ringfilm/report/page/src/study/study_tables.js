@@ -207,7 +207,7 @@ const interval = (q, triple, digits) => {
 
 export function statisticsSection(model, context) {
   const kShown = [0, 2, 4];
-  // A median of points that are no sample means nothing.
+  // A median of points that were not sampled means nothing.
   const chosen = [...(model.points.length ? ['weighted_mean'] : []), 'lowest', 'highest'];
   const heads = model.has_sample
     ? ['quantity', right('mean'), ...kShown.map((k) => right(shareText(model.shares[k])))]
