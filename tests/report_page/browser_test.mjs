@@ -258,7 +258,9 @@ for (const width of [420, 1400]) {
     assert.ok(wide <= shown, `the page is ${wide} px wide in a window of ${shown} px`);
     for (const id of ['pack-friction', 'pack-pressures', 'pack-blow-by', 'pack-positions'])
       assert.ok((await colouredPixels(page, `#${id}`)) > 200, `${id} shows no curve`);
-    const rows = await page.$$eval('#pack tbody tr', (nodes) => nodes.map((n) => n.textContent));
+    const rows = await page.$eval('#pack table', (node) =>
+      [...node.tBodies[0].rows].map((row) => row.textContent),
+    );
     assert.equal(rows.length, 3);
     assert.match(rows[2], /^pack/);
     assert.match(
