@@ -271,7 +271,7 @@ for (const width of [420, 1400]) {
       await page.textContent('.plausibility'),
       /ring 1: FMEP.*a top ring of.*ring 2: FMEP.*a second compression ring of.*pack: FMEP.*a ring pack of/s,
     );
-    assert.match(await page.textContent('#pack-blow-by figcaption'), /2\.00 mg per cycle, 1\.26 l\/min/);
+    assert.match(await page.textContent('#pack-blow-by figcaption'), /2\.00\smg per cycle, 1\.26\sl\/min/);
     const cylinder = () =>
       page.$eval('#pack-drawing svg', (svg) => Number(/cylinder ([\d.]+)/.exec(svg.textContent)[1]));
     const atPeak = await cylinder();
