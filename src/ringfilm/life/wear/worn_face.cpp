@@ -30,6 +30,7 @@ cycle::RingFace WornFace::face(const std::vector<double>& worn, double tilt) con
     face.x.push_back(k % 2 == 0 ? grid_.x[i] : 0.5 * (grid_.x[i] + grid_.x[i + 1]));
     face.height.push_back(height_at(k, worn, tilt));
   }
+  face.x.back() = grid_.width;  // which the sum of the cells may miss by its rounding
   return face;
 }
 
