@@ -24,6 +24,7 @@
 #include "ringfilm/cycle/integration/side_by_side.hpp"
 #include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/models/oil/viscosity_laws.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 #include "ringfilm/study/ensemble/threads.hpp"
@@ -118,9 +119,11 @@ double asperity_capacity(const film::FilmProblem& problem) {
   return load;
 }
 
-/// The load that the integration could not balance, per length [N/m].
-double load_at(const Setup& setup, double crank_angle_deg) {
-  return ring_conditions(setup, crank_angle_deg, 0).inputs.load;
+/// Could asperities and gas at the edges have carried the load that the integration could not balance?
+bool is_false_overload(const Setup& setup, const film::FilmProblem& problem, double crank_angle_deg) {
+  const film::FilmInputs inputs = ring_conditions(setup, crank_angle_deg, 0).inputs;
+  const double of_gas = inputs.has_gas() ? film::least_hydrodynamic_load(problem, inputs) : 0;
+  return asperity_capacity(problem) + of_gas >= inputs.load;
 }
 
 /// One cycle of a scenario. All that it throws is its outcome.
@@ -194,14 +197,14 @@ class ScenarioIntegration final : public BatchMember {
   }
 
   End end_of(const NoBalance& error) const {
-    const double load = load_at(setup_, error.crank_angle_deg().value_or(scenario_.start_angle_deg));
+    const double at = error.crank_angle_deg().value_or(scenario_.start_angle_deg);
     switch (error.failure) {
       case film::Failure::kLiftedOff:
         return End::kLiftedOff;
       case film::Failure::kRunsAway:
         return End::kRunsAway;
       case film::Failure::kOverloaded:
-        return asperity_capacity(integration_.problem()) >= load ? End::kFalseOverload : End::kOverloaded;
+        return is_false_overload(setup_, integration_.problem(), at) ? End::kFalseOverload : End::kOverloaded;
       default:
         return End::kUnexplained;
     }

@@ -226,6 +226,9 @@ class Run(program.ProgramTest):
         )
         self.assertEqual(done.returncode, 3, done.stdout + done.stderr)
         self.assertIn("neither the film nor the asperities carry", done.stderr)
+        load = float(re.search(r"carry the load of (\S+) N per mm", done.stderr).group(1))
+        asperities = float(re.search(r"asperities carry at most ([^,]+),", done.stderr).group(1))
+        self.assertGreater(load, 10 * asperities)
         with open(self.folder / "a.csv", newline="") as stream:
             rows = list(csv.reader(stream))[1:]
         self.assertGreater(len(rows), 30)

@@ -68,6 +68,12 @@ const packOf = (cases, numbers, gas = null) =>
 // Two packs of one title that differ in the end gap of a ring: named by it, one colour a pack, one row a ring.
 {
   const gasOf = (blowBy, flow) => ({
+    quantities: {
+      sums: [
+        { name: 'blow_by_per_cycle', unit: 'kg', display_unit: 'mg' },
+        { name: 'blow_by_flow', unit: 'm3/s', display_unit: 'l/min' },
+      ],
+    },
     crank_angle: kAngles,
     blow_by_per_cycle: blowBy,
     blow_by_flow: blowBy,
@@ -164,7 +170,10 @@ const packOf = (cases, numbers, gas = null) =>
       [1, 0.5],
     ],
   );
-  assert.match(figures.get('pack-blow-by').caption, /0\.4 mm 2\.00 mg per cycle.*0\.2 mm 1\.00 mg per cycle/);
+  assert.match(
+    figures.get('pack-blow-by').caption,
+    /0\.4 mm 2\.00\u00a0mg per cycle.*0\.2 mm 1\.00\u00a0mg per cycle/,
+  );
 
   // Titles that differ name packs; what all rings have alike is stated once; a pack next to a ring alone is not
   // compared.

@@ -41,8 +41,10 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
     case film::Failure::kOverloaded:
       std::snprintf(text, sizeof text,
                     "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
-                    "separation (computed on %d cells, the shortest %.3g um long; solver.cells = %d)",
-                    load, grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
+                    "separation: asperities carry at most %.4g, the pressures at the edges %.4g (computed on %d "
+                    "cells, the shortest %.3g um long; solver.cells = %d)",
+                    load, film::asperity_load(problem, film::kThinnest) / 1e3, at_edges * grid.width / 1e3,
+                    grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
       return text;
     case film::Failure::kLiftedOff:
       if (at_edges > pressing) {

@@ -12,7 +12,7 @@ import {
   shownElsewhere,
   zoomFigure,
 } from './cycle/cycle_figures.js';
-import { element, svgElement } from './dom.js';
+import { element, startViews, svgElement } from './dom.js';
 import { contactPressureFigure, flowFactorFigure, realAreaFigure } from './cycle/contact_figures.js';
 import { FaceView, howToStoreFields } from './cycle/face_view.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
@@ -313,13 +313,7 @@ function buildPage(model) {
       provenanceSection(model),
     ].filter(Boolean),
   );
-  views.forEach((v) => v.start());
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => {
-      fold.open = true;
-    });
-    [...views, ...started].forEach((v) => v.beforePrint());
-  });
+  startViews(views, started);
 }
 
 buildPage(new Model(JSON.parse(document.getElementById('result-data').textContent)));

@@ -1,5 +1,5 @@
 // The page of `ringfilm verify`: what was checked, against what, and how the errors fall with refinement.
-import { element } from './dom.js';
+import { element, startViews } from './dom.js';
 import { FigureView, Visibility } from './cycle/figure_view.js';
 import { headWarning, numberCard, pageHead } from './page_head.js';
 import { section, table } from './tables.js';
@@ -239,13 +239,7 @@ function buildPage(result) {
         : null,
     ].filter(Boolean),
   );
-  views.forEach((view) => view.start());
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => {
-      fold.open = true;
-    });
-    views.forEach((view) => view.beforePrint());
-  });
+  startViews(views);
 }
 
 buildPage(JSON.parse(document.getElementById('result-data').textContent));

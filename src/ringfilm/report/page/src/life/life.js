@@ -1,5 +1,5 @@
 // The page of `ringfilm life`: friction, oil and film over the running hours, and how each number is known.
-import { element } from '../dom.js';
+import { element, startViews } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
 import { headWarning, numberCard, pageHead } from '../page_head.js';
 import { section, table } from '../tables.js';
@@ -185,8 +185,7 @@ function buildPage(life) {
     ),
   ];
   document.getElementById('report').replaceChildren(...sections.filter(Boolean));
-  views.forEach((view) => view.start());
-  window.addEventListener('beforeprint', () => views.forEach((view) => view.beforePrint()));
+  startViews(views);
 }
 
 buildPage(JSON.parse(document.getElementById('result-data').textContent));

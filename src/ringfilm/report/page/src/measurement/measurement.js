@@ -1,5 +1,5 @@
 // The page of a measurement: what an instrument gave, what became of it, and what a case takes from it.
-import { element } from '../dom.js';
+import { element, startViews } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
 import { boreFigure } from './bore_figure.js';
 import { DrawingView } from './drawing_view.js';
@@ -208,13 +208,7 @@ function buildPage(measurement) {
     ...parts.map(([id, label, , content]) => section(id, label, content())),
   );
   const views = [...drawings, ...maps, ...curves];
-  views.forEach((view) => view.start());
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => {
-      fold.open = true;
-    });
-    views.forEach((view) => view.beforePrint());
-  });
+  startViews(views);
 }
 
 /** The same without the folders of the machine on which it was made: a page is sent to others. */

@@ -1,18 +1,17 @@
 // The page of the gas of a ring pack alone: no films, so no friction and no oil.
 import { FigureView, Visibility } from '../cycle/figure_view.js';
-import { code, element } from '../dom.js';
+import { code, element, startViews } from '../dom.js';
 import { shownInput } from '../model.js';
 import { headWarning, numberCard, pageHead } from '../page_head.js';
 import { CycleGroup } from '../plot/chart.js';
 import { figure as numberCell, folded, section, table } from '../tables.js';
+import { gasSum, gasValue, kStandard } from './gas_words.js';
 import { angleInWords, number, sentence, shortPath, typeset, wrapped } from '../units.js';
 import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
 import { packOfGas, regionWords } from './pack_model.js';
-import { PackDrawing } from './pack_view.js';
+import { gasTables, PackDrawing } from './pack_view.js';
 
 const kBar = 1e5;
-const kMilligrams = 1e6;
-const kLitresPerMinute = 6e4;
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -32,6 +31,7 @@ function operatingLine(inputs) {
 
 function firstScreen(payload) {
   const { gas, notes } = payload;
+  const mass = gasSum(gas, 'blow_by_per_cycle');
   const below = gas.regions.find((region) => /^land/.test(region.name));
   const synthetic = payload.inputs.some(
     (entry) => entry.key === 'gas.trace_origin' && entry.shown === 'synthetic',
@@ -51,9 +51,9 @@ function firstScreen(payload) {
     element(
       'div',
       { class: 'cards' },
-      numberCard('Blow-by of a cylinder', number(gas.blow_by_per_cycle * kMilligrams, 3), {
-        of: ' mg per cycle',
-        detail: `${number(gas.blow_by_flow * kLitresPerMinute, 3)} l/min at 1.01325 bar and 25 °C`,
+      numberCard('Blow-by of a cylinder', number(mass.value, 3), {
+        of: ` ${mass.unit} per cycle`,
+        detail: `${gasValue(gas, 'blow_by_flow')} ${kStandard}`,
       }),
       below
         ? numberCard(`Peak on ${regionWords(below.name)}`, number(below.peak_pressure / kBar, 3), {
@@ -79,19 +79,6 @@ function regionTable({ regions }) {
       numberCell(angleInWords(wrapped(region.peak_pressure_angle))),
       ...(hasMeans ? [numberCell(number(region.mean_pressure / kBar, 4))] : []),
     ]),
-  );
-}
-
-/** Less than this share of the largest is what the balance of a cycle is off, not a flow. */
-const kNoFlow = 1e-6;
-
-function pathTable({ paths }) {
-  const largest = Math.max(...paths.map((path) => Math.abs(path.mass_per_cycle)));
-  const shown = (mass) => (Math.abs(mass) > kNoFlow * largest ? number(mass * kMilligrams, 4) : '0');
-  return table(
-    'Net mass along each path',
-    ['path', head('mass per cycle [mg]')],
-    paths.map((path) => [path.name, numberCell(shown(path.mass_per_cycle))]),
   );
 }
 
@@ -183,7 +170,7 @@ function buildPage(payload) {
           views.map((view) => view.node),
         ),
         regionTable(gas),
-        pathTable(gas),
+        gasTables(gas),
         eventTable(gas),
       ),
       payload.notes.length
@@ -202,13 +189,7 @@ function buildPage(payload) {
       section('provenance', 'Where this comes from', provenanceTables(payload)),
     ].filter(Boolean),
   );
-  views.forEach((view) => view.start());
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => {
-      fold.open = true;
-    });
-    views.forEach((view) => view.beforePrint());
-  });
+  startViews(views);
 }
 
 buildPage(JSON.parse(document.getElementById('result-data').textContent));

@@ -1,17 +1,23 @@
 // The values of the gas of a pack in the units in which they are read.
 import { display, withUnit } from '../units.js';
 
-function gasValue(gas, name) {
+/** A sum of the gas over a cycle, in its unit of display. */
+export function gasSum(gas, name) {
   const { unit, convert } = display(gas.quantities.sums.find((quantity) => quantity.name === name));
-  return withUnit(convert(gas[name]), unit, 3);
+  return { value: convert(gas[name]), unit };
 }
+
+export function gasValue(gas, name) {
+  const { value, unit } = gasSum(gas, name);
+  return withUnit(value, unit, 3);
+}
+
+/** What blow-by by volume refers to. */
+export const kStandard = 'at 1.01325 bar and 25 °C';
 
 /** "2.23 mg per cycle, 1.41 l/min at 1.01325 bar and 25 °C", of one cylinder. */
 export function blowByWords(gas) {
-  return (
-    `${gasValue(gas, 'blow_by_per_cycle')} per cycle, ` +
-    `${gasValue(gas, 'blow_by_flow')} at 1.01325 bar and 25 °C`
-  );
+  return `${gasValue(gas, 'blow_by_per_cycle')} per cycle, ${gasValue(gas, 'blow_by_flow')} ${kStandard}`;
 }
 
 /** A mass below this share of the largest one is rounding of the quadrature along the paths. */

@@ -3,11 +3,11 @@ import { kCycleRange } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
 import { figure as numberCell, table } from '../tables.js';
 import { number } from '../units.js';
+import { blowByWords, gasSum, kStandard } from './gas_words.js';
 import { PackModel, regionWords } from './pack_model.js';
 
 const kMilligrams = 1e6;
 const kMicrometres = 1e6;
-const kLitresPerMinute = 6e4;
 
 /** The packs of a page that compares them, each with its cases and its colour. */
 export function comparedPacks(model) {
@@ -66,8 +66,15 @@ export function comparisonTable(model) {
   const ofRing = (pack, ring) =>
     pack.complete ? pack.by_ring.find((one) => one.ring === ring)?.values : null;
   const row = (what, cell) => [what, ...packs.map(({ pack }) => numberCell(cell(pack)))];
-  const ofGas = (words, value) =>
-    packs.some(({ pack }) => pack.gas) ? [row(words, ({ gas }) => (gas ? number(value(gas), 4) : '–'))] : [];
+  const someGas = packs.find(({ pack }) => pack.gas)?.pack.gas;
+  const ofGas = (words, name) =>
+    someGas
+      ? [
+          row(words(gasSum(someGas, name).unit), ({ gas }) =>
+            gas ? number(gasSum(gas, name).value, 4) : '–',
+          ),
+        ]
+      : [];
   const power = `mean friction power [${unitOf('mean_power_loss')}]`;
   const rows = [
     ...rings.map((ring) =>
@@ -77,11 +84,8 @@ export function comparisonTable(model) {
     row(`pack, friction mean effective pressure [${unitOf('fmep')}]`, (pack) =>
       shown(pack.complete && pack.values, 'fmep'),
     ),
-    ...ofGas('blow-by [mg per cycle and cylinder]', (gas) => gas.blow_by_per_cycle * kMilligrams),
-    ...ofGas(
-      'blow-by [l/min per cylinder, at 1.01325 bar and 25 °C]',
-      (gas) => gas.blow_by_flow * kLitresPerMinute,
-    ),
+    ...ofGas((unit) => `blow-by [${unit} per cycle and cylinder]`, 'blow_by_per_cycle'),
+    ...ofGas((unit) => `blow-by [${unit} per cylinder, ${kStandard}]`, 'blow_by_flow'),
     ...(packs.some(({ pack }) => pack.oil)
       ? [
           row('oil to the chamber, upper bound [mg per cycle and cylinder]', ({ oil }) =>
@@ -191,11 +195,7 @@ function packBlowBy(packs) {
       'Mass flow past each ring, positive to the crankcase; that past the last ring is the blow-by of a cylinder: ' +
       packs
         .filter(({ pack }) => pack.gas)
-        .map(
-          ({ name, pack }) =>
-            `${name} ${number(pack.gas.blow_by_per_cycle * kMilligrams, 3)} mg per cycle, ` +
-            `${number(pack.gas.blow_by_flow * kLitresPerMinute, 3)} l/min at 1.01325 bar and 25 °C`,
-        )
+        .map(({ name, pack }) => `${name} ${blowByWords(pack.gas)}`)
         .join('; ') +
       '.',
   };

@@ -156,7 +156,7 @@ function gasTable(caption, what, quantities, rows, nameOf) {
 }
 
 /** What passes each path in a cycle, forward and back, and what moves the rings in their grooves. */
-function gasTables(gas) {
+export function gasTables(gas) {
   if (!gas) return null;
   const { paths, ring_motion: motion } = gas.quantities;
   return folded(

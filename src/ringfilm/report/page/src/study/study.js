@@ -1,7 +1,7 @@
 // The page of a study: what varied, what came of it, the pictures of its kind, how sure they are.
 import { CycleGroup } from '../plot/chart.js';
 import { DrawingView, picker } from '../measurement/drawing_view.js';
-import { element } from '../dom.js';
+import { element, startViews } from '../dom.js';
 import { FigureView, Visibility } from '../cycle/figure_view.js';
 import { comparisonFigure } from './study_compare.js';
 import { curveFigures } from './study_curves.js';
@@ -278,13 +278,7 @@ the study and run it anew.',
     ),
     ...all.map(({ node }) => node),
   );
-  views.forEach((view) => view.start());
-  window.addEventListener('beforeprint', () => {
-    document.querySelectorAll('details.fold').forEach((fold) => {
-      fold.open = true;
-    });
-    views.forEach((view) => view.beforePrint());
-  });
+  startViews(views);
 }
 
 buildPage(new StudyModel(JSON.parse(document.getElementById('result-data').textContent)));
