@@ -256,7 +256,16 @@ void TimeIntegration::start_steady(RingConditions& at) {
   }
   const film::FilmReport report = film_.solve_steady(at, before_, state_);
   count(report);
-  if (!report.converged) throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
+  if (report.converged) return;
+  if (at.inputs.has_gas()) {
+    // At a dead centre gas presses the oil out of a flat gap, and no steady film is left: it begins full.
+    RingConditions full = at;
+    for (film::EdgeState* edge : {&full.inputs.left, &full.inputs.right}) *edge = {edge->pressure};
+    const film::FilmReport of_full = film_.solve_steady(full, before_, state_);
+    count(of_full);
+    if (of_full.converged) return;
+  }
+  throw no_balance(setup_, problem(), at.inputs, report, angle_deg_);
 }
 
 void TimeIntegration::start(int k) {
