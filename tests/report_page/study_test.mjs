@@ -114,9 +114,10 @@ test('the accuracy of the sample is reported', async () => {
   assert.match(text, /Estimated on 2 of \d+ scenarios.*Not solved: 1 more\./);
   assert.match(text, /97\.5 % of their 80 values are within the 0\.5 % asked for/);
   const rows = await page.locator('section#accuracy tbody tr').allTextContents();
-  assert.equal(rows.length, 2);
-  assert.match(rows[0], /0\.21/);
-  assert.match(rows[1], /4\.6/);
+  assert.equal(rows.length, 3);
+  assert.ok(rows.some((row) => /0\.21$/.test(row)));
+  assert.ok(rows.some((row) => /4\.6$/.test(row)));
+  assert.ok(rows.some((row) => /more than 100$/.test(row))); // 1129 % of a value says nothing
   assert.deepEqual(faults, []);
   await page.context().close();
 });

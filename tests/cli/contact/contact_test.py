@@ -113,7 +113,10 @@ class Numbers(ContactTest):
         self.assertEqual(of["contact_pressure"], sorted(of["contact_pressure"]))
         self.assertLess(max(of["real_area"]), 0.34)
         self.assertTrue((self.folder / "law.nc").exists())
-        self.assertIn("Contact map", (self.folder / "law.html").read_text())
+        page = (self.folder / "law.html").read_text()
+        self.assertIn("Contact map", page)
+        heads = re.search(r'"key_values":\[([^]]*)\]', page).group(1)
+        self.assertEqual(heads, '"composite_roughness","highest_point","last_supported_separation"')  # no input
 
     def test_maps_are_levelled_unless_they_repeat(self):
         (self.folder / "tilted.csv").write_text(map_text(lambda i, j: wave(i, j) / 4 + 1e-9 * j, POINTS, 64))

@@ -373,6 +373,9 @@ class ShippedPackTest(program.ProgramTest):
         self.assertLess(sealed["gas"]["mass_defect"], 1e-12)
         self.assertGreater(sealed["oil"]["liner_film_after_power_stroke"], 1e-7)
         self.assertGreater(sealed["oil"]["oil_to_chamber_upper_bound"], sealed["oil"]["oil_left_at_tdc"])
+        for ring in sealed["rings"]:
+            for name in ("oil_replenished", "oil_scraped_up", "oil_scraped_down"):
+                self.assertTrue(ring[name] == 0 or abs(ring[name]) > 1e-15, f"{name} {ring[name]}")  # no rounding
         passed = self.run_pack("--set", "gas_path.film=breakthrough")
         self.assertLess(passed["gas"]["mass_defect"], 1e-12)
         notes = " ".join(note["message"] for note in passed["rings"][0]["notes"])

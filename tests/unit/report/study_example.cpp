@@ -94,6 +94,7 @@ std::string study_page(const std::string& lines, const MadeUp& made_up,
   rows.error->quantiles.resize(quantities.size());
   rows.error->quantiles[*cycle::cycle_quantity_index("fmep")] = 0.0021;
   rows.error->quantiles[*cycle::cycle_quantity_index("mean_friction_coefficient")] = 0.0456;
+  rows.error->quantiles[*cycle::cycle_quantity_index("net_oil_flow")] = 11.29;
   return report::study_page(rows, io::Units(), {"ringfilm 0.0.0", "abc", "g++", ""});
 }
 
