@@ -383,8 +383,7 @@ void bind_pack(py::module_& module) {
   type.def_property_readonly(
       "gas", [](const PackObject& self) { return part_of_json(self, "gas"); },
       "The gas between the rings of one cylinder, a dict in SI as `ringfilm run --json` and `ringfilm gas --json` "
-      "print "
-      "it: blow-by, regions, ring_events, ring_motion, paths; None where the pressures are given. Its curves are "
+      "print it: blow-by, regions, ring_events, ring_motion, paths; None where the pressures are given. Its curves are "
       "variables of the result: gas_region_pressure, gas_path_flow, "
       "ring_position.");
   type.def_property_readonly(

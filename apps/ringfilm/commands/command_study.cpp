@@ -485,7 +485,7 @@ void print_study_status(const StudyOptions& options) {
       const io::ShardReader shard(file.path);
       const std::string differs = io::difference(shard.header(), study.header(file.part, file.parts));
       line = fmt::format("{} of {} scenarios, {} not solved, {}", shard.n_rows(), shard.header().range().size(),
-                         shard.n_unsolved(), state_text(study, file, shard));
+                         shard.n_unsolved_rows(), state_text(study, file, shard));
       if (!differs.empty()) line += fmt::format("; these rows are of {}", differs);
       if (!file.is_finished)
         line += fmt::format("{}{}", last_change_text(file.path), on_the_way.of(file.part, file.parts));

@@ -469,12 +469,15 @@ void append_step_note(const Setup& setup, const std::vector<Sample>& base, const
   const std::string place = steps.size() == 1
                                 ? text("at %.1f degree", worst.crank_angle_deg)
                                 : text("between %.1f and %.1f degree", first->crank_angle_deg, last->crank_angle_deg);
-  const std::string off = text(effect < 0.1 ? "%.1g" : "%.0f", 100 * effect);
+  const auto percent = [](double share) -> std::string {
+    if (share > 1) return "more than 100 %";
+    return text(share < 0.095 ? "%.1g %%" : "%.0f %%", 100 * share);
+  };
   notes.push_back({effect < accuracy ? "step-control-without-effect" : "step-control-at-its-limit",
                    text("steps of 1/%d of the crank step with an error in time of more than %.3g %%, %s, the largest "
-                        "%.0f %%: friction work and smallest film of the cycle may be off by %s %% (accuracy %.3g %%)",
+                        "%s: friction work and smallest film of the cycle may be off by %s (accuracy %.3g %%)",
                         TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError, place.c_str(),
-                        100 * worst.error, off.c_str(), 100 * accuracy),
+                        percent(worst.error).c_str(), percent(effect).c_str(), 100 * accuracy),
                    static_cast<long>(steps.size())});
 }
 

@@ -302,13 +302,13 @@ struct CellHeating {
 };
 
 /// @param length filled length of the cell [m]  @param slope of the pressure in it [Pa/m]  @param h height of its face
-/// @param stream height of the oil that the wall carries [m]  @param inverse_gap mean of 1/h between rough walls, over
-/// that between smooth ones: heat of sliding and conduction both go with it [-]
+/// @param stream height of the oil that the wall carries [m]  @param sliding stress by sliding between rough walls over
+/// that between smooth ones, phi_f [-]  @param inverse_gap the same of the mean of 1/h, which conducts the heat [-]
 template <class Real>
-RINGFILM_INLINE CellHeating<Real> cell_heating(Real U, Real length, Real slope, Real h, Real stream, Real inverse_gap,
-                                               const CellOil<Real>& oil) {
-  const Real pressure_flow = h * h * h * slope / (Real(12) * oil.eta_of_flow), per_h = length * inverse_gap / h;
-  return {per_h * oil.eta * (U * U) + length * pressure_flow * slope, per_h,
+RINGFILM_INLINE CellHeating<Real> cell_heating(Real U, Real length, Real slope, Real h, Real stream, Real sliding,
+                                               Real inverse_gap, const CellOil<Real>& oil) {
+  const Real pressure_flow = h * h * h * slope / (Real(12) * oil.eta_of_flow);
+  return {length * sliding / h * oil.eta * (U * U) + length * pressure_flow * slope, length * inverse_gap / h,
           length * oil.rho * (Real(0.5) * U * stream - pressure_flow)};
 }
 

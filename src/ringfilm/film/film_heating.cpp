@@ -31,6 +31,7 @@ FilmView view_of_strip(const FilmProblem& problem, const FilmState& state, int s
     film.thinning = from(factors.thinning, first);
     film.carried = from(factors.carried, first_face);
     film.sliding_stress = from(factors.sliding_stress, first_face);
+    film.inverse_gap = from(factors.inverse_gap, first_face);
   }
   return film;
 }

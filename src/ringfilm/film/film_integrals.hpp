@@ -30,7 +30,7 @@ struct FilmIntegrals {
   double cavitated_fraction = 0;            ///< share of the width that is a cavity, without the gas of an edge [-]
   double wetted_begin = 0, wetted_end = 0;  ///< between them lies no gas of an edge [m]
   FilmHeating heating;
-  bool is_broken_through = false;                      ///< gas of an edge reaches the lowest place of the gap
+  bool is_broken_through = false;                      ///< gas of an edge blows through the narrowest stretch
   boost::container::small_vector<Cavity, 4> cavities;  ///< from x = 0 on
 };
 

@@ -99,11 +99,12 @@ struct FlowFactors {
   std::vector<double> sliding_stress;     ///< of the stress by sliding, phi_f [-]
   std::vector<double> stress_difference;  ///< by which it is smaller on the moving wall, V_r Phi_fs [-]
   std::vector<double> pressure_stress;    ///< of the stress by pressure, phi_fp [-]
+  std::vector<double> inverse_gap;        ///< mean of 1/h over that of a smooth gap; empty: sliding_stress has it [-]
 };
 inline constexpr std::vector<double> FlowFactors::*kFactorLists[] = {
     &FlowFactors::mobility,          &FlowFactors::mobility_across, &FlowFactors::stored,
     &FlowFactors::carried,           &FlowFactors::thinning,        &FlowFactors::sliding_stress,
-    &FlowFactors::stress_difference, &FlowFactors::pressure_stress};
+    &FlowFactors::stress_difference, &FlowFactors::pressure_stress, &FlowFactors::inverse_gap};
 
 /// What follows where Newton's method finds no film.
 enum class Fallback {

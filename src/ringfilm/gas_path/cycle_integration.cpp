@@ -234,6 +234,7 @@ double CycleIntegration::shorten_to(std::vector<Found>& found, double h) {
   double length = std::max(event.share * h, 10 * kShortestStep);
   for (int i = 0; i < 4; ++i) {
     step_.forget();
+    ++n_steps_;
     if (!step_.solve(system_, angle_, y_, length, scale_).solved) break;
     if (!is_landing(event.event) || i == 3) return length;
     const auto& free = system_.free_rings();

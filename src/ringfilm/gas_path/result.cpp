@@ -1,5 +1,7 @@
 #include "ringfilm/gas_path/result.hpp"
 
+#include <algorithm>
+
 #include "ringfilm/base/constants.hpp"
 
 namespace ringfilm::gas_path {
@@ -34,7 +36,7 @@ std::vector<PathValues> path_values(const GasPathResult& result) {
   std::vector<PathValues> values;
   for (std::size_t k = 0; k < result.paths.size(); ++k) {
     const double net = result.transported[k], back = result.back[k];
-    values.push_back({path_name(result.paths[k]), net, net + back, back});
+    values.push_back({path_name(result.paths[k]), net, std::max(net + back, 0.0), back});
   }
   return values;
 }

@@ -157,11 +157,12 @@ struct Followed {
 
 /// Follows a motion that does not repeat from cycle to cycle until it repeats after several: a ring that flutters may
 /// double its period.
-/// @param n_steps made so far
-Followed follow_to_period(CycleIntegration& cycle, long n_steps) {
+/// @param n_steps made so far @param of_last_cycle largest relative change of a pressure
+Followed follow_to_period(CycleIntegration& cycle, long n_steps, double of_last_cycle) {
   std::vector<PackState> states{cycle.state()};
   std::vector<double> of_cycle;
   Followed followed;
+  followed.change = of_last_cycle;
   for (int n = 0; n < kMostFollowed && n_steps < kMostSteps; ++n) {
     cycle.integrate();
     n_steps += cycle.n_steps();
@@ -221,7 +222,7 @@ GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
     }
     change_before = change;
   }
-  const Followed followed = repeats ? Followed{0, 1, change, 0} : follow_to_period(cycle, n_steps);
+  const Followed followed = repeats ? Followed{0, 1, change, 0} : follow_to_period(cycle, n_steps, change);
   GasPathResult result = cycle.result();
   if (followed.period > 1) result.blow_by = followed.blow_by;
   result.periodicity = followed.change;

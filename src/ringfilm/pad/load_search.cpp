@@ -232,9 +232,16 @@ class Search {
 
   /// The crossing by false position and bisection in turn, beside separations at which no film is found.
   std::optional<film::FilmState> by_bracket(const Bracket& bracket) {
-    auto low = end_of_bracket(bracket.thin, -std::log(kStep)), high = end_of_bracket(bracket.thick, std::log(kStep));
-    if (!low || !high || (low->excess < 0) == (high->excess < 0)) return std::nullopt;
+    const auto differ = [](const std::optional<Evaluated>& low, const std::optional<Evaluated>& high) {
+      return low && high && (low->excess < 0) != (high->excess < 0);
+    };
     std::optional<film::FilmState> film;
+    auto low = end_of_bracket(bracket.thin, -std::log(kStep)), high = end_of_bracket(bracket.thick, std::log(kStep));
+    if (!differ(low, high)) {  // a step further lies beyond an extremum
+      low = evaluated(std::log(bracket.thin), film);
+      high = evaluated(std::log(bracket.thick), film);
+    }
+    if (!differ(low, high)) return std::nullopt;
     for (int k = 0; k < kMaxEvaluations && high->ln_h - low->ln_h > kLnResolution; ++k) {
       const double by_secant = low->excess / (low->excess - high->excess);
       std::optional<Evaluated> next;

@@ -27,7 +27,7 @@ struct LoadSearch {
 };
 
 /// The steady film that carries `load` [N/m]. The load of a pad need not fall with its separation: films from the
-/// pad's length down to atomic size are tried, and of all that carry the load the thickest is taken at which it falls
+/// pad's length down to a nanometre are tried, and of all that carry the load the thickest is taken at which it falls
 /// with the separation, or, if there is none, the thickest. Counts into `effort`.
 LoadSearch steady_film_under(PadFilms& films, double load, Effort& effort);
 

@@ -17,8 +17,9 @@ namespace {
 double largest_flux(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state) {
   const auto thickest = std::max_element(problem.grid.node_height.begin(), problem.grid.node_height.end());
   double largest = flux_of_rounding(problem, inputs, state, state.h_m + *thickest);
+  const film::FilmView view = film::film_view(problem, inputs, state);
   for (int i = 0; i < problem.grid.n_cells(); ++i) {
-    largest = std::max(largest, std::abs(film::mass_flux(problem, inputs, state, i)));
+    largest = std::max(largest, std::abs(film::mass_flux(view, inputs, state, i)));
   }
   return largest;
 }

@@ -182,10 +182,12 @@ class Collector {
 struct Cases {
   ScenarioRange range;
   std::function<cycle::Case(std::uint64_t)> at;  ///< throws InputError where there is none
-  std::vector<ScenarioRange> there = {};         ///< not run
+  std::vector<ScenarioRange> there = {};         ///< not run; in order
 
   bool has_row(std::uint64_t i) const {
-    return std::any_of(there.begin(), there.end(), [i](const auto& one) { return i >= one.first && i < one.end; });
+    const auto after = std::upper_bound(there.begin(), there.end(), i,
+                                        [](std::uint64_t row, const ScenarioRange& one) { return row < one.first; });
+    return after != there.begin() && i < std::prev(after)->end;
   }
 };
 

@@ -44,7 +44,7 @@ ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::ui
 /// Whether an observer of a run requests more.
 enum class Continuation {
   kYes,  ///< the next scenarios
-  kNo    ///< no more: what is not handed over is given up
+  kNo    ///< no more: rows that are not handed over are lost
 };
 
 /// The order in which rows are handed over.
@@ -61,13 +61,13 @@ struct StudyRunOptions {
   /// What is ready is handed over after this time [s]. To write a block to the disk takes some milliseconds.
   double longest_wait = 0.5;
   RowOrder order = RowOrder::kOfPlan;
-  std::vector<ScenarioRange> there = {};  ///< scenarios whose rows exist: they are not run
+  std::vector<ScenarioRange> there = {};  ///< in their order: scenarios whose rows exist, which are not run
 };
 
 /// Runs the scenarios of a range and hands them over in blocks, as they are ready; where a block ends depends on the
 /// time, the content of its rows does not. A scenario that cannot be made into a case, or be solved, is a row with its
-/// reason. Where `finished` returns kNo or throws, what is not handed over is given up. It is called by one thread at a
-/// time.
+/// reason. Where `finished` returns kNo or throws, rows that are not handed over are lost. It is called by one thread
+/// at a time.
 /// @returns the first scenario that was not handed over
 std::uint64_t run_scenarios(const Plan& plan, const ScenarioRange& range,
                             const std::function<Continuation(const ScenarioBlock&)>& finished,

@@ -47,6 +47,7 @@ void add_measured_stress(const FactorLaws& laws, const FilmProblem& problem, con
   const models::MeasuredFlow& law = *laws.measured.stress;
   const auto& heights = problem.grid.face_height;
   factors.pressure_stress = along(heights, h_m, [&](double h) { return law.pressure_stress(h); });
+  factors.inverse_gap = along(heights, h_m, [&](double h) { return law.mean_inverse_gap(h); });
   const auto eta = [&](int i) {
     const double newtonian = viscosity_at(*inputs.oil, state.laws, state.p[i]);
     return factors.thinning.empty() ? newtonian : factors.thinning[i] * newtonian;

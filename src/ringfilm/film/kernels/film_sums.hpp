@@ -19,7 +19,8 @@ struct FilmView {
   double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
   bool is_steady = false;                                      ///< no storage: the inlet is limited as a whole
   /// FlowFactors; nullptr: none.
-  const double *mobility = nullptr, *carried = nullptr, *thinning = nullptr, *sliding_stress = nullptr;
+  const double *mobility = nullptr, *carried = nullptr, *thinning = nullptr, *sliding_stress = nullptr,
+               *inverse_gap = nullptr;
 };
 
 /// Of the shear rate by a slope of the pressure: its root mean square across the film, eq-shear-rate.
@@ -166,8 +167,9 @@ RINGFILM_INLINE CellHeating<Some> heating_of_cell(const FilmView& film, double U
     oil.eta_of_flow = mean(left / Some::load(film.mobility + i), right / Some::load(film.mobility + i + 1));
   }
   const Some stream = film.carried == nullptr ? h : h + Some::load(film.carried + i);
-  const Some inverse_gap = film.sliding_stress == nullptr ? Some(1) : Some::load(film.sliding_stress + i);
-  return cell_heating(Some(U), length, slope, h, stream, inverse_gap, oil);
+  const Some sliding = film.sliding_stress == nullptr ? Some(1) : Some::load(film.sliding_stress + i);
+  const Some inverse_gap = film.inverse_gap == nullptr ? sliding : Some::load(film.inverse_gap + i);
+  return cell_heating(Some(U), length, slope, h, stream, sliding, inverse_gap, oil);
 }
 
 /// Sums along the face with packs of Real, and what is left over one by one.

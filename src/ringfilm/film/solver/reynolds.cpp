@@ -97,10 +97,10 @@ double density_at(const models::OilAtTemperature& oil, LaneLaws laws, double p) 
   return laws == LaneLaws::kFitted ? oil.fit()->at(p).rho : oil.density(p);
 }
 
-double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i) {
+double mass_flux(const FilmView& view, const FilmInputs& inputs, const FilmState& state, int i) {
   const OilHere left = oil_at(*inputs.oil, state, i), right = oil_at(*inputs.oil, state, i + 1);
   const double rho[] = {left.rho, right.rho}, K[] = {left.K, right.K};
-  return flux_through(film_view(problem, inputs, state), inputs.U, rho, K, i);
+  return flux_through(view, inputs.U, rho, K, i);
 }
 
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,
@@ -161,7 +161,8 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           given(&FlowFactors::mobility),
           given(&FlowFactors::carried),
           given(&FlowFactors::thinning),
-          given(&FlowFactors::sliding_stress)};
+          given(&FlowFactors::sliding_stress),
+          given(&FlowFactors::inverse_gap)};
 }
 
 FittedOilView fitted_oil_view(const models::OilAtTemperature& oil) {

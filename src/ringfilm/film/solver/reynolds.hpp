@@ -38,7 +38,7 @@ double viscosity_at(const models::OilAtTemperature& oil, LaneLaws laws, double p
 double density_at(const models::OilAtTemperature& oil, LaneLaws laws, double p);
 
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
-double mass_flux(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int i);
+double mass_flux(const FilmView& view, const FilmInputs& inputs, const FilmState& state, int i);
 
 /// The weights of z in the cavity of Reynolds exit (multiplier_weight()) of the inner nodes.
 void cavity_multiplier(const FilmProblem& problem, const FilmState& state, const NodalOil& oil,

@@ -345,8 +345,9 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
 }
 
 std::vector<std::string> heading_lines(const TraceFile& file, const FaceRule& rule) {
-  std::vector<std::string> lines = {"Face of a ring from " + file.origin.path + " (SHA-256 " + file.origin.sha256 + ")",
-                                    "ring.face_width is " + millimetres(rule.width_m)};
+  std::vector<std::string> lines = {
+      "Face of a ring from " + file_name(file.origin.path) + " (SHA-256 " + file.origin.sha256 + ")",
+      "ring.face_width is " + millimetres(rule.width_m)};
   for (const std::string& doubt : file.origin.doubts) lines.push_back("note: " + doubt);
   return lines;
 }

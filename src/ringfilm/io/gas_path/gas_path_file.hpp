@@ -19,7 +19,7 @@ struct GasPathFile {
   std::optional<PackGas> gas;            ///< always present in a file that was written whole
 };
 
-/// Are these the bytes of such a file? False for what cannot be read.
+/// Are these the bytes of such a file? False for another kind; throws InputError where they were damaged.
 /// @param name how errors name the file
 bool is_gas_path(const std::string& name, const std::string& bytes);
 

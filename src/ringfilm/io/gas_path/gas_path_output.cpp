@@ -67,8 +67,7 @@ GasPathDocument gas_path_document(const cycle::Case& c) {
   if (c.gas_path.passes_films()) {
     document.input_notes.push_back(
         "gas_path.film = \"breakthrough\" is not used where the gas alone is computed: the films hold the gas here, "
-        "and "
-        "ringfilm run computes what passes them");
+        "and ringfilm run computes what passes them");
   }
   document.notes = cycle::gas_path_notes(c, pack, document.result);
   document.provenance = this_program();

@@ -256,6 +256,11 @@ std::uint64_t ShardReader::n_rows() const {
                          [](std::uint64_t n, const BlockPlace& block) { return n + block.n_rows; });
 }
 
+std::uint64_t ShardReader::n_unsolved_rows() const {
+  return std::accumulate(blocks_.begin(), blocks_.end(), std::uint64_t{0},
+                         [](std::uint64_t n, const BlockPlace& block) { return n + block.n_unsolved; });
+}
+
 std::vector<study::ScenarioRange> ShardReader::beyond() const {
   std::vector<study::ScenarioRange> ranges;
   for (const BlockPlace& block : std::span(blocks_).subspan(n_joined_)) {
@@ -466,7 +471,7 @@ ShardWriter::ShardWriter(const std::string& path, const ShardHeader& header, Ext
     }
     next_ = there->next();
     n_rows_ = there->n_rows();
-    n_unsolved_ = there->n_unsolved();
+    n_unsolved_ = there->n_unsolved_rows();
     for (const study::ScenarioRange& range : there->beyond()) beyond_.emplace(range.first, range.end);
     length_ = there->intact_bytes();
     if (::ftruncate(file_, static_cast<off_t>(length_)) != 0) fail_to_write(path, errno);

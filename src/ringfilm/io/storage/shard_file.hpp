@@ -77,6 +77,7 @@ class ShardReader {
   std::uint64_t intact_bytes() const { return intact_bytes_; }
   bool is_intact() const { return intact_bytes_ == size_; }  ///< is nothing cut off or corrupted?
   std::uint64_t n_unsolved() const { return n_unsolved_; }   ///< of the scenarios up to next()
+  std::uint64_t n_unsolved_rows() const;                     ///< of n_rows()
 
   /// Value `i` of these scenarios, all of which must be there.
   void read_values(std::size_t i, const study::ScenarioRange& range, double* to) const;

@@ -149,9 +149,6 @@ class NotesByTopic {
   std::map<std::pair<std::size_t, std::string>, std::vector<StudyRows::ScenarioNotes::OfBase>> by_topic_;
 };
 
-/// Friction, film and blow-by of an engine are measured to a few percent: a smaller change is not seen there [-].
-constexpr double kNotMeasured = 0.02;
-
 /// Gives rows to those who look for flat factors.
 void add_rows(const StudyRows& rows, study::FlatFactors& flat, const study::ScenarioRange& range) {
   if (flat.watched().empty()) return;
@@ -170,7 +167,7 @@ StudyRows::Notes StudyRows::read_notes() const {
   const std::optional<study::StoppingRule>& until = plan.study().sampling.until;
   const std::size_t n_values = plan.values().quantities.size();
   study::IdleFactors idle(plan);
-  study::FlatFactors flat(plan, kNotMeasured);
+  study::FlatFactors flat(plan, study::kNotMeasured);
   NotesByTopic by_topic(plan);
   std::vector<double> of_until;
   for (std::uint64_t first = 0; first < plan.size(); first += kRowsReadAtATime) {
@@ -197,7 +194,8 @@ StudyRows::Notes StudyRows::read_notes() const {
   Notes notes{std::move(by_topic).all(), plan.notes()};
   for (std::string& note : until_notes(plan, of_until)) notes.of_plan.push_back(std::move(note));
   for (std::string& note : idle.notes()) notes.of_plan.push_back(std::move(note));
-  for (std::string& note : flat_notes(plan, flat.ranges(), kNotMeasured)) notes.of_plan.push_back(std::move(note));
+  for (std::string& note : flat_notes(plan, flat.ranges(), study::kNotMeasured))
+    notes.of_plan.push_back(std::move(note));
   const bool is_mixed = std::any_of(shards.begin(), shards.end(), [this](const ShardReader& shard) {
     return shard.header().kernels != shards.front().header().kernels;
   });

@@ -159,4 +159,6 @@ double MeasuredFlow::sliding_stress(double h, double S) const {
   return thick * std::asinh(length / h) * h / length;
 }
 
+double MeasuredFlow::mean_inverse_gap(double h) const { return sliding_stress(h, kSmallestLength); }
+
 }  // namespace ringfilm::models

@@ -42,6 +42,8 @@ class MeasuredFlow {
   /// phi_f: the mean of asinh(S/H) over the open gap, over S/h, eq-sliding-stress-of-gap [-].
   /// @param S viscosity times speed over the Eyring stress, of either sign; 0: 1 [m]
   double sliding_stress(double h, double S) const;
+  /// Mean of h/H over the open gap: phi_f of an oil without Eyring's limit [-].
+  double mean_inverse_gap(double h) const;
 
   double sigma() const { return table_.sigma; }      ///< [m]
   double first() const { return table_.h.front(); }  ///< smallest separation of a row [m]

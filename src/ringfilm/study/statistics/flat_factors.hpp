@@ -9,6 +9,9 @@
 
 namespace ringfilm::study {
 
+/// Friction, film and blow-by of an engine are measured to a few percent: a smaller change is not seen there [-].
+inline constexpr double kNotMeasured = 0.02;
+
 /// Numbers of a factor over which a value of the scenarios hardly changes while the other factors stay: a fit of the
 /// factor to a measured value is not determined there.
 struct FlatRange {

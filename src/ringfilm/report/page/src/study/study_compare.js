@@ -72,7 +72,7 @@ export function comparisonFigure(model) {
       );
       out.push(rule(x(s.outer[0]), at, x(s.outer[1]), at, colour, 1.6));
       if (s.inner) out.push(rule(x(s.inner[0]), at, x(s.inner[1]), at, colour, 7));
-      out.push(mark(colourOf(g), x(s.middle), at, 4.6, { tooltip, stroke: colour }));
+      if (s.middle !== null) out.push(mark(colourOf(g), x(s.middle), at, 4.6, { tooltip, stroke: colour }));
     });
     return [...out, ...edges];
   };
@@ -95,7 +95,7 @@ export function comparisonFigure(model) {
       const [q] = shown;
       const ranked = model.comparison[q.name]
         .map((s, g) => ({ s: spread(model, q, s), name: groups[g].name }))
-        .filter(({ s }) => s)
+        .filter(({ s }) => s && s.middle !== null)
         .sort((a, b) => a.s.middle - b.s.middle);
       const nameAndValue = ({ s, name }) =>
         `${name.replace(/-/g, '\u2011')} (${withUnit(s.middle, q.shown, 3)})`;
@@ -141,8 +141,8 @@ export function differenceOf(model, q, g) {
       sure: low > 0 || high < 0,
     };
   }
-  const middle = (s) => middleOf(model, s);
-  return middle(first)
-    ? { text: percent((middle(own) - middle(first)) / Math.abs(middle(first))), interval: null, sure: null }
+  const [firstMiddle, ownMiddle] = [middleOf(model, first), middleOf(model, own)];
+  return firstMiddle && ownMiddle !== null
+    ? { text: percent((ownMiddle - firstMiddle) / Math.abs(firstMiddle)), interval: null, sure: null }
     : null;
 }
