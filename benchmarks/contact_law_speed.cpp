@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 

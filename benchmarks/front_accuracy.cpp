@@ -7,6 +7,7 @@
 
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 /// Accuracy against cost of the steps in time where mass is conserved and the front of a re-forming film runs across
 /// the face after a dead centre: fixed steps against steps that follow film and oil content, both against fixed steps

@@ -9,6 +9,7 @@
 
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 /// What the film of the whole ring costs, cell by cell across and around, beside the film of its face on the same cells
 /// across: processor time of whole cycles with fixed steps of one degree, from one run (docs/manual/performance.md).

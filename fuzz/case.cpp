@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 
 /// A case file, with the files of fuzz/beside to refer to; what passes is set up to integrate and written out

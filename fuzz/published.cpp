@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/storage/published_file.hpp"
+#include "ringfilm/io/verification/published_file.hpp"
 
 /// Published values as TOML, to be compared with.
 RINGFILM_FUZZ_TARGET(published) {

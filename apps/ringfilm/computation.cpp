@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "progress.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/io/result/result_document.hpp"

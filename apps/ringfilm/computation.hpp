@@ -5,7 +5,7 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"

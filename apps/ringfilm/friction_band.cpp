@@ -7,9 +7,9 @@
 #include <functional>
 #include <limits>
 
-#include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/io/case/shipped_pairs.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
-#include "ringfilm/io/storage/shipped_pairs.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 
 namespace ringfilm::app {

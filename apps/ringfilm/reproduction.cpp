@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 #include "text/engineering_text.hpp"
 
 namespace ringfilm::app {

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/units.hpp"
 

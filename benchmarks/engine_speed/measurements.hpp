@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// The benchmarks of the engine by name. Each reports the processor time of one of what it counts.
 namespace ringfilm::benchmarks {

@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::benchmarks {
 

@@ -154,16 +154,22 @@ MODULES = {
 }
 
 
+def page_of(header):
+    """The module whose page has a public header: `case` has the namespace of `cycle`."""
+    folder = header.split("/")[2]
+    return "cycle" if folder == "case" else folder
+
+
 def folder_page(namespace, headers):
     """One module: its namespace with all that the public headers of the module declare."""
     title, folder = MODULES[namespace]
-    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers if f"/{folder}/" in header)
+    headers = [header for header in headers if page_of(header) == folder]
+    listed = ", ".join(f"`{header.removeprefix('src/')}`" for header in headers)
     directive = f"```{{doxygennamespace}} {namespace}\n:project: ringfilm\n:members:\n```\n"
     if folder == "base":  # the namespace ringfilm itself holds all others
         directive = "".join(
             f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
             for header in headers
-            if f"/{folder}/" in header
         )
     return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 
@@ -172,7 +178,7 @@ def main(stage, stubs, headers):
     api = stage / "docs" / "api"
     (api / "cpp").mkdir(parents=True, exist_ok=True)
     (api / "python.md").write_text(python_page(stubs), encoding="utf-8")
-    folders = {header.split("/")[2] for header in headers}
+    folders = {page_of(header) for header in headers}
     left = folders - {folder for _, folder in MODULES.values()}
     if left:
         raise SystemExit(

@@ -5,15 +5,17 @@
 #include "case_object.hpp"
 #include "case_values.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
@@ -96,7 +98,7 @@ std::vector<std::string> check(CaseObject& self) {
   } else {
     const Case with_gas = cycle::with_gas_path(cycle::with_rails(c));
     for (const Case& one : c.is_pack() ? with_gas.rings : std::vector<Case>{with_gas}) {
-      for (const cycle::Note& note : cycle::prepare(one).notes) notes.push_back(note.message);
+      for (const cycle::Note& note : cycle::advice(cycle::prepare(one))) notes.push_back(note.message);
     }
   }
   return notes;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 
 /// Values of case keys as Python has them.

@@ -6,7 +6,7 @@
 
 #include "array_view.hpp"
 #include "result_object.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 
 namespace ringfilm::python {

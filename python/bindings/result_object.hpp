@@ -3,7 +3,7 @@
 #include <string>
 
 #include "bindings.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::python {

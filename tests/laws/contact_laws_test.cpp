@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 
 namespace {
 

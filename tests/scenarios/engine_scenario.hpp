@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// Engines as nobody would build them: the sample that the integration must survive.
 namespace ringfilm::cycle::testing {

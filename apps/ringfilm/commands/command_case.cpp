@@ -6,17 +6,18 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
+#include "ringfilm/io/case/shipped_oils.hpp"
+#include "ringfilm/io/case/shipped_pairs.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
-#include "ringfilm/io/storage/shipped_oils.hpp"
-#include "ringfilm/io/storage/shipped_pairs.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 #include "text/wrapped_text.hpp"
@@ -40,7 +41,7 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
   const std::vector<cycle::Case> rings = input.is_pack() ? with_gas.rings : std::vector{with_gas};
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check.assumptions.push_back(study::assumptions(rings[i]));
-    for (cycle::Note note : cycle::prepare(rings[i]).notes) {
+    for (cycle::Note note : cycle::advice(cycle::prepare(rings[i]))) {
       if (input.is_pack()) note.message = fmt::format("ring {}: {}", cycle::ring_label(input, i), note.message);
       check.notes.push_back(std::move(note));
     }

@@ -11,7 +11,8 @@
 #include "computation.hpp"
 #include "reproduction.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
-#include "ringfilm/io/storage/published_file.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
+#include "ringfilm/io/verification/published_file.hpp"
 #include "ringfilm/report/html.hpp"
 #include "text/engineering_text.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/io/gas_path/pack_gas.hpp"
+#include "ringfilm/io/result/pack_gas.hpp"
 
 namespace ringfilm::app {
 

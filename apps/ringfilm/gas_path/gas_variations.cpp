@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 
 namespace ringfilm::app {

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::app {

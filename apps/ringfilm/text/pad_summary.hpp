@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/pad/pad_output.hpp"
 
 namespace ringfilm::app {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "gas_path/gas_tables.hpp"
-#include "ringfilm/io/gas_path/pack_sums.hpp"
+#include "ringfilm/io/result/pack_sums.hpp"
 #include "text/engineering_text.hpp"
 #include "text/wrapped_text.hpp"
 

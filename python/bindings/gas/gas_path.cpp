@@ -4,7 +4,8 @@
 #include "arguments.hpp"
 #include "array_view.hpp"
 #include "case_object.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 

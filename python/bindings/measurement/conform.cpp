@@ -2,7 +2,8 @@
 
 #include "arguments.hpp"
 #include "case_object.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/instrument/documents/conformity.hpp"
 #include "ringfilm/io/case/case_file.hpp"

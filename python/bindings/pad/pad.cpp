@@ -7,6 +7,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/pad/pad_file_layout.hpp"
 #include "ringfilm/io/pad/pad_netcdf.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 
 namespace ringfilm::python {

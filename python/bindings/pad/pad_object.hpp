@@ -1,6 +1,6 @@
 #pragma once
 #include "bindings.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/pad/pad_output.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 

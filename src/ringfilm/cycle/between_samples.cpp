@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::cycle {
 namespace {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "ringfilm/cycle/integration/contact_setup.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::cycle {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// The contact law of a case against the separation, next to other laws of the same surfaces: for pictures.
 namespace ringfilm::cycle {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::cycle {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/recorder.hpp"
 #include "ringfilm/cycle/integration/side_by_side.hpp"
 #include "ringfilm/cycle/integration/time_integration.hpp"
 #include "ringfilm/cycle/oil_settling.hpp"
+#include "ringfilm/cycle/recorder.hpp"
 
 namespace ringfilm::cycle {
 

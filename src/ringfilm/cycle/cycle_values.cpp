@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ringfilm/cycle/between_samples.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 namespace ringfilm::cycle {

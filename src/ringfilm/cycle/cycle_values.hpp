@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ringfilm/cycle/integration/liner_oil.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/film/film_state.hpp"
 
 namespace ringfilm::cycle {

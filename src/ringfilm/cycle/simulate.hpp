@@ -1,7 +1,7 @@
 #pragma once
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::cycle {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
 namespace {

@@ -10,15 +10,15 @@
 #include <memory>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
 #include "ringfilm/instrument/formats/digital_surf_file.hpp"
 #include "ringfilm/instrument/formats/gwy_file.hpp"
 #include "ringfilm/instrument/formats/gwyddion_program.hpp"
 #include "ringfilm/instrument/formats/sdf_file.hpp"
 #include "ringfilm/instrument/formats/simple_field_file.hpp"
 #include "ringfilm/instrument/formats/x3p_file.hpp"
-#include "ringfilm/instrument/height_checks.hpp"
-#include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/height_checks.hpp"
+#include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 

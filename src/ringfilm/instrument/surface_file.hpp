@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/instrument/formats/channel.hpp"
 #include "ringfilm/instrument/formats/height_table_file.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/surface/topography/topography.hpp"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/life/duty_batch.hpp"
 
 namespace ringfilm::life {

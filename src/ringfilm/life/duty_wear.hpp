@@ -3,8 +3,8 @@
 
 #include "ringfilm/life/life_run.hpp"
 #include "ringfilm/life/pack_gas.hpp"
-#include "ringfilm/life/wear/wear_integration.hpp"
 #include "ringfilm/life/wear/worn_face.hpp"
+#include "ringfilm/life/wear_integration.hpp"
 
 namespace ringfilm::life {
 

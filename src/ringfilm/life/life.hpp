@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// The life of a ring: measured states at their running hours, and what friction, oil and film are over hours
 /// (docs/theory/life.md). One plain value in SI; its defaults are written here.

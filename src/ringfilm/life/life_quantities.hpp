@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// Values of cycles that a life reports, and what becomes of them over several operating points.
 namespace ringfilm::life {

@@ -7,7 +7,7 @@
 #include "ringfilm/life/life_quantities.hpp"
 #include "ringfilm/life/ring_state.hpp"
 #include "ringfilm/life/wear/wear_bounds.hpp"
-#include "ringfilm/life/wear/wear_integration.hpp"
+#include "ringfilm/life/wear_integration.hpp"
 
 /// What a life gives over its running hours.
 namespace ringfilm::life {

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/life/archard_run.hpp"
 #include "ringfilm/life/duty_batch.hpp"
 #include "ringfilm/life/end_of_life.hpp"

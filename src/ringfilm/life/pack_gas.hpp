@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/gas_path/pack.hpp"
 #include "ringfilm/gas_path/result.hpp"
 #include "ringfilm/life/life.hpp"

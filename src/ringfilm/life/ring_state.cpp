@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ringfilm/cycle/case/case_face.hpp"
+#include "ringfilm/case/case_face.hpp"
 #include "ringfilm/models/ring.hpp"
 
 namespace ringfilm::life {

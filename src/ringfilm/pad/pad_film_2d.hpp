@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/film/film2d_integrals.hpp"
+#include "ringfilm/film/integrals/film2d_integrals.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
 #include "ringfilm/pad/pad_film.hpp"
 #include "ringfilm/pad/pad_grid_2d.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "ringfilm/cycle/limits.hpp"
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/checks/limits.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
 
 namespace ringfilm::pad {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// What a pad gives: the film between a fixed pad of stated shape and a flat surface that moves past it. Everything is
 /// per metre of width, the mean over it where it is finite, unless stated otherwise; SI. docs/theory/pad.md.

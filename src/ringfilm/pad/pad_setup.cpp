@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/cycle/case/case_face.hpp"
-#include "ringfilm/cycle/case/contact_plausibility.hpp"
-#include "ringfilm/cycle/integration/contact_setup.hpp"
-#include "ringfilm/cycle/integration/oil.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/case/case_face.hpp"
+#include "ringfilm/cycle/checks/contact_plausibility.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/cycle/setup/oil_setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::pad {
 namespace {

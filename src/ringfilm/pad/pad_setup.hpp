@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/film/factors/factor_laws.hpp"
 #include "ringfilm/pad/gap_surface.hpp"
 

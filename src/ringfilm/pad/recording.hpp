@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/film/integrals/film_integrals.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 

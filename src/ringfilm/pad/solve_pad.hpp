@@ -1,6 +1,6 @@
 #pragma once
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
 /// Films of stated shape, without engine and ring (docs/theory/pad.md).

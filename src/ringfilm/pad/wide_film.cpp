@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/film_heating.hpp"
-#include "ringfilm/film/film_integrals.hpp"
 #include "ringfilm/film/gas_reach.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/integrals/film_heating.hpp"
+#include "ringfilm/film/integrals/film_integrals.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/pad/recording.hpp"
 
 namespace ringfilm::pad {

@@ -7,7 +7,7 @@
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/payload/payload.hpp"
 #include "ringfilm/report/payload/payload_pack.hpp"
-#include "ringfilm/report/script_text.hpp"
+#include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
 

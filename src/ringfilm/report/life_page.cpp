@@ -5,7 +5,7 @@
 #include "ringfilm/life/end_of_life.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
-#include "ringfilm/report/script_text.hpp"
+#include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
 namespace {

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "ringfilm/io/measurement/measurement_text.hpp"
-#include "ringfilm/io/study/thinned_curve.hpp"
+#include "ringfilm/io/measurement/thinned_curve.hpp"
 #include "ringfilm/report/html_text.hpp"
-#include "ringfilm/report/map_picture.hpp"
 #include "ringfilm/report/page_template.hpp"
+#include "ringfilm/report/payload/map_picture.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
-#include "ringfilm/report/script_text.hpp"
+#include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
 namespace {

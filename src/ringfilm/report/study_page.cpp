@@ -3,7 +3,7 @@
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
-#include "ringfilm/report/script_text.hpp"
+#include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
 

@@ -4,7 +4,7 @@
 
 #include "ringfilm/report/page_template.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
-#include "ringfilm/report/script_text.hpp"
+#include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
 namespace {

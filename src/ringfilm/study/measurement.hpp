@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// The numbers of one run by their names, whatever was run: what checks against known answers look up.
 namespace ringfilm::study {

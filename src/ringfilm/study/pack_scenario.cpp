@@ -11,7 +11,7 @@
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/study/design/study_values.hpp"
 #include "ringfilm/study/study_run.hpp"
 

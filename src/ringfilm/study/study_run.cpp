@@ -12,11 +12,11 @@
 #include <thread>
 #include <utility>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/ensemble/threads.hpp"
 #include "ringfilm/study/pack_scenario.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/design/plan.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 

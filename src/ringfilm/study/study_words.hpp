@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 /// What kinds and methods are called in the file of a study and in its results.
 namespace ringfilm::study {

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/accuracy.hpp"
+#include "ringfilm/case/accuracy.hpp"
 
 #include <gtest/gtest.h>
 

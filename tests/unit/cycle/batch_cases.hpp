@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../../scenarios/engine_scenario.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 #include "styles_case.hpp"

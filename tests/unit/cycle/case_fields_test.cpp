@@ -1,9 +1,11 @@
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
+
+#include "ringfilm/cycle/checks/case_rules.hpp"
 
 namespace ringfilm::cycle {
 namespace {

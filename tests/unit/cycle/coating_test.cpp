@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/validity.hpp"
+#include "ringfilm/cycle/checks/validity.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle {

@@ -5,9 +5,10 @@
 #include <cstring>
 
 #include "batch_cases.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/contact_curves.hpp"
-#include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/models/patir_cheng.hpp"
 
 namespace ringfilm::cycle::testing {

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "styles_case.hpp"
 
 namespace ringfilm::cycle {
@@ -76,7 +78,7 @@ Case turned(Case c, double by_deg) {
 
 /// Of the notes on the gas; those on the oil are others.
 std::vector<Note> gas_notes(const Case& c) {
-  std::vector<Note> notes = prepare(c).notes;
+  std::vector<Note> notes = advice(prepare(c));
   std::erase_if(notes, [](const Note& note) { return note.topic.rfind("gas-", 0) != 0; });
   return notes;
 }
@@ -282,7 +284,7 @@ TEST(GasPlausibility, ImprobableWiebeCyclesAreNoted) {
 
 TEST(GasPlausibility, AnglesOfNoEngineAreNoted) {
   const auto has = [](const Case& c, const char* topic) {
-    const std::vector<Note> notes = prepare(c).notes;
+    const std::vector<Note> notes = advice(prepare(c));
     return std::any_of(notes.begin(), notes.end(), [&](const Note& note) { return note.topic == topic; });
   };
   Case c = wiebe();

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

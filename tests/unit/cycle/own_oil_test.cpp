@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "styles_case.hpp"
 

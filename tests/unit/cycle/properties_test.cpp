@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "ringfilm/cycle/integration/ring_conditions.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/ring_conditions.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "styles_case.hpp"
 

@@ -3,9 +3,11 @@
 
 #include <numbers>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "unrolled_cases.hpp"
 
 /// Keys and rules of a film on the unrolled ring.
@@ -78,7 +80,7 @@ TEST(UnrolledCase, RefusesEndCellsLongerThanCellsThatAreAllAlike) {
 }
 
 bool reports_long_end_cells(const Case& c) {
-  const std::vector<Note> notes = prepare(c).notes;
+  const std::vector<Note> notes = advice(prepare(c));
   return std::any_of(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "end-cells-long"; });
 }
 

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/validity.hpp"
+#include "ringfilm/cycle/checks/validity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "styles_case.hpp"
 
@@ -106,7 +108,7 @@ TEST(Validity, ATensionThatNoRingHasIsNoted) {
     Case c = styles_new_ring();
     c.ring.elastic_pressure.reset();
     c.ring.tangential_force = force;
-    const std::vector<Note> notes = prepare(c).notes;
+    const std::vector<Note> notes = advice(prepare(c));
     return std::any_of(notes.begin(), notes.end(), [](const Note& n) { return n.topic == "ring-tension-high"; });
   };
   EXPECT_FALSE(noted(10));
@@ -118,7 +120,7 @@ TEST(Validity, NotesOfASetupAreInOrderOfSeverity) {
   Case c = styles_new_ring();
   c.ring.elastic_pressure = 10e6;
   c.operating.oil_temperature = 273.15 + 180;  // above the highest stated viscosity
-  const std::vector<Note> notes = prepare(c).notes;
+  const std::vector<Note> notes = advice(prepare(c));
   ASSERT_GE(notes.size(), 2u);
   EXPECT_TRUE(std::is_sorted(notes.begin(), notes.end(),
                              [](const Note& a, const Note& b) { return note_rank(a.topic) < note_rank(b.topic); }));
@@ -209,7 +211,7 @@ TEST(Validity, ATensionBeyondTheRangeOfTheElasticPressureIsRefused) {
 
 std::vector<std::string> topics_of(const Case& c) {
   const Setup setup = prepare(c);
-  std::vector<Note> notes = setup.notes;
+  std::vector<Note> notes = advice(setup);
   append_validity_notes(setup, face_grid(setup), {usual_sample()}, 20e3, {}, notes);
   std::vector<std::string> all;
   for (const Note& note : notes) all.push_back(note.topic);

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "../film/lane_films.hpp"
-#include "ringfilm/film/film2d_integrals.hpp"
+#include "ringfilm/film/integrals/film2d_integrals.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
 
 /// Two-dimensional films whose strips are the films of the tests in one dimension.

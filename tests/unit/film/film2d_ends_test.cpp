@@ -4,7 +4,7 @@
 #include <functional>
 #include <numbers>
 
-#include "ringfilm/film/film2d_integrals.hpp"
+#include "ringfilm/film/integrals/film2d_integrals.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 

@@ -2,10 +2,10 @@
 #include <functional>
 #include <memory>
 
-#include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/film/integrals/film_integrals.hpp"
 #include "ringfilm/film/solver/film_solver.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 
 /// Films of constant oil between smooth surfaces, for which books have answers.
 namespace ringfilm::film::testing {

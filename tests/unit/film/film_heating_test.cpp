@@ -1,4 +1,4 @@
-#include "ringfilm/film/film_heating.hpp"
+#include "ringfilm/film/integrals/film_heating.hpp"
 
 #include <gtest/gtest.h>
 

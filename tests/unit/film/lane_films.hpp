@@ -5,7 +5,7 @@
 
 #include "ringfilm/film/solver/film_solver.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 /// Films as unlike as those that may meet in the lanes of a register.

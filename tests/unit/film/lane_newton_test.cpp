@@ -13,8 +13,8 @@
 #include "../../traps/floating_point_traps.hpp"
 #include "lane_films.hpp"
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/film_integrals.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/integrals/film_integrals.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film::testing {
 namespace {

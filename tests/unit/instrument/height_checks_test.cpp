@@ -1,4 +1,4 @@
-#include "ringfilm/instrument/height_checks.hpp"
+#include "ringfilm/instrument/grid/height_checks.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

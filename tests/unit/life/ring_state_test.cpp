@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "../cycle/styles_case.hpp"
-#include "ringfilm/cycle/case/case_face.hpp"
+#include "ringfilm/case/case_face.hpp"
 #include "ringfilm/models/ring.hpp"
 
 namespace ringfilm::life {

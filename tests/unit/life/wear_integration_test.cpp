@@ -1,4 +1,4 @@
-#include "ringfilm/life/wear/wear_integration.hpp"
+#include "ringfilm/life/wear_integration.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/life/wear/dry_contact.hpp"
+#include "ringfilm/life/dry_contact.hpp"
 
 namespace ringfilm::life {
 namespace {

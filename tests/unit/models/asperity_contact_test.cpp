@@ -1,4 +1,4 @@
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 
 #include <gtest/gtest.h>
 

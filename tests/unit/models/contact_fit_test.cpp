@@ -1,10 +1,10 @@
-#include "ringfilm/models/contact_fit.hpp"
+#include "ringfilm/models/contact/contact_fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "ringfilm/report/map_picture.hpp"
+#include "ringfilm/report/payload/map_picture.hpp"
 
 #include <gtest/gtest.h>
 

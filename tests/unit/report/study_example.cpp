@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "../io/case_example.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/storage/shard_file.hpp"
 #include "ringfilm/io/study/study_file.hpp"
 #include "ringfilm/io/study/study_result.hpp"
 #include "ringfilm/report/study_page.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 
 namespace example {
 

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "page_data.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"
 #include "study_example.hpp"

@@ -1,4 +1,4 @@
-#include "ringfilm/report/unrolled_picture.hpp"
+#include "ringfilm/report/payload/unrolled_picture.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/cycle/accuracy.hpp"
+#include "ringfilm/case/accuracy.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
 #include "ringfilm/study/study_run.hpp"
 #include "study_example.hpp"
 

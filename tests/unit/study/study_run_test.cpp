@@ -7,8 +7,8 @@
 #include <semaphore>
 #include <set>
 
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "study_example.hpp"
 

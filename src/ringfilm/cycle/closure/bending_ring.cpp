@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "ringfilm/cycle/closure/static_closure.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::cycle {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/film/film2d.hpp"
 #include "ringfilm/models/conformity/beam_elements.hpp"
 

@@ -7,8 +7,8 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/closure/free_ring.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/free_ring.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/models/ring.hpp"
 
 namespace ringfilm::cycle {

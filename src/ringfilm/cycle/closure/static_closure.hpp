@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/models/conformity/free_shape.hpp"
 #include "ringfilm/models/conformity/ring_closure.hpp"
 

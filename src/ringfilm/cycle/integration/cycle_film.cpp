@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
 #include "ringfilm/film/solver2d/bent_ring_guess.hpp"
 #include "ringfilm/film/solver2d/film2d_factors.hpp"
 

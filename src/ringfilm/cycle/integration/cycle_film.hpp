@@ -3,11 +3,11 @@
 #include <variant>
 
 #include "ringfilm/cycle/closure/bending_ring.hpp"
-#include "ringfilm/cycle/integration/ring_conditions.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/ring_conditions.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/film/elastic_face.hpp"
 #include "ringfilm/film/factors/factor_iteration.hpp"
-#include "ringfilm/film/film_heating.hpp"
+#include "ringfilm/film/integrals/film_heating.hpp"
 #include "ringfilm/film/solver/method.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
 

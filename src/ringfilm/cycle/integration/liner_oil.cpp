@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "ringfilm/cycle/case/conditions.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::cycle {
 namespace {

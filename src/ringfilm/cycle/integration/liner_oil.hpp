@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/cycle/integration/ring_conditions.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/ring_conditions.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/film/film_state.hpp"
 
 /// The oil that lies on the liner and what passes of the ring leave of it (docs/theory/oil-supply.md).

@@ -1,7 +1,7 @@
 #pragma once
 #include "ringfilm/cycle/integration/time_integration.hpp"
-#include "ringfilm/cycle/result.hpp"
-#include "ringfilm/film/film_integrals.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/film/integrals/film_integrals.hpp"
 
 namespace ringfilm::cycle {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/lane_newton.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::cycle {
 namespace {

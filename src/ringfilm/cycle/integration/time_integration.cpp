@@ -8,9 +8,9 @@
 
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_reach.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
 #include "ringfilm/models/oil/viscosity_laws.hpp"
 
 namespace ringfilm::cycle {

@@ -6,10 +6,10 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/integration/liner_oil.hpp"
-#include "ringfilm/cycle/integration/ring_conditions.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
+#include "ringfilm/cycle/setup/ring_conditions.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/film/time_scheme.hpp"
 
 namespace ringfilm::cycle {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "ringfilm/cycle/integration/kinematics.hpp"
 #include "ringfilm/cycle/integration/sampling.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::cycle {

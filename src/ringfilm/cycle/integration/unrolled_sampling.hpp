@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "ringfilm/cycle/integration/time_integration.hpp"
-#include "ringfilm/cycle/result.hpp"
-#include "ringfilm/film/film2d_integrals.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/film/integrals/film2d_integrals.hpp"
 
 namespace ringfilm::cycle {
 

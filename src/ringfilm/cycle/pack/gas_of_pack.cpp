@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/case/gas_plausibility.hpp"
-#include "ringfilm/cycle/integration/land_pressure.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/setup/land_pressure.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 
 namespace ringfilm::cycle {

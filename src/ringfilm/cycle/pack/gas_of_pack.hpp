@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/gas_path/result.hpp"
 
 namespace ringfilm::cycle {

@@ -3,7 +3,7 @@
 #include <variant>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/gas_path/result.hpp"
 
 /// Names, units and meaning of the values of the gas between the rings: JSON, result files, pages, studies and Python

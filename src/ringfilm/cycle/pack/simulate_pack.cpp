@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::cycle {
 namespace {

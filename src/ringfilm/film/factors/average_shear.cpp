@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {

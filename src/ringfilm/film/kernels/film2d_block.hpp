@@ -1,6 +1,6 @@
 #pragma once
 #include "ringfilm/film/kernels/lane_block.hpp"
-#include "ringfilm/film/solver2d/zebra.hpp"
+#include "ringfilm/film/kernels/zebra.hpp"
 
 /// What the compiled kernels of a two-dimensional film share with their callers: plain numbers. Arrays are zebras
 /// (zebra.hpp).

@@ -1,6 +1,6 @@
 #pragma once
-#include "ringfilm/film/balance.hpp"
-#include "ringfilm/models/contact_fit.hpp"
+#include "ringfilm/film/kernels/balance.hpp"
+#include "ringfilm/models/contact/contact_fit.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 /// What the compiled kernels of the film share with their callers: plain numbers, one film in each lane.

@@ -1,7 +1,7 @@
 #include "ringfilm/film/solver/film_solver.hpp"
 
-#include "ringfilm/film/solver/load_balance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/separation_search.hpp"
 
 namespace ringfilm::film {

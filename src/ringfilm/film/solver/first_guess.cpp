@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "ringfilm/film/gas_reach.hpp"
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/solver/film_solver.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
 
 namespace ringfilm::film {
 namespace {

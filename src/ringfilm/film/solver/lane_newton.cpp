@@ -7,8 +7,8 @@
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_reach.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {

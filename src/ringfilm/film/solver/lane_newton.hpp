@@ -4,8 +4,8 @@
 
 #include "ringfilm/film/film_state.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/front_advance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
 
 namespace ringfilm::film {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "ringfilm/film/solver/load_balance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
 namespace {

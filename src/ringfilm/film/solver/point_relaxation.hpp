@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/reynolds.hpp"
 
 /// The paper's own method of solution (styles2014, section 3.2), kept as a reference and as a yardstick: point
 /// relaxation of the pressures (eqs eq-point-relaxation, eq-relaxation-factor) inside a relaxed correction of h_m

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
 
 namespace ringfilm::film {

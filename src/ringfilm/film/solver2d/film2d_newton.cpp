@@ -8,7 +8,7 @@
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/kernels/newton_sweep.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
+#include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::film {
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "ringfilm/film/film2d.hpp"
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/front_advance.hpp"
 #include "ringfilm/film/solver/lane_newton.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
 #include "ringfilm/film/solver2d/border.hpp"
 #include "ringfilm/film/solver2d/gmres.hpp"
 #include "ringfilm/film/solver2d/strip_multigrid.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/solver/load_balance.hpp"
-#include "ringfilm/film/solver/reynolds.hpp"
+#include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/separation_search.hpp"
 #include "ringfilm/film/solver2d/film2d_newton.hpp"
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/contact_curves.hpp"
-#include "ringfilm/cycle/integration/contact_setup.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/measurement/measurement.hpp"
 
 namespace ringfilm::instrument {

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/instrument/surface_file.hpp"
 #include "ringfilm/io/measurement/force_file.hpp"
 #include "ringfilm/io/storage/digest.hpp"

@@ -9,7 +9,7 @@
 #include "ringfilm/instrument/documents/surface_side.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/io/case/contact_fragment.hpp"
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 #include "ringfilm/surface/asperity/scatter.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
 

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
 #include "ringfilm/instrument/formats/binary_writer.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 #include "ringfilm/surface/topography/topography.hpp"
 
 /// Surfaces and profiles of Digital Surf (.sur, .pro): a header of 512 bytes, a comment, heights as whole numbers.

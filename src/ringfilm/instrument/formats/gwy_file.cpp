@@ -7,7 +7,7 @@
 #include <map>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 
 /// Files of Gwyddion (.gwy): objects within objects, each a list of named values.
 namespace ringfilm::instrument {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 
 namespace ringfilm::instrument {
 namespace {

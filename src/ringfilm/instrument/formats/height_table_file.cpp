@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
-#include "ringfilm/instrument/height_checks.hpp"
-#include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/height_checks.hpp"
+#include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/instrument/table/table_comments.hpp"
 #include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/text/csv_file.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 
 /// Heights as text: a matrix, listed points x, y, z, or a profile x, z.
 namespace ringfilm::instrument {

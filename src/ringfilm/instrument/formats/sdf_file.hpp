@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 
 /// Surface data files (.sdf, ISO 25178-71 and its forerunner of the BCR): a header, heights as text or binary, a
 /// trailer.

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
 #include "ringfilm/instrument/formats/binary_writer.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::instrument {

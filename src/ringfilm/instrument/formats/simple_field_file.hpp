@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 #include "ringfilm/surface/topography/topography.hpp"
 
 /// Gwyddion Simple Field (.gsf): lines of text, zeros up to a multiple of four bytes, heights as 32-bit floats.

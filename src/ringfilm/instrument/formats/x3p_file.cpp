@@ -11,9 +11,9 @@
 #include <pugixml.hpp>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
 #include "ringfilm/instrument/formats/zip_archive.hpp"
-#include "ringfilm/instrument/regular_grid.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 
 namespace ringfilm::instrument {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 
 /// X3P (ISO 25178-72, formerly ISO 5436-2): a zip archive of main.xml, its check sum and the binary points.
 namespace ringfilm::instrument {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 
 namespace ringfilm::instrument {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/instrument/formats/binary_reader.hpp"
+#include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/text/units.hpp"
 

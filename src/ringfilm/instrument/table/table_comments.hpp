@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/instrument/formats/channel.hpp"
+#include "ringfilm/instrument/grid/channel.hpp"
 
 /// What the comments in front of a matrix of heights state: those of Gwyddion, in any of its languages, and of SPIP.
 namespace ringfilm::instrument {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 
 namespace ringfilm::io {

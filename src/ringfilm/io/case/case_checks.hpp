@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// Checks of a case as a whole: keys that are missing, keys that nothing uses, rules that join keys.
 namespace ringfilm::io {

@@ -5,12 +5,12 @@
 
 #include "ringfilm/io/case/face_file.hpp"
 #include "ringfilm/io/case/oil_file.hpp"
+#include "ringfilm/io/case/shipped_pairs.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
 #include "ringfilm/io/measurement/bore_map_file.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/measurement/free_shape_file.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
-#include "ringfilm/io/storage/shipped_pairs.hpp"
 
 namespace ringfilm::io {
 namespace {

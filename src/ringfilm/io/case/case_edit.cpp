@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_values.hpp"
-#include "ringfilm/io/storage/shipped_oils.hpp"
+#include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 

@@ -10,8 +10,9 @@
 #include <tuple>
 
 #include "ringfilm/base/append_new.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
 #include "ringfilm/io/case/case_tree.hpp"

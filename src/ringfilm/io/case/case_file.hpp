@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/io/case/case_entry.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {
@@ -61,8 +61,5 @@ std::string resolved_case(const cycle::Case& c);
 
 /// The same of entries, those of the rings of a pack (`ring.2.face_width`) in [[ring]] sections.
 std::string case_text(const std::vector<CaseEntry>& entries);
-
-/// The folder of find_shipped_folder(); throws InputError where there is none.
-std::string shipped_folder();
 
 }  // namespace ringfilm::io

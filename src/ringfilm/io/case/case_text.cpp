@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/cycle/accuracy.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
+#include "ringfilm/case/accuracy.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_edit.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"

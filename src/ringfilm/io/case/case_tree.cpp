@@ -5,9 +5,9 @@
 #include <map>
 #include <set>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
-#include "ringfilm/io/storage/shipped_oils.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/text/document_kind.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/io/text/trade_terms.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 
 namespace ringfilm::io {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/surface/face/face_fit.hpp"
 #include "ringfilm/surface/friction_loop/lateral_force.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/integration/oil.hpp"
+#include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/io/text/csv_quantity.hpp"
 
 namespace ringfilm::io {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_tree.hpp"
 
 namespace ringfilm::io {

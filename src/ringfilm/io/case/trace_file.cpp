@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ringfilm/base/constants.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/io/text/csv_quantity.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
 

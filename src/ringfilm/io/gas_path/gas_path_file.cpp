@@ -1,7 +1,7 @@
 #include "ringfilm/io/gas_path/gas_path_file.hpp"
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/gas_path/pack_gas_layout.hpp"
+#include "ringfilm/io/result/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file_layout.hpp"
 #include "ringfilm/io/result/result_file_reader.hpp"

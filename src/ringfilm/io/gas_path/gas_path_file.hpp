@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/gas_path/pack_gas.hpp"
+#include "ringfilm/io/result/pack_gas.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::io {

@@ -6,13 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/io/case/case_file.hpp"
-#include "ringfilm/io/gas_path/gas_json.hpp"
-#include "ringfilm/io/gas_path/pack_gas_layout.hpp"
+#include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/result/result_file_layout.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"

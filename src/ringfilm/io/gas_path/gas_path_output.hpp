@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/gas_path/result.hpp"
-#include "ringfilm/io/gas_path/pack_gas.hpp"
+#include "ringfilm/io/result/pack_gas.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::io {

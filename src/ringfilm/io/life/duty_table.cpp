@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/life/wear_table.hpp"
-#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
 namespace ringfilm::io {
@@ -63,7 +63,7 @@ class PointReader {
   PointReader(const DutySources& sources, std::vector<Fault>& faults) : sources_(sources), faults_(faults) {}
 
   /// With a share of 0; nothing where it was refused. Names are each used once.
-  std::optional<StatedPoint> read(StudyTable& part) {
+  std::optional<StatedPoint> read(TomlTable& part) {
     const std::size_t n_before = faults_.size();
     StatedPoint point;
     point.mark = part.mark();
@@ -83,7 +83,7 @@ class PointReader {
   void reserve(const std::string& name) { names_.insert(name); }
 
  private:
-  std::vector<Override> overrides_of(StudyTable& part) {
+  std::vector<Override> overrides_of(TomlTable& part) {
     std::vector<Override> overrides;
     const auto add = [&](const char* key, const char* of_case) {
       if (const auto text = part.text(key)) overrides.push_back({of_case, value_text(of_case, *text)});
@@ -149,7 +149,7 @@ class DutyReader {
   void read_part(const TomlValue& value, const Form& form) {
     std::vector<std::string> keys = point_keys();
     keys.emplace_back(form.length);
-    StudyTable part(value, fmt::format("[[duty.{}]]", form.list), keys, faults_);
+    TomlTable part(value, fmt::format("[[duty.{}]]", form.list), keys, faults_);
     const std::size_t n_before = faults_.size();
     const double length = read_length(part, form);
     std::optional<StatedPoint> point = points_.read(part);
@@ -166,7 +166,7 @@ class DutyReader {
     for (StatedPoint& point : duty_.points) point.share = point.share / largest / total;
   }
 
-  double read_length(StudyTable& part, const Form& form) {
+  double read_length(TomlTable& part, const Form& form) {
     const TomlValue* value = part.find(form.length);
     if (value == nullptr) {
       part.refuse(part.mark(), fmt::format("[[duty.{}]] has no {}", form.list, form.length),
@@ -205,7 +205,7 @@ class DutyReader {
     }
   }
 
-  StudyTable table_;
+  TomlTable table_;
   const DutySources& sources_;
   std::vector<Fault>& faults_;
   PointReader points_;
@@ -225,7 +225,7 @@ std::vector<StatedPoint> read_report_points(const std::vector<TomlValue>& values
   for (const std::string& name : names_of_duty) reader.reserve(name);
   std::vector<StatedPoint> points;
   for (const TomlValue& value : values) {
-    StudyTable table(value, "[[report_point]]", point_keys(), faults);
+    TomlTable table(value, "[[report_point]]", point_keys(), faults);
     if (auto point = reader.read(table)) points.push_back(std::move(*point));
   }
   return points;

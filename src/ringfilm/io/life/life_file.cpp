@@ -7,11 +7,11 @@
 #include <iterator>
 #include <optional>
 
-#include "ringfilm/cycle/accuracy.hpp"
+#include "ringfilm/case/accuracy.hpp"
 #include "ringfilm/io/life/duty_table.hpp"
 #include "ringfilm/io/life/wear_table.hpp"
 #include "ringfilm/io/study/document_reader.hpp"
-#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/life/end_of_life.hpp"
 
 namespace ringfilm::io {
@@ -24,7 +24,7 @@ class LifeReader : DocumentReader {
 
   LifeFile read() {
     const TomlValue root = read_document(DocumentKind::kLife, "life");
-    StudyTable table(
+    TomlTable table(
         root, "a life",
         {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},
         faults_);
@@ -67,11 +67,11 @@ class LifeReader : DocumentReader {
     return faults;
   }
 
-  std::optional<double> read_time(StudyTable& table, const std::string& key, const TomlValue& value) {
+  std::optional<double> read_time(TomlTable& table, const std::string& key, const TomlValue& value) {
     return life_quantity(table, key, value, "s", "\"10 h\"", units_);
   }
 
-  void read_hours(StudyTable& table) {
+  void read_hours(TomlTable& table) {
     const TomlValue* hours = table.find("hours");
     if (hours == nullptr || (hours->kind == TomlValue::Kind::kList && hours->items.empty())) {
       table.refuse(hours == nullptr ? SourceMark{path_, 0, 0, ""} : hours->mark, "the life has no hours to report",
@@ -84,7 +84,7 @@ class LifeReader : DocumentReader {
   }
 
   /// The case that a key names; nothing if it cannot be read.
-  std::optional<cycle::Case> read_named_case(StudyTable& table, const std::string& example) {
+  std::optional<cycle::Case> read_named_case(TomlTable& table, const std::string& example) {
     const std::string name = table.needed_text("case", example);
     if (name.empty()) return std::nullopt;
     return read_ring(locate(name, folder_).shown, {}, table.find("case")->mark);
@@ -128,14 +128,14 @@ class LifeReader : DocumentReader {
     }
   }
 
-  void read_base(StudyTable& table) {
+  void read_base(TomlTable& table) {
     if (auto input = read_named_case(table, "\"new.toml\"")) {
       life_.points.push_back({kWholeDuty, 1, std::move(*input)});
     }
   }
 
   /// What the duty and the points next to it state.
-  void read_duty(StudyTable& table) {
+  void read_duty(TomlTable& table) {
     const DutySources sources{folder_, units_};
     std::vector<std::string> names;
     if (const TomlValue* value = table.find("duty")) {
@@ -163,7 +163,7 @@ class LifeReader : DocumentReader {
   }
 
   /// The cases of the points, each another reading of the base case; a duty takes the place of that case.
-  void read_points(StudyTable& table) {
+  void read_points(TomlTable& table) {
     const std::string path = locate(table.find("case")->text, folder_).shown;
     const ReadBase read_base = [&](const std::vector<Override>& overrides, const SourceMark& mark) {
       return read_ring(path, overrides, mark);
@@ -173,7 +173,7 @@ class LifeReader : DocumentReader {
   }
 
   void read_state(const TomlValue& value) {
-    StudyTable table(value, "[[state]]", {"hours", "case"}, faults_);
+    TomlTable table(value, "[[state]]", {"hours", "case"}, faults_);
     life::MeasuredState state;
     state.mark = value.key_mark;
     const TomlValue* hours = table.find("hours");
@@ -191,10 +191,10 @@ class LifeReader : DocumentReader {
     life_.states.push_back(std::move(state));
   }
 
-  void read_path(StudyTable& root) {
+  void read_path(TomlTable& root) {
     const TomlValue* value = root.find("path");
     if (value == nullptr) return;
-    StudyTable table(*value, "[path]", {"time_scale", "time_constant", "datum"}, faults_);
+    TomlTable table(*value, "[path]", {"time_scale", "time_constant", "datum"}, faults_);
     life_.datum = table.chosen<life::Datum>("datum", {{"own", life::Datum::kOwn}, {"common", life::Datum::kCommon}})
                       .value_or(life_.datum);
     if (life_.datum == life::Datum::kCommon && life_.mode == life::Mode::kArchard) {
@@ -220,7 +220,7 @@ class LifeReader : DocumentReader {
     path.time_constant = constant.value_or(path.time_constant);
   }
 
-  void read_wear(StudyTable& root) {
+  void read_wear(TomlTable& root) {
     const TomlValue* value = root.find("wear");
     const bool wears = life_.mode == life::Mode::kArchard;
     if (value == nullptr) {
@@ -240,10 +240,10 @@ class LifeReader : DocumentReader {
   }
 
   /// A pack, of which only the gas is used.
-  void read_pack(StudyTable& root) {
+  void read_pack(TomlTable& root) {
     const TomlValue* value = root.find("pack");
     if (value == nullptr) return;
-    StudyTable table(*value, "[pack]", {"case", "ring", "pressures"}, faults_);
+    TomlTable table(*value, "[pack]", {"case", "ring", "pressures"}, faults_);
     if (value->kind != TomlValue::Kind::kTable) return;
     const std::string name = table.needed_text("case", "\"pack.toml\"");
     const std::uint64_t ring = table.count("ring").value_or(1);
@@ -269,12 +269,12 @@ class LifeReader : DocumentReader {
   }
 
   /// A limit for each quantity that the user names.
-  void read_end(StudyTable& root) {
+  void read_end(TomlTable& root) {
     const TomlValue* value = root.find("end_of_life");
     if (value == nullptr) return;
     std::vector<std::string> names;
     for (const cycle::Quantity& quantity : life::limitable_quantities()) names.push_back(quantity.name);
-    StudyTable table(*value, "[end_of_life]", names, faults_);
+    TomlTable table(*value, "[end_of_life]", names, faults_);
     for (const cycle::Quantity& quantity : life::limitable_quantities()) {
       const TomlValue* limit = table.find(quantity.name);
       if (limit == nullptr) continue;

@@ -191,14 +191,14 @@ class WearReader {
                   "state edge_factor, for example 10, or leave the distance out");
   }
 
-  StudyTable table_;
+  TomlTable table_;
   const Units& units_;
   life::Wear wear_;
 };
 
 }  // namespace
 
-std::optional<double> life_quantity(StudyTable& table, const std::string& key, const TomlValue& value,
+std::optional<double> life_quantity(TomlTable& table, const std::string& key, const TomlValue& value,
                                     const std::string& unit, const std::string& example, const Units& units) {
   if (value.kind != TomlValue::Kind::kText) {
     table.refuse(value.mark, fmt::format("{} = {} has no unit", key, value.as_written()),

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/measurement/measurement.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 

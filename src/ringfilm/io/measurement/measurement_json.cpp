@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "ringfilm/io/study/thinned_curve.hpp"
+#include "ringfilm/io/measurement/thinned_curve.hpp"
 
 namespace ringfilm::io {
 namespace {

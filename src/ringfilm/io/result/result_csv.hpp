@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/append_new.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/result/result_file.hpp"
 
 namespace ringfilm::io {
 namespace {

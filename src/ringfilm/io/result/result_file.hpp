@@ -1,29 +1,18 @@
 #pragma once
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/contact_curves.hpp"
-#include "ringfilm/cycle/result.hpp"
-#include "ringfilm/io/gas_path/pack_gas.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/io/case/case_entry.hpp"
+#include "ringfilm/io/result/pack_gas.hpp"
 #include "ringfilm/study/comparison.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 
 namespace ringfilm::io {
-
-/// One active key of the case as the run used it.
-struct CaseEntry {
-  std::string key;                                             ///< "engine.bore"
-  std::string value;                                           ///< TOML right-hand side in SI, exact
-  std::string shown;                                           ///< in the unit people use, e.g. "89 mm"
-  bool assumed = false;                                        ///< the user did not state it
-  std::string help;                                            ///< what the key is, one line
-  double value_si = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the value is not a single number
-  std::string unit = {};  ///< of `value_si`, SI in UDUNITS spelling; "1" dimensionless, "" for what is not a number
-};
 
 /// What computed the result.
 struct Provenance {

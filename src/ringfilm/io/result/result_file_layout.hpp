@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
-#include "ringfilm/cycle/effort_quantities.hpp"
-#include "ringfilm/io/gas_path/pack_gas_layout.hpp"
+#include "ringfilm/cycle/result/effort_quantities.hpp"
+#include "ringfilm/io/result/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/result/result_file_contact.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// Descriptions of the variables of a result file that are not in a table of cycle/result.hpp.
 namespace ringfilm::io {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/result/result_file_netcdf.hpp"
 
 namespace ringfilm::io {

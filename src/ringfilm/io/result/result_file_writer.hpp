@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/result/result_file_netcdf.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"

@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 #include <variant>
 
-#include "ringfilm/cycle/effort_quantities.hpp"
-#include "ringfilm/io/gas_path/gas_json.hpp"
-#include "ringfilm/io/gas_path/pack_sums.hpp"
+#include "ringfilm/cycle/result/effort_quantities.hpp"
+#include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 
 namespace ringfilm::io {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 
 namespace ringfilm::io {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// Fields of the unrolled film for ParaView and other programs that read VTK's XML files (docs/manual/report.md).
 namespace ringfilm::io {

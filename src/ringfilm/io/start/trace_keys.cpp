@@ -7,9 +7,10 @@
 #include <filesystem>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/gas_plausibility.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/trace_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/models/gas/gas.hpp"

@@ -23,11 +23,11 @@
 #include <tuple>
 #include <utility>
 
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/storage/digest.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/scenario_note.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
 
 namespace ringfilm::io {
 namespace {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/case/case_file.hpp"
 
 namespace ringfilm::io {
 namespace {

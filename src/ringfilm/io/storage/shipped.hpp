@@ -12,6 +12,9 @@ namespace ringfilm::io {
 /// set); nothing if none of them does. See also shipped_folder().
 std::optional<std::string> find_shipped_folder();
 
+/// The folder of find_shipped_folder(); throws InputError where there is none.
+std::string shipped_folder();
+
 /// Why find_shipped_folder() finds nothing, and what to set.
 Fault missing_shipped_folder();
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/io/text/document_kind.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/io/text/units.hpp"

@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/study/study_result.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 
 /// Statistics of the curves of all scenarios.
 namespace ringfilm::io {

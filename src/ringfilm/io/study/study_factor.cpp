@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
@@ -247,7 +247,7 @@ class FactorReader {
 
   std::vector<Fault>& faults_;
   std::size_t n_before_;
-  StudyTable table_;
+  TomlTable table_;
   const FactorSources& sources_;
   const cycle::Field* field_ = nullptr;
   Factor factor_;
@@ -259,7 +259,7 @@ std::optional<Factor> read_factor(const TomlValue& table, const FactorSources& s
   return FactorReader(table, sources, faults).read();
 }
 
-std::vector<std::size_t> read_base_names(StudyTable& table, const study::Study& study) {
+std::vector<std::size_t> read_base_names(TomlTable& table, const study::Study& study) {
   std::vector<std::size_t> found;
   std::vector<std::string> names;
   for (const study::Base& base : study.bases) names.push_back(base.name);

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/io/text/units.hpp"
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 namespace ringfilm::io {
 
@@ -20,6 +20,6 @@ std::optional<study::Factor> read_factor(const TomlValue& table, const FactorSou
                                          std::vector<Fault>& faults);
 
 /// The bases that a list of names denotes; all where the key `bases` is absent.
-std::vector<std::size_t> read_base_names(StudyTable& table, const study::Study& study);
+std::vector<std::size_t> read_base_names(TomlTable& table, const study::Study& study);
 
 }  // namespace ringfilm::io

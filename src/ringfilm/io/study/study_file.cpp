@@ -6,16 +6,16 @@
 #include <filesystem>
 #include <set>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/study/document_reader.hpp"
 #include "ringfilm/io/study/study_factor.hpp"
 #include "ringfilm/io/study/study_points.hpp"
 #include "ringfilm/io/study/study_reading.hpp"
-#include "ringfilm/io/study/study_table.hpp"
 #include "ringfilm/io/text/csv_file.hpp"
 #include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/design/measured_factors.hpp"
 #include "ringfilm/study/design/scenario.hpp"
@@ -34,10 +34,10 @@ class StudyReader : DocumentReader {
 
   StudyFile read() {
     const TomlValue root = read_document(DocumentKind::kStudy, "study");
-    StudyTable table(root, "a study",
-                     {"title", "kind", "compute", "seed", "base", "factor", "measured", "correlation", "plan", "point",
-                      "keep", "accuracy"},
-                     faults_);
+    TomlTable table(root, "a study",
+                    {"title", "kind", "compute", "seed", "base", "factor", "measured", "correlation", "plan", "point",
+                     "keep", "accuracy"},
+                    faults_);
     study_.title = table.text("title").value_or(stem());
     study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
     study_.compute =
@@ -65,7 +65,7 @@ class StudyReader : DocumentReader {
 
  private:
   void read_base(const TomlValue& value) {
-    StudyTable table(value, "[[base]]", {"name", "case"}, faults_);
+    TomlTable table(value, "[[base]]", {"name", "case"}, faults_);
     const std::string name = table.needed_text("case", "\"my_engine.toml\"");
     if (name.empty()) return;
     const std::string path = locate(name, folder_).shown;
@@ -111,7 +111,7 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_factors(StudyTable& root) {
+  void read_factors(TomlTable& root) {
     const FactorSources sources{study_, units_};
     std::vector<study::Factor> factors;
     for (const TomlValue& value : root.items("factor")) {
@@ -136,13 +136,13 @@ class StudyReader : DocumentReader {
     for (study::Choice& choice : choices->values) choice.file_sha256 = file_sha256(locate(choice.text, folder_).path);
   }
 
-  void read_measured(StudyTable& root) {
+  void read_measured(TomlTable& root) {
     for (const TomlValue& value : root.items("measured")) {
       if (study_.compute == study::Compute::kGas) {
         root.refuse(value.mark, "[[measured]] is about films, and the study computes the gas alone", "leave it out");
         return;
       }
-      StudyTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
+      TomlTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
       const std::vector<std::size_t> bases = read_base_names(table, study_);
       study::MeasuredSharing sharing;
       if (const TomlValue* shared = table.find("shared")) {
@@ -166,11 +166,11 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_correlations(StudyTable& root) {
+  void read_correlations(TomlTable& root) {
     std::vector<std::string> names;
     for (const study::Factor& factor : study_.factors) names.push_back(factor.name);
     for (const TomlValue& value : root.items("correlation")) {
-      StudyTable table(value, "[[correlation]]", {"factors", "value"}, faults_);
+      TomlTable table(value, "[[correlation]]", {"factors", "value"}, faults_);
       std::vector<std::size_t> both;
       for (const std::string& name : table.texts("factors")) {
         const auto at = std::find(names.begin(), names.end(), name);
@@ -191,15 +191,15 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_plan(StudyTable& root) {
+  void read_plan(TomlTable& root) {
     study::Sampling& sampling = study_.sampling;
     const TomlValue* value = root.find("plan");
     if (value == nullptr) {
       faults_.push_back({{path_, 0, 0, ""}, "the study has no plan", "write [plan] and method = \"sobol\" below"});
       return;
     }
-    StudyTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
-                     faults_);
+    TomlTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
+                    faults_);
     table.needed_text("method", "\"sobol\"");
     const auto method = table.chosen("method", study::method_words());
     sampling.method = method.value_or(sampling.method);
@@ -216,7 +216,7 @@ class StudyReader : DocumentReader {
   }
 
   /// Operating points bring their factors with them.
-  void read_points(StudyTable& root) {
+  void read_points(TomlTable& root) {
     const std::vector<TomlValue> tables = root.items("point");
     if (study_.sampling.method != Method::kOperatingPoints) {
       if (const TomlValue* value = root.find("point"))
@@ -237,7 +237,7 @@ class StudyReader : DocumentReader {
   }
 
   /// Keys that the method does not read; the plan itself reports this for until and indices.
-  static void refuse_idle_keys(StudyTable& table, Method method) {
+  static void refuse_idle_keys(TomlTable& table, Method method) {
     const auto refuse = [&table](const char* key, const char* remedy) {
       if (const TomlValue* value = table.find(key))
         table.refuse(value->key_mark,
@@ -253,11 +253,11 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_until(StudyTable& plan) {
+  void read_until(TomlTable& plan) {
     const TomlValue* value = plan.find("until");
     if (value == nullptr) return;
     const std::size_t n_before = faults_.size();
-    StudyTable table(*value, "plan.until", {"value", "quantile", "width", "most"}, faults_);
+    TomlTable table(*value, "plan.until", {"value", "quantile", "width", "most"}, faults_);
     study::StoppingRule until;
     until.value = table.needed_text("value", "\"fmep\"");
     until.quantile = table.number("quantile");
@@ -279,7 +279,7 @@ class StudyReader : DocumentReader {
     if (faults_.size() == n_before) study_.sampling.until = until;
   }
 
-  std::optional<double> read_width(StudyTable& table, const cycle::Quantity& quantity) {
+  std::optional<double> read_width(TomlTable& table, const cycle::Quantity& quantity) {
     if (quantity.unit == "1") {
       const auto width = table.number("width");
       if (!width) table.refuse(table.mark(), "plan.until has no width", "write, for example, width = 0.01");
@@ -296,7 +296,7 @@ class StudyReader : DocumentReader {
     }
   }
 
-  static std::optional<double> above_zero(StudyTable& table, std::optional<double> width) {
+  static std::optional<double> above_zero(TomlTable& table, std::optional<double> width) {
     if (!width || *width > 0) return width;
     const TomlValue& value = *table.find("width");
     table.refuse(value.mark, fmt::format("the width of an interval is above 0, not {}", value.as_written()),
@@ -305,7 +305,7 @@ class StudyReader : DocumentReader {
   }
 
   /// A column for each factor, in any order; of choices their place in the list of values, from 0.
-  void read_list(StudyTable& table) {
+  void read_list(TomlTable& table) {
     const std::string name = table.needed_text("list", "\"plan.csv\"");
     if (name.empty()) return;
     const CsvFile csv = read_csv(locate(name, folder_));
@@ -345,10 +345,10 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_keep(StudyTable& root) {
+  void read_keep(TomlTable& root) {
     const TomlValue* value = root.find("keep");
     if (value == nullptr) return;
-    StudyTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
+    TomlTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
     study::OutputSelection& keep = study_.keep;
     keep.curves = table
                       .chosen<study::Curves>("curves", {{"none", study::Curves::kNone},
@@ -368,10 +368,10 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_accuracy(StudyTable& root) {
+  void read_accuracy(TomlTable& root) {
     const TomlValue* value = root.find("accuracy");
     if (value == nullptr) return;
-    StudyTable table(*value, "[accuracy]", {"sample"}, faults_);
+    TomlTable table(*value, "[accuracy]", {"sample"}, faults_);
     study_.accuracy.sample = table.count("sample");
     const TomlValue* sample = table.find("sample");
     if (sample == nullptr) return;
@@ -383,7 +383,7 @@ class StudyReader : DocumentReader {
     }
   }
 
-  void read_kept_quantities(StudyTable& table, const TomlValue& quantities) {
+  void read_kept_quantities(TomlTable& table, const TomlValue& quantities) {
     std::vector<std::string> known;
     for (const auto& curve : cycle::curve_quantities()) known.push_back(curve.name);
     known.erase(known.begin());  // the crank angle, which is the axis

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 namespace ringfilm::io {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "ringfilm/io/study/study_table.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -40,7 +40,7 @@ class PointsReader {
 
  private:
   void read_point(const TomlValue& value) {
-    StudyTable table(value, "[[point]]", {"name", "weight", "values"}, faults_);
+    TomlTable table(value, "[[point]]", {"name", "weight", "values"}, faults_);
     study::WeightedPoint point;
     point.name = table.needed_text("name", "\"idle\"");
     if (!names_.insert(point.name).second && !point.name.empty()) {
@@ -67,7 +67,7 @@ class PointsReader {
   }
 
   /// Each point states every key: a number of another point would otherwise be taken from the base.
-  void take_values(StudyTable& table, const TomlValue& values) {
+  void take_values(TomlTable& table, const TomlValue& values) {
     const bool is_first = points_.points.empty();
     for (const TomlMember& member : values.members) {
       const auto found =

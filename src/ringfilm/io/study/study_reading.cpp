@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"

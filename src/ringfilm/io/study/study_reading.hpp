@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ringfilm/io/text/units.hpp"
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 namespace ringfilm::io {
 

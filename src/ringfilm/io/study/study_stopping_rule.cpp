@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/statistics/stopping_rule.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::io {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ringfilm/cycle/integration/kinematics.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/io/text/csv_quantity.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 

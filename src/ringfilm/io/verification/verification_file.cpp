@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/io/text/csv_file.hpp"
 #include "ringfilm/io/text/csv_quantity.hpp"
 #include "ringfilm/io/text/suggestion.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::life {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// What measured faces alone state about wear: bounds under "material only disappears" (docs/theory/life.md).
 namespace ringfilm::life {

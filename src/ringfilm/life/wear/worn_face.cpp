@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ringfilm/cycle/integration/cycle_film.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 
 namespace ringfilm::life {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/film/film_state.hpp"
 
 namespace ringfilm::life {

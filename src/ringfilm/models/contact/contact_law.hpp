@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ringfilm/models/contact_fit.hpp"
+#include "ringfilm/models/contact/contact_fit.hpp"
 
 namespace ringfilm::models {
 

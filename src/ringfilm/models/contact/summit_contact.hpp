@@ -1,7 +1,7 @@
 #pragma once
 #include <functional>
 
-#include "ringfilm/models/asperity_contact.hpp"
+#include "ringfilm/models/contact/asperity_contact.hpp"
 #include "ringfilm/models/contact/single_asperity.hpp"
 #include "ringfilm/models/contact/tabulated_contact.hpp"
 

@@ -7,15 +7,15 @@
 #include <type_traits>
 #include <variant>
 
-#include "ringfilm/cycle/effort_quantities.hpp"
-#include "ringfilm/cycle/note_topics.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_pack.hpp"
 #include "ringfilm/report/payload/payload_unrolled.hpp"
-#include "ringfilm/report/script_text.hpp"
+#include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
 namespace {

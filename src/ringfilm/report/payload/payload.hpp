@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/report/html.hpp"
+#include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/report/payload/overlay.hpp"
 
 namespace ringfilm::report {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
-#include "ringfilm/io/gas_path/gas_json.hpp"
-#include "ringfilm/io/gas_path/pack_sums.hpp"
+#include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/note_topics.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/report/payload/unsolved_reasons.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/report/payload/even_pick.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"

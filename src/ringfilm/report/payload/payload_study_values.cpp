@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/study/study_curves.hpp"
 #include "ringfilm/report/payload/even_pick.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"

@@ -1,7 +1,7 @@
 #include "ringfilm/report/payload/payload_unrolled.hpp"
 
 #include "ringfilm/report/payload/payload_numbers.hpp"
-#include "ringfilm/report/unrolled_picture.hpp"
+#include "ringfilm/report/payload/unrolled_picture.hpp"
 
 namespace ringfilm::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 /// Correlated factors: groups, and the Gaussian copula that joins the members of each.
 namespace ringfilm::study {

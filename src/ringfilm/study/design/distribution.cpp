@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/study/wording.hpp"
+#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {

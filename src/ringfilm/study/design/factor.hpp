@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/study/design/distribution.hpp"
 
 /// What varies in a study: one uncertain or varied number, or a choice, and where it enters the cases.

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/study/wording.hpp"
+#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 namespace ringfilm::study {
 

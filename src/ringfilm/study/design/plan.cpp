@@ -6,10 +6,10 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "ringfilm/cycle/case/gas_plausibility.hpp"
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
 #include "ringfilm/study/design/hash.hpp"
 #include "ringfilm/study/design/scenario.hpp"
-#include "ringfilm/study/wording.hpp"
+#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {

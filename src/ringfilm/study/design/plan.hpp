@@ -9,8 +9,8 @@
 #include "ringfilm/study/design/latin_hypercube.hpp"
 #include "ringfilm/study/design/morris.hpp"
 #include "ringfilm/study/design/sobol_points.hpp"
+#include "ringfilm/study/design/study.hpp"
 #include "ringfilm/study/design/study_values.hpp"
-#include "ringfilm/study/study.hpp"
 
 /// Which scenarios a study runs, with which numbers; docs/theory/study.md.
 namespace ringfilm::study {

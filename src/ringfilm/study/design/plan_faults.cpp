@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/plan.hpp"
 #include "ringfilm/study/design/scenario.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
-#include "ringfilm/study/wording.hpp"
+#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {

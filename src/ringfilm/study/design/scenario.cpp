@@ -6,9 +6,10 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "ringfilm/cycle/accuracy.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
-#include "ringfilm/study/wording.hpp"
+#include "ringfilm/case/accuracy.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {

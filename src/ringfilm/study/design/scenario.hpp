@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/study/design/plan.hpp"
 
 /// From the numbers of a scenario to its case.

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
-#include "ringfilm/study/study.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/study/design/study.hpp"
 
 /// Which values a study has of each scenario: those of the cycle of one ring, of the rings of a pack and their sum, of
 /// the gas that passes them.

@@ -6,7 +6,8 @@
 #include <utility>
 #include <variant>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 
 namespace ringfilm::study {
 namespace {

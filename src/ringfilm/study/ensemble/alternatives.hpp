@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 /// Other settings of the keys of a case, written and applied by the one table of keys (cycle/case/case_fields.hpp).
 /// None of them is the case itself, leaves the range of its key or breaks a rule that joins several keys.

@@ -5,8 +5,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/study/ensemble/alternatives.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 

@@ -8,9 +8,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/study/ensemble/threads.hpp"
 #include "ringfilm/study/statistics/shares.hpp"

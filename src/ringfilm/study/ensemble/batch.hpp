@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 
 /// Many scenarios at once: threads, and on each of them the lanes of a vector register.

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ringfilm/cycle/accuracy.hpp"
+#include "ringfilm/case/accuracy.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
 namespace ringfilm::study {

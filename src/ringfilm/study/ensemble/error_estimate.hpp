@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 
 /// How far a result may be from the one of ever finer cells and crank steps (docs/theory/error-estimate.md).

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ringfilm/cycle/integration/setup.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/study/ensemble/assumptions.hpp"
 
 namespace ringfilm::study {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 
 /// The assumption ledger: what a cycle takes for granted, and what it would change to take something else.

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::study {
 namespace {

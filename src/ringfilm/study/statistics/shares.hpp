@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "ringfilm/cycle/case/case.hpp"
+#include "ringfilm/case/case.hpp"
 
 namespace ringfilm::study {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "ringfilm/study/design/wording.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"
-#include "ringfilm/study/wording.hpp"
 
 namespace ringfilm::study {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// Surfaces whose contact, or the flow between which, has a closed form (verification/contact_closed_forms).
 namespace ringfilm::study {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "ringfilm/life/wear/dry_contact.hpp"
+#include "ringfilm/life/dry_contact.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 
 /// Wear of a rigid profile on a rough flat without oil, pressed with a load and slid: the integration of wear with
 /// closed forms to compare with (verification/archard1953_dry_wear).

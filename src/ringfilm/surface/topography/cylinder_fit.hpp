@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "ringfilm/surface/face/polynomial_fit.hpp"
 #include "ringfilm/surface/topography/form.hpp"
+#include "ringfilm/surface/topography/polynomial_fit.hpp"
 
 namespace ringfilm::surface {
 

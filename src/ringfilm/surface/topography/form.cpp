@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/surface/face/polynomial_fit.hpp"
 #include "ringfilm/surface/topography/cylinder_fit.hpp"
+#include "ringfilm/surface/topography/polynomial_fit.hpp"
 
 namespace ringfilm::surface {
 namespace {

@@ -6,7 +6,8 @@
 #include <numbers>
 
 #include "../styles_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 
 /// Cycles with an oil that thins and between rough walls.

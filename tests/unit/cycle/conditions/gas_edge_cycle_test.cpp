@@ -6,7 +6,8 @@
 #include <stdexcept>
 
 #include "../styles_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 
 /// Gas at the trailing edge of a ring, the inlet flooded.
 namespace ringfilm::cycle::testing {

@@ -8,7 +8,7 @@
 
 #include "../styles_case.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/integration/ring_conditions.hpp"
+#include "ringfilm/cycle/setup/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 

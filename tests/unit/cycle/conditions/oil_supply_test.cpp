@@ -6,9 +6,10 @@
 
 #include "../no_observer.hpp"
 #include "../styles_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
-#include "ringfilm/cycle/integration/kinematics.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/setup/kinematics.hpp"
 
 /// Oil that lies on the liner ahead of a ring between edges of gas.
 namespace ringfilm::cycle::testing {

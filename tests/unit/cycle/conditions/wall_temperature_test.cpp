@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "../styles_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/integration/ring_conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/setup/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 
@@ -126,7 +128,7 @@ TEST(WallTemperatures, KeepMassWithTheDensityOfEachStep) {
 TEST(WallTemperatures, HaveNoNoteOnADensityThatIsOneValue) {
   Case c = warm_case();
   const auto extrapolates_density = [](const Case& one) {
-    const std::vector<Note> notes = prepare(one).notes;
+    const std::vector<Note> notes = advice(prepare(one));
     return std::any_of(notes.begin(), notes.end(), [](const Note& n) { return n.topic == "density-extrapolated"; });
   };
   EXPECT_TRUE(extrapolates_density(c));  // measured between 15 and 40 degC

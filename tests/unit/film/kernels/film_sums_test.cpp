@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ringfilm/film/kernels/kernels.hpp"
-#include "ringfilm/models/contact_fit.hpp"
+#include "ringfilm/models/contact/contact_fit.hpp"
 
 namespace ringfilm::film {
 namespace {

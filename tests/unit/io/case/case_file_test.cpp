@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../case_example.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 
 namespace ringfilm::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "../case_example.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 
 namespace ringfilm::io {

@@ -1,12 +1,12 @@
-#include "ringfilm/io/gas_path/pack_gas.hpp"
+#include "ringfilm/io/result/pack_gas.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "../result_example.hpp"
-#include "ringfilm/io/gas_path/gas_json.hpp"
-#include "ringfilm/io/gas_path/pack_sums.hpp"
+#include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "../case_example.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/start/trace_keys.hpp"
-#include "ringfilm/io/storage/shipped_oils.hpp"
 
 namespace ringfilm::io {
 namespace {

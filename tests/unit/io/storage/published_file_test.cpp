@@ -1,4 +1,4 @@
-#include "ringfilm/io/storage/published_file.hpp"
+#include "ringfilm/io/verification/published_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

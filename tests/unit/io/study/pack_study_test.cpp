@@ -9,10 +9,10 @@
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/io/study/study_file.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/plan.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/pack_scenario.hpp"
-#include "ringfilm/study/statistics/kept_curves.hpp"
 
 /// Studies of ring packs, from their files to the rows.
 namespace ringfilm::io {

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "../case_example.hpp"
-#include "ringfilm/cycle/result.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
 #include "ringfilm/io/study/study_netcdf.hpp"
 

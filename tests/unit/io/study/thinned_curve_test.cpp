@@ -1,4 +1,4 @@
-#include "ringfilm/io/study/thinned_curve.hpp"
+#include "ringfilm/io/measurement/thinned_curve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 
 namespace ringfilm::io {
 namespace {

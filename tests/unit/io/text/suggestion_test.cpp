@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "ringfilm/base/renamed.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/text/trade_terms.hpp"
 
 namespace ringfilm::io {

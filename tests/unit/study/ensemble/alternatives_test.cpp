@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "../study_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 
 namespace {
 

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "../study_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
-#include "ringfilm/cycle/case/conditions.hpp"
+#include "ringfilm/case/conditions.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 
 namespace {
 

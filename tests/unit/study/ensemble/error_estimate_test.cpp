@@ -7,7 +7,8 @@
 
 #include "../error_coverage.hpp"
 #include "../study_case.hpp"
-#include "ringfilm/cycle/case/case_fields.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/cycle_run.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 

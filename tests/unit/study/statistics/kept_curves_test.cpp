@@ -1,4 +1,4 @@
-#include "ringfilm/study/statistics/kept_curves.hpp"
+#include "ringfilm/study/design/kept_curves.hpp"
 
 #include <gtest/gtest.h>
 

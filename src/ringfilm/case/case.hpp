@@ -1,0 +1,597 @@
+#pragma once
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "ringfilm/base/shared.hpp"
+#include "ringfilm/case/case_choices.hpp"
+#include "ringfilm/case/stated_shapes.hpp"
+#include "ringfilm/models/contact/friction_pair.hpp"
+#include "ringfilm/models/contact/measured_flow.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
+#include "ringfilm/models/wall_temperature.hpp"
+
+/// The input of one engine cycle, or of a pad, as one plain value: SI units, complete, checked. Angles alone are in
+/// degrees (suffix `_deg`; of the crank 0 = firing TDC), because that is the grid on which everything is asked for and
+/// stored (docs/decisions/0002-crank-angle-in-degrees.md).
+///
+/// A default is written here and nowhere else. A member without a default belongs to a key that must be stated;
+/// `cycle/case/case_fields.hpp` has the one table of keys, units, ranges and meanings.
+namespace ringfilm::cycle {
+
+/// A value of an oil at one temperature.
+struct TemperatureValue {
+  double temperature = 0;  ///< [K]
+  double value = 0;        ///< [SI unit of the quantity]
+};
+
+/// A value at one place of the stroke.
+struct StrokeValue {
+  double distance = 0;  ///< of the ring from its TDC position when it is there [m]
+  double value = 0;     ///< [SI unit of the quantity]
+};
+
+/// A quantity sampled over crank angle, as its file gives it (any range within one cycle, any spacing, increasing).
+struct SampledTrace {
+  std::vector<double> crank_angle_deg;  ///< [degree], zero as its file has it
+  std::vector<double> value;            ///< [SI]
+};
+
+using OilTable = models::OilTable;  ///< viscosity and density of an oil of one's own
+
+/// The keys under `engine`.
+struct Engine {
+  double bore = 0;                   ///< of the cylinder, B [m]
+  double stroke = 0;                 ///< twice the crank radius [m]
+  double connecting_rod_length = 0;  ///< between the centres of its bearings [m]
+};
+
+/// The keys under `operating`.
+struct Operating {
+  double speed = 0;            ///< omega, of the crankshaft [rad/s]
+  double oil_temperature = 0;  ///< of the film, one value for the whole stroke; not used with [thermal] [K]
+};
+
+using FilmTemperature = models::FilmTemperature;  ///< `thermal.film`
+
+/// `thermal.viscous_heating`: what the heat of shear does to the film.
+enum class ViscousHeating {
+  kNone,   ///< nothing: its rise of temperature is reported alone
+  kInFilm  ///< the oil of a step is warmer by it
+};
+
+/// The keys under `thermal`: wall temperatures in place of one oil temperature, and the film's own heat.
+struct Thermal {
+  std::optional<double> ring;                              ///< of the face of the ring [K]
+  std::vector<StrokeValue> liner;                          ///< by distance, increasing; one point: the same everywhere
+  FilmTemperature film = FilmTemperature::kMeanOfWalls;    ///< whose temperature the oil film has
+  ViscousHeating viscous_heating = ViscousHeating::kNone;  ///< of the oil film, above that temperature
+
+  bool is_stated() const { return ring || !liner.empty(); }  ///< are there walls? Else one oil temperature
+  bool is_heated() const { return viscous_heating == ViscousHeating::kInFilm; }  ///< by its own shear
+};
+
+/// The keys under `gas`, with the traces that they name.
+struct Gas {
+  GasModel model = GasModel::kTrace;  ///< cylinder pressure from a file, or from a cycle with Wiebe heat release
+  // model = "trace"
+  std::string cylinder_pressure_file;            ///< CSV of pressure against crank angle, as named
+  base::Shared<SampledTrace> cylinder_pressure;  ///< [Pa] as the file gives it: absolute or gauge, zero as stated below
+  PressureReference pressure_reference{};        ///< zero of the traces; gauge: above 1.01325 bar
+  AngleZero angle_zero{};                        ///< dead centre at which the traces have crank angle 0
+  TraceOrigin trace_origin = TraceOrigin::kNotStated;  ///< shown wherever the trace appears
+  std::optional<std::string> pressure_column;          ///< name in the header; absent: the only pressure in the file
+  std::optional<std::string> angle_column;             ///< name in the header; absent: the only crank angle in the file
+  std::optional<std::string> pressure_unit;            ///< for a header that does not carry it
+  std::optional<std::string> angle_unit;               ///< for a header that does not carry it
+  // model = "wiebe"; angles 0 = firing TDC
+  double compression_ratio = 10.5;         ///< largest over smallest cylinder volume [-]
+  double peak_pressure = 62e5;             ///< [Pa] absolute
+  double peak_angle_deg = 20;              ///< of the highest pressure after firing TDC [degree]
+  double burn_duration_deg = 60;           ///< length of the heat release [degree]
+  double exhaust_valve_opening_deg = 130;  ///< [degree]
+  double exhaust_valve_closing_deg = 375;  ///< [degree]
+  double intake_valve_opening_deg = 345;   ///< [degree]
+  double intake_valve_closing_deg = 590;   ///< [degree]
+  // wiebe, and a trace that covers only a part of the cycle (there without default)
+  std::optional<double> intake_pressure;                   ///< in the cylinder during intake, absolute [Pa]
+  std::optional<double> exhaust_pressure;                  ///< in the cylinder during exhaust, absolute [Pa]
+  static constexpr double kWiebeIntakePressure = 0.95e5;   ///< unless the case states it [Pa]
+  static constexpr double kWiebeExhaustPressure = 1.05e5;  ///< likewise [Pa]
+  // always
+  double crankcase_pressure = 101325;  ///< under the ring, absolute [Pa]; not used where a trace is given
+  std::optional<std::string> crankcase_pressure_file;         ///< CSV like that of the cylinder, as named
+  std::optional<base::Shared<SampledTrace>> crankcase_trace;  ///< [Pa] as that file gives it
+  /// Share of the excess of the pressure above the ring over that below it that acts behind the ring [-]; see
+  /// pressure_behind_ring() in integration/ring_conditions.hpp.
+  double pressure_behind_ring = 1.0;
+};
+
+/// A gas pressure next to a ring that is not that of the cylinder or of the crankcase: one value, or a trace.
+struct LandPressure {
+  std::optional<double> constant;                   ///< absolute [Pa]
+  std::optional<std::string> file;                  ///< CSV like that of the cylinder, as named
+  std::optional<base::Shared<SampledTrace>> trace;  ///< [Pa] as that file gives it
+
+  std::optional<base::Shared<SampledTrace>> computed;  ///< by the gas path: absolute [Pa], 0 = firing TDC
+
+  bool is_stated() const { return constant || file || computed; }  ///< by a constant, by a file, or computed
+};
+
+/// The keys under `gas_path`: how the gas passes the rings. The defaults are typical and assumed.
+struct GasPath {
+  GasPathModel model = GasPathModel::kGiven;     ///< pressures between the rings as stated, or by volumes and orifices
+  RingMotion ring_motion = RingMotion::kSeated;  ///< rings on their lower flanks, or moved along the bore's axis
+  FilmGas film = FilmGas::kSealing;              ///< do the films of the rings let gas pass?
+  double discharge_coefficient = 0.65;           ///< C, of the end gaps [-]
+  double gas_constant = 287;                     ///< R, of air [J/(kg K)]
+  double heat_capacity_ratio = 1.33;             ///< gamma, of burned gas [-]
+  double viscosity = 2.7e-5;                     ///< mu, of air at 500 K [Pa s]
+  double chamber_temperature = 600;              ///< of the gas that enters from the chamber [K]
+  double crankcase_temperature = 360;            ///< of the gas in the crankcase [K]
+  double choking_smoothing = 1e-3;               ///< distance from a pressure ratio of 1 that is bridged [-]
+  double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
+
+  bool is_computed() const { return model == GasPathModel::kOrificeVolume; }  ///< the pressures between the rings
+  bool passes_films() const { return is_computed() && film == FilmGas::kBreakthrough; }  ///< does the gas?
+};
+
+/// What the gas meets at a ring: keys under `ring`, used where GasPath::is_computed().
+struct RingGasPath {
+  RingKind kind = RingKind::kCompression;   ///< where its gas goes
+  std::optional<double> gap_area;           ///< of the end gap; absent: end_gap times land_clearance [m2]
+  std::optional<double> groove_volume;      ///< of the gas behind and above the ring [m3]
+  double groove_temperature = 473.15;       ///< of that gas; typical, assumed [K]
+  double volume_below = 0;                  ///< of the piston land below; 0: it is the region below it [m3]
+  double temperature_below = 423.15;        ///< of the gas there; typical, assumed [K]
+  std::optional<double> side_clearance;     ///< of the ring in its groove, along the bore's axis [m]
+  std::optional<double> land_clearance;     ///< radial, between piston lands and bore [m]
+  std::optional<double> mass;               ///< of the ring [kg]
+  std::optional<double> density;            ///< or of what it is made of [kg/m3]
+  double bore_friction_coefficient = 0.05;  ///< of the ring on the bore; typical, assumed [-]
+  /// Computed: gap through which gas passes the film, at each degree of crank angle; empty: the film seals [m].
+  std::vector<double> face_opening;
+};
+
+/// Where a face came from; recorded, and not used by any model.
+struct MeasuredFace {
+  std::optional<std::string> trace;         ///< file of the trace
+  std::optional<double> width;              ///< that the face was fitted over; the ring must have it [m]
+  std::optional<std::string> levelling;     ///< how its tilt was removed
+  std::optional<double> residual_rms;       ///< rms distance of trace and face [m]
+  std::optional<double> largest_residual;   ///< largest distance of trace and face [m]
+  std::optional<std::string> fit_artifact;  ///< where the face has what the trace has not
+};
+
+/// Shape of a face by a formula: the keys that `ring.face` and `pad.face` share.
+struct FaceShape {
+  FaceForm form{};  ///< how h_s(x), the gap to a straight surface, is given
+  // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
+  std::vector<double> coefficients = {};  ///< highest power first
+  double length_unit = 0;                 ///< of x in the polynomial [m]
+  double height_unit = 0;                 ///< of the height in the polynomial [m]
+  // form = "parabola" or "cosine"
+  double crown_height = 0;  ///< rise of the parabola at the farther edge, of the cosine to its highest point [m]
+  double apex = 0.5;        ///< place of the lowest point, fraction of the way from x = 0 to the other edge [-]
+};
+
+/// The keys under `ring.face`, with the points that they name.
+struct RingFace : FaceShape {
+  HeightZero height_zero = HeightZero::kMinimum;      ///< of the stored heights; the film is the true gap in both
+  Orientation orientation = Orientation::kX0Chamber;  ///< the edge at x = 0: a ring-fixed one, or the leading one
+  // form = "points"
+  std::string points_file;     ///< CSV of measured points, as named
+  std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
+  std::vector<double> height;  ///< h_s at x, low where the ring comes next to the liner [m]
+  MeasuredFace measured;       ///< of a face that was fitted to a trace
+};
+
+/// What covers the face of the ring. Contact spots are far smaller than usual coatings are thick.
+struct Coating {
+  std::optional<double> youngs_modulus;  ///< [Pa]; absent: no coating
+  double poissons_ratio = 0;             ///< of the coating [-]
+  std::optional<double> thickness;       ///< of the coating; absent: not known, and no note on what lies below [m]
+  ContactModulus contact_modulus = ContactModulus::kCoating;  ///< whose modulus the contact spots feel
+};
+
+/// The keys under `ring`.
+struct Ring {
+  std::string name;               ///< for people; empty: its number
+  double face_width = 0;          ///< b, along the cylinder's axis [m]
+  double youngs_modulus = 203e9;  ///< E_1 [Pa]
+  double poissons_ratio = 0.3;    ///< nu_1 [-]
+  // exactly one of: elastic_pressure | tangential_force | expander_force | (free_gap and radial_thickness) | free_shape
+  std::optional<double> elastic_pressure;  ///< p_e, on the bore by the ring's own tension [Pa]
+  std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
+  /// Of an oil ring: tangential force of its expander, which its rails share; F_t = p_e n b B/2 [N].
+  std::optional<double> expander_force;
+  std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
+  std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap, and with gas_path [m]
+  LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
+  LandPressure pressure_below;             ///< of the piston land below; not stated: that of the crankcase
+  /// In the groove, computed by the gas path: absolute [Pa], 0 = firing TDC. Absent: Gas::pressure_behind_ring.
+  std::optional<base::Shared<SampledTrace>> pressure_behind;
+  bool has_computed_gas = false;     ///< was the gas path of the pack computed for this ring?
+  std::optional<double> land_below;  ///< height of the piston land down to the next ring [m]
+  // of an oil ring
+  int rails = 1;                        ///< faces, each face_width wide and with a film of its own
+  std::optional<double> rail_distance;  ///< free height between two rails; absent: as high as a rail is wide [m]
+  // film.dimension = "unrolled"; the end gap also where the gas path is computed
+  std::optional<double> end_gap;               ///< between the ends of the ring in the bore; absent: a closed ring [m]
+  double gap_position_deg = 0;                 ///< of the gap's middle around the bore [degree]
+  Conformity conformity = Conformity::kRigid;  ///< does the ring of an unrolled film bend?
+  LocalDeformation local_deformation = LocalDeformation::kNone;  ///< of face and liner by the film's pressure
+  RingGasPath gas_path;                                          ///< what the gas meets at the ring
+  /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
+  std::vector<FourierTerm> pressure_orders;
+  std::optional<std::string> pressure_points;    ///< CSV of that pressure around the ring, as named
+  base::Shared<PressurePoints> pressure_around;  ///< of that file
+  int pressure_points_orders = 8;                ///< the highest order that is kept of it
+  std::optional<std::string> free_shape;         ///< CSV of the measured free ring, as named
+  base::Shared<FreeRing> free_ring;              ///< of that file
+  double free_shape_smoothing = 0;               ///< shortest wave around the ring that is kept of it [m]
+  RingFace face;                                 ///< shape of the face across its width
+  Coating coating;                               ///< absent unless its modulus is stated
+};
+
+/// The keys under `liner`.
+struct Liner {
+  double youngs_modulus = 92.3e9;  ///< E_2 [Pa]
+  double poissons_ratio = 0.211;   ///< nu_2 [-]
+  // of grey cast iron, for the flash temperature
+  double thermal_conductivity = 55;  ///< [W/(m K)]
+  double density = 7200;             ///< [kg/m3]
+  double specific_heat = 490;        ///< [J/(kg K)]
+  // out of roundness, for rings that bend: deviations of the radius that add up
+  std::vector<FourierTerm> distortion;            ///< of the cold bore [m]
+  std::vector<FourierTerm> thermal_distortion;    ///< by heat [m]
+  std::optional<std::string> distortion_map;      ///< CSV of the measured bore, as named
+  base::Shared<BoreMap> map;                      ///< of that file
+  std::optional<std::string> dynamic_distortion;  ///< CSV of the part that changes over the cycle, as named
+  base::Shared<DynamicBore> dynamic;              ///< of that file
+  int map_orders = 20;                            ///< the highest order that is kept of both files
+
+  /// Is the bore round, without any stated distortion?
+  bool is_round() const {
+    return distortion.empty() && thermal_distortion.empty() && !distortion_map && !dynamic_distortion;
+  }
+};
+
+/// The keys under `conform`: the static closure of the ring in its bore.
+struct Conform {
+  double gas_pressure = 0;       ///< behind the ring, above that in front of it [Pa]
+  std::optional<double> height;  ///< along the stroke, of a bore that changes with it [m]
+};
+
+/// How zeta was measured: standard deviations by origin. The last two are common to all samples of one calibration.
+struct MeasuredShearStrength {
+  std::optional<std::string> loops;             ///< file and sample
+  std::optional<std::string> method;            ///< "silicon", "geometry", "wedge"
+  std::optional<std::string> calibration;       ///< its name; cases that share it are correlated
+  std::optional<double> slope_deviation;        ///< of zeta, by the sample's own line [-]
+  std::optional<double> calibration_deviation;  ///< of zeta, by the measurement of the calibration [-]
+  std::optional<double> reference_deviation;    ///< of zeta, by the value that the calibration took over [-]
+};
+
+/// How N, beta and sigma were measured, and their scatter between the regions. The models do not use it; the numbers of
+/// a study of uncertainty start here.
+struct MeasuredContact {
+  std::optional<std::string> ring_surface;           ///< file, channel, region
+  std::optional<std::string> liner_surface;          ///< file, channel, region
+  std::optional<std::string> filter;                 ///< what was removed before, as text
+  std::optional<double> long_cutoff;                 ///< longest wavelength that was kept [m]
+  std::optional<double> short_cutoff;                ///< shortest wavelength that was kept; N and beta depend on it [m]
+  std::optional<double> step;                        ///< distance of points; N and beta depend on it [m]
+  std::optional<std::string> roughness_rule;         ///< how sigma was made of both surfaces, in words
+  std::optional<std::string> difference_scheme;      ///< how slopes and curvatures were made of heights, in words
+  std::optional<double> regions;                     ///< how many were measured [-]
+  std::optional<double> asperity_density_deviation;  ///< standard deviation of N between regions [1/m2]
+  std::optional<double> asperity_radius_deviation;   ///< the same of beta [m]
+  std::optional<double> roughness_deviation;         ///< the same of sigma [m]
+  std::optional<double> density_radius_correlation;  ///< of N and beta over the regions [-]
+  std::optional<double> density_roughness_correlation;  ///< of N and sigma over the regions [-]
+  std::optional<double> radius_roughness_correlation;   ///< of beta and sigma over the regions [-]
+  MeasuredShearStrength shear_strength;                 ///< where zeta comes from
+};
+
+/// The contact law of a measured pair (docs/theory/contact-of-measured-pair.md), as `ringfilm contact` writes it.
+struct ContactLawTable {
+  models::ContactTable rows;             ///< separations that rise, with contact
+  std::vector<double> mean_gap;          ///< of the same rows [m]
+  double composite_roughness = 0;        ///< rms of both maps together [m]
+  double composite_modulus = 0;          ///< E' [Pa]
+  std::optional<double> hardness;        ///< nothing: elastic [Pa]
+  double last_supported_separation = 0;  ///< up to here several spots carry; beyond it is an extrapolation [m]
+  /// Through the same gaps; nullptr where the file has none.
+  std::shared_ptr<const models::MeasuredFlow> flow;
+  std::optional<double> shift_deviation;           ///< standard deviation of the shift of the separation [m]
+  std::optional<double> factor_deviation;          ///< the same of ln p [-]
+  std::optional<double> shift_factor_correlation;  ///< of both [-]
+};
+
+/// The keys under `contact`.
+struct Contact {
+  ContactLaw model = ContactLaw::kGreenwoodTripp;    ///< law of the asperity contact
+  AsperityLaw asperity = AsperityLaw::kElastic;      ///< how its asperities deform
+  SummitPlane summit_plane = SummitPlane::kSurface;  ///< from which plane the separation is measured
+  ContactMoments moments = ContactMoments::kPair;    ///< whose N and beta the law of pairs takes
+  std::string law_file;                              ///< of kTable
+  base::Shared<ContactLawTable> law;                 ///< of that file; empty without one
+  double law_shift = 0;                              ///< by which the law moves to larger separations [m]
+  double law_factor = 1;                             ///< of its pressure and area [-]
+  double asperity_density = 0;                       ///< N: asperity peaks per area of the pair [1/m2]
+  double asperity_radius = 0;                        ///< beta: mean radius of their summits [m]
+  double roughness = 0;                              ///< sigma: composite roughness of the pair, as stated [m]
+  /// Is it used as stated, or is it Ra, to be multiplied by sqrt(pi/2) = 1.2533 for the rms?
+  RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
+  double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
+  double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]
+  std::optional<std::string> friction_pair;        ///< of data/pairs, which states zeta and the hardness
+  base::Shared<models::FrictionPair> pair;         ///< that pair; without a name where there is none
+  std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E; absent: of ring and liner [Pa]
+  /// H of the softer face; the contact is elastic, and its pressure is compared with it [Pa].
+  std::optional<double> hardness;
+  ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
+  LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
+  double ring_roughness_share = 0;  ///< of the square of sigma, the ring's own [-]; film.shear_flow
+  MeasuredContact measured;         ///< where N, beta, sigma and zeta come from
+
+  /// Does nothing limit the pressure on the real area?
+  bool is_elastic() const {
+    return model == ContactLaw::kBushGibsonThomas || (model == ContactLaw::kTable && !law->hardness) ||
+           ((model == ContactLaw::kGreenwoodTripp || model == ContactLaw::kGreenwoodWilliamson) &&
+            asperity == AsperityLaw::kElastic);
+  }
+};
+
+/// The keys under `lubricant`, with the oil of the file that they name.
+struct Lubricant {
+  std::optional<std::string> file;                    ///< where the keys of this table were read from
+  std::optional<std::string> grade;                   ///< or the grade of the shipped oil that has them
+  std::string name;                                   ///< for people; empty if the case states the values itself
+  std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
+  std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
+  std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
+  std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
+  base::Shared<OilTable> table;                       ///< of that file; empty without one
+  double temperature_viscosity_coefficient = 0.04;    ///< beta_0 [1/K], houpert
+  double reference_temperature = 313.15;              ///< theta_0 [K], houpert and thermal-expansivity
+  double thermal_expansivity = 7.5e-4;                ///< gamma [1/K]
+  /// Law of viscosity against temperature: ASTM D341 through the points, or Houpert's term.
+  ViscosityTemperature viscosity_temperature = ViscosityTemperature::kWalther;
+  ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;    ///< law of viscosity against pressure
+  models::LawParameters law_parameters = models::usual_law_parameters();  ///< of viscosity against pressure [SI]
+  DensityTemperature density_temperature = DensityTemperature::kTable;    ///< linear through the points, or by gamma
+  Compressibility compressibility = Compressibility::kDowsonHigginson;    ///< law of density against pressure
+  double dh_a = models::DowsonHigginson{}.a;              ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
+  double dh_b = models::DowsonHigginson{}.b;              ///< b of the same law [1/Pa]
+  double thermal_conductivity = 0.14;                     ///< k, of a mineral oil [W/(m K)]
+  double specific_heat = 2100;                            ///< c_p, of a mineral oil [J/(kg K)]
+  double viscosity = 0;                                   ///< of a pad, at the zero of its pressures [Pa s]
+  ShearThinning shear_thinning = ShearThinning::kNone;    ///< law of viscosity against the shear rate
+  double second_newtonian_ratio = 0.7;                    ///< R: viscosity at the highest shear rates over that at none
+  std::optional<double> critical_shear_rate;              ///< g_c, at the temperature below [1/s]
+  std::optional<double> critical_shear_rate_temperature;  ///< [K]
+  std::optional<double> shear_exponent;                   ///< m or n; absent: models::usual_exponent [-]
+  /// Viscosity at 150 degC and 1e6 1/s, which determines g_c where the case does not state it [Pa s].
+  std::optional<double> hths_viscosity;
+
+  /// Is the oil any other than a Newtonian one?
+  bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
+};
+
+/// The keys under `film`.
+struct Film {
+  FilmDimension dimension = FilmDimension::kFace;  ///< across the face, alike all around, or the whole unrolled ring
+  Cavitation cavitation = Cavitation::kMassConserving;  ///< where the film ruptures: Reynolds, or mass kept (JFO)
+  double cavitation_pressure = 101325;  ///< p_c, absolute [Pa]; of a pad counted like its other pressures
+  /// What lies at an edge where the film leaves, and with a supply that is not flooded where it enters.
+  EdgeFluid chamber_edge = EdgeFluid::kOil;
+  EdgeFluid crankcase_edge = EdgeFluid::kOil;  ///< likewise
+
+  OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas; see supply_at_inlet
+
+  Roughness flow_factors = Roughness::kNone;      ///< of the flow by pressure
+  Roughness shear_flow = Roughness::kNone;        ///< of the flow by sliding
+  Roughness stress_factors = Roughness::kNone;    ///< of the shear stress
+  AverageGap average_gap = AverageGap::kNominal;  ///< that is stored and carried
+  double orientation = 1;  ///< gamma of the roughness: correlation length along the motion over that across it [-]
+
+  /// Is one of the factors of this origin?
+  bool has_factors(Roughness of) const { return flow_factors == of || shear_flow == of || stress_factors == of; }
+  /// Is the flow, or a part of it, that through the gap of contact.law?
+  bool is_measured() const { return has_factors(Roughness::kMeasured) || average_gap == AverageGap::kMeasured; }
+  /// Does the film differ by roughness from that of smooth walls?
+  bool is_rough() const {
+    return has_factors(Roughness::kPatirCheng) || is_measured() || average_gap != AverageGap::kNominal;
+  }
+  /// Does the film of a ring end at gas?
+  bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
+  /// What a film finds where it enters: edges of oil flood it, whatever the conditions set as `supply`.
+  OilSupply supply_at_inlet() const { return has_gas_edge() ? supply : OilSupply::kFlooded; }
+  // of a pad
+  EdgeFluid left_edge = EdgeFluid::kOil;   ///< at x = 0
+  EdgeFluid right_edge = EdgeFluid::kOil;  ///< at x = length
+  std::optional<double> supply_left;       ///< film on the flat surface that comes in at an edge of gas [m]
+  std::optional<double> supply_right;      ///< likewise [m]
+
+  /// Does the film of a pad end at gas?
+  bool has_gas_edge_of_pad() const { return left_edge == EdgeFluid::kGas || right_edge == EdgeFluid::kGas; }
+};
+
+/// The keys under `supply`, of a film whose inlet is not flooded.
+struct Supply {
+  /// On the liner ahead of the ring, or what the oil ring leaves [m]; by distance, increasing; one point: everywhere.
+  std::vector<StrokeValue> film;
+  std::optional<double>
+      reach;  ///< liner from so far below the TDC position of the chamber edge has it on downstrokes [m]
+  Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take
+};
+
+/// The keys under `solver`.
+struct Solver {
+  std::optional<double> accuracy;  ///< to be reached: chooses cells, steps and scheme below (with_accuracy) [%]
+  int cells = 200;                 ///< across the face
+  CellLengths cell_lengths = CellLengths::kUniform;  ///< how they share it
+  int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
+  std::optional<double> end_cell;               ///< length of the cells at the ends of the gap [m]
+  static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
+  double crank_step_deg = 1.0;                  ///< of the integration; whole steps make 720 [degree]
+  StepControl crank_step_control = StepControl::kAdaptive;  ///< refine that step where the film needs it?
+  TimeScheme time_scheme = TimeScheme::kBdf2;               ///< of the step
+  double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
+  double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
+  Method method = Method::kCoupledNewton;       ///< how film and load balance are solved
+  Properties properties = Properties::kFitted;  ///< polynomials fitted to the laws of oil and contact, or these laws
+};
+
+/// The keys under `output`.
+struct Output {
+  double crank_angle_step_deg = 1.0;                 ///< used where the list is empty [degree]
+  std::vector<double> crank_angles_deg;              ///< explicit list, increasing, within [0, 720)
+  FieldOutput fields = FieldOutput::kNone;           ///< at which angles pressure and film along the face are kept
+  std::vector<double> field_angles_deg;              ///< where kListed: explicit list, increasing [degree]
+  FieldReduction reduction = FieldReduction::kNone;  ///< of the fields of an unrolled film
+};
+
+/// The keys under `pad.oscillation`: s(t) = separation + amplitude cos(2 pi t/period + phase) from t = 0 on.
+struct PadOscillation {
+  std::optional<double> amplitude;  ///< absent: the separation stays [m]
+  double period = 0;                ///< [s]
+  double phase_deg = 0;             ///< [degree]
+};
+
+/// A film of stated shape without ring and engine (docs/theory/pad.md). Pressures count from one zero, which the case
+/// chooses; loads are per metre of width, means over it where it is finite.
+struct Pad {
+  double length = 0;                  ///< L, along the motion [m]
+  std::optional<double> width;        ///< B, across the motion; absent: infinitely wide [m]
+  FaceShape face{FaceForm::kPoints};  ///< its gap by a formula, or by points
+  std::string gap_file;               ///< CSV or NetCDF of the points of the gap, as named
+  std::vector<double> gap_x;       ///< of the points [m], from 0 to the length, increasing; a step appears there twice
+  std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
+  std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
+  double speed = 0;                ///< of the flat surface [m/s]
+  Direction direction = Direction::kPlusX;  ///< which way the flat surface moves
+  double left_pressure = 0;                 ///< at x = 0 [Pa]
+  double right_pressure = 0;                ///< at x = length [Pa]
+  // width
+  Sides sides = Sides::kOpen;  ///< what the film ends at across the motion
+  double front_pressure = 0;   ///< at y = 0, open sides [Pa]
+  double back_pressure = 0;    ///< at y = width, open sides [Pa]
+  // exactly one of: separation | load | separation_history
+  std::optional<double> separation;                    ///< adds to the gap; the mean of an oscillation [m]
+  std::optional<double> load;                          ///< carried by the film, which finds its separation [N/m]
+  std::optional<std::string> separation_history_file;  ///< CSV of separation against time, as named
+  std::vector<double> history_time;                    ///< [s], increasing
+  std::vector<double> history_separation;              ///< at these times, straight between them [m]
+  // separation_history | oscillation
+  PadOscillation oscillation;         ///< about the separation
+  double time_step = 0;               ///< of the integration [s]
+  std::optional<double> end_time;     ///< absent: end of the history [s]
+  std::optional<double> output_step;  ///< absent: every time step is kept [s]
+
+  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< of width alone
+
+  /// Is the gap a formula over x, without points?
+  bool has_formula() const { return face.form != FaceForm::kPoints; }
+  /// Removes what files gave.
+  void clear_points() {
+    for (auto* points : {&gap_x, &gap_y, &gap_height, &history_time, &history_separation}) points->clear();
+  }
+  /// Is the film integrated over time?
+  bool is_transient() const { return separation_history_file.has_value() || oscillation.amplitude.has_value(); }
+  /// Where the integration begins [s].
+  double first_time() const { return history_time.empty() ? 0.0 : history_time.front(); }
+  /// Where the integration ends [s].
+  double last_time() const { return end_time.value_or(history_time.empty() ? 0.0 : history_time.back()); }
+};
+
+/// A file that the case was read from, for the record.
+struct InputFile {
+  std::string role;    ///< "case", "include", "gas.cylinder_pressure", ...
+  std::string path;    ///< as named
+  std::string sha256;  ///< of its bytes
+};
+
+/// All keys of a case. Members that a problem or a model does not use stay as they are.
+struct Case {
+  Problem problem = Problem::kCycle;               ///< a pad where any of its keys is stated
+  CasePurpose purpose = CasePurpose::kFilm;        ///< what it was read for
+  std::string title;                               ///< for people; names pages and figures
+  Conditions conditions = Conditions::kOfTheCase;  ///< from which defaults the rest starts
+  Engine engine;                                   ///< bore and crank
+  Operating operating;                             ///< speed and oil temperature
+  Thermal thermal;                                 ///< temperatures of ring and liner, if the film has them
+  Gas gas;                                         ///< pressure above, below and behind the ring
+  GasPath gas_path;                                ///< how the gas passes the rings
+  Ring ring;                                       ///< size, tension, face, coating, gap
+  Liner liner;                                     ///< what the bore is made of
+  Conform conform;                                 ///< the static closure of the ring in its bore
+  Contact contact;                                 ///< roughness of the pair and boundary friction
+  Lubricant lubricant;                             ///< the oil by its laws, or by a table
+  Supply supply;                                   ///< oil on the liner, if the inlet is not flooded
+  Film film;                                       ///< in one dimension or two, and how it ruptures
+  Solver solver;                                   ///< grid, steps, tolerances
+  Output output;                                   ///< what is kept of the integration
+  Pad pad;                                         ///< of Problem::kPad alone
+  /// Of a ring pack ([[ring]]) the case of each ring, from the chamber to the crankcase, complete and without rings of
+  /// its own; `ring` and `contact` of the pack itself are those of the first. Empty: a case of one ring.
+  std::vector<Case> rings;
+
+  /// Does the film differ from that of a Newtonian oil between smooth walls?
+  bool has_flow_factors() const { return film.is_rough() || lubricant.thins(); }
+  /// Do asperities carry load? Those of a pad do where a composite modulus is stated.
+  bool has_contact() const { return problem == Problem::kCycle || contact.composite_modulus.has_value(); }
+  bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
+  /// Around the ring, too?
+  bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
+  /// That of its steps: oil on the liner is accounted for step by step, which is of first order.
+  TimeScheme time_scheme() const {
+    return film.supply_at_inlet() == OilSupply::kFilmOnLiner ? TimeScheme::kBackwardEuler : solver.time_scheme;
+  }
+  /// Does its ring bend in the bore?
+  bool bends() const { return is_unrolled() && ring.conformity == Conformity::kBeam; }
+  /// Is anything stated that only a ring that bends uses?
+  bool has_closure() const {
+    return bends() || problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
+           ring.pressure_points || ring.free_shape || conform.gas_pressure > 0 || conform.height;
+  }
+  /// Does the film of a pad enter out of gas, with a surface that moves that way?
+  bool enters_out_of_gas(Direction direction) const {
+    const EdgeFluid inlet = direction == Direction::kPlusX ? film.left_edge : film.right_edge;
+    return inlet == EdgeFluid::kGas && pad.direction == direction && pad.speed > 0;
+  }
+  /// Around the bore; of an unrolled film without the gap [m].
+  double ring_length() const;
+  /// Of the cells at the ends of the ring, as asked for [m].
+  double end_cell() const { return solver.end_cell.value_or(Solver::kEndCell * ring.face_width); }
+
+  std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption
+  std::vector<InputFile> files;  ///< everything that was read
+  /// Notes of the reader on the input (byte-order mark, synthetic trace, ...).
+  std::vector<std::string> notes;
+};
+
+inline double Case::ring_length() const {
+  const double circumference = std::numbers::pi * engine.bore;
+  return is_unrolled() ? circumference - ring.end_gap.value_or(0) : circumference;
+}
+
+/// The case before anything is stated. What is usual for a ring's oil and its absolute pressures is not for a pad.
+inline Case blank_case(Problem problem) {
+  Case c;
+  c.problem = problem;
+  if (problem == Problem::kPad) {
+    c.title = "pad";
+    c.lubricant.viscosity_pressure = ViscosityPressure::kNone;
+    c.lubricant.compressibility = Compressibility::kNone;
+    c.film.cavitation_pressure = 0;
+  }
+  return c;
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,93 @@
+#include "ringfilm/cycle/checks/advice.hpp"
+
+#include <cstdio>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/case/accuracy.hpp"
+#include "ringfilm/cycle/checks/contact_plausibility.hpp"
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/checks/oil_plausibility.hpp"
+#include "ringfilm/cycle/integration/cycle_film.hpp"
+#include "ringfilm/cycle/setup/free_ring.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.is_unrolled() || !c.ring.end_gap) return;
+  const double reached = strips_of(c).spacing.front();
+  if (reached <= kEndCellMissed * c.end_cell()) return;
+  char text[512];
+  std::snprintf(
+      text, sizeof text,
+      "the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few to grow "
+      "from there by %.1f times each; take more solver.cells_y",
+      reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, film::kSteepestGrowth);
+  notes.push_back({"end-cells-long", text, 1});
+}
+
+/// Bending breaks a ring that is more tense than 1 MPa; on the narrow lands of oil rings, with a spring behind them, it
+/// is up to 2 MPa (docs/manual/robustness.md) [Pa].
+constexpr double kHighestTension = 3e6;
+
+void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
+  if (elastic_pressure <= kHighestTension) return;
+  notes.push_back({"ring-tension-high",
+                   "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
+                       " MPa: " + usual_tension(),
+                   1});
+}
+
+/// Keys of the static closure in a cycle.
+void append_bore_note(const Case& c, std::vector<Note>& notes) {
+  if (c.bends()) {
+    if (c.conform.gas_pressure > 0) {
+      notes.push_back(
+          {"conform-not-used",
+           "[conform] is used by ringfilm conform alone: in a cycle the gas of the case acts behind the ring", 1});
+    }
+    return;
+  }
+  if (c.liner.is_round() && c.ring.pressure_orders.empty() && !c.ring.pressure_points && !c.ring.free_shape &&
+      !(c.conform.gas_pressure > 0))
+    return;
+  notes.push_back(
+      {"bore-taken-as-round",
+       "liner.distortion, the orders of the ring's pressure and [conform] are not used: film and friction are those of "
+       "a ring that fits a round bore with uniform pressure; film.dimension = \"unrolled\" with "
+       "ring.conformity = \"beam\" computes the ring in this bore",
+       1});
+}
+
+void append_free_shape_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.ring.free_shape) return;
+  const models::FreeShapeFit fit = free_ring(c);
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "ring.free_shape is smoothed over %.3g mm: its points lie %.3g um (rms) from the shape that is left, "
+                "and by that scatter the tangential force of %.4g N is known to %.2g %%, the pressure around the ring "
+                "to %.2g %% of its mean (one standard deviation)",
+                1e3 * c.ring.free_shape_smoothing, 1e6 * fit.residual, fit.tangential_force, 100 * fit.force_deviation,
+                100 * fit.pressure_deviation);
+  notes.push_back({"free-shape-smoothed", text, 1});
+}
+
+}  // namespace
+
+std::vector<Note> advice(const Setup& setup) {
+  const Case& c = setup.input;
+  std::vector<Note> notes = setup.notes;
+  if (c.solver.accuracy) notes.push_back({"accuracy-asked-for", accuracy_text(c), 1});
+  append_end_cell_note(c, notes);
+  if (!c.ring.pressure_above.is_stated()) append_gas_notes(c, setup.ring.lands.above, notes);
+  append_viscosity_notes(setup.ring.oil, notes);
+  append_contact_notes(c, setup.ring.sigma, notes);
+  append_tension_note(setup.ring.elastic_pressure, notes);
+  append_bore_note(c, notes);
+  append_free_shape_note(c, notes);
+  sort_notes(notes);
+  return notes;
+}
+
+}  // namespace ringfilm::cycle

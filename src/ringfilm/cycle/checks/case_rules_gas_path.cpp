@@ -1,0 +1,133 @@
+#include "ringfilm/cycle/checks/case_rules_gas_path.hpp"
+
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+using Breaches = std::vector<RuleBreach>;
+
+void require(const std::optional<double>& value, const std::string& key, Breaches& breaches) {
+  if (value) return;
+  const Field& field = *find_field(key);
+  breaches.push_back({key, "the key " + key + " is missing: " + field.help,
+                      "write, for example, " + key.substr(key.find('.') + 1) + " = " + field.example,
+                      RuleBreach::By::kMissingKey});
+}
+
+void check_end_gap_of_gas(const Case& c, Breaches& breaches) {
+  const Ring& ring = c.ring;
+  const RingGasPath& gas = ring.gas_path;
+  const double circumference = std::numbers::pi * c.engine.bore;
+  if (gas.gap_area && ring.end_gap && !c.is_unrolled()) {
+    breaches.push_back({"ring.gap_area",
+                        "the end gap is stated twice: ring.gap_area and ring.end_gap",
+                        "state ring.gap_area, or ring.end_gap with ring.land_clearance",
+                        RuleBreach::By::kValues,
+                        {{"ring.gap_area"}, {"ring.end_gap"}}});
+  }
+  if (!gas.gap_area && !ring.end_gap) {
+    require(gas.gap_area, "ring.gap_area", breaches);
+  } else if (!gas.gap_area) {
+    require(gas.land_clearance, "ring.land_clearance", breaches);
+  }
+  const std::string remedy = "check the units of the end gap and of ring.land_clearance";
+  if (ring.end_gap && *ring.end_gap >= circumference) {
+    breaches.push_back({"ring.end_gap",
+                        "ring.end_gap = " + in_mm(*ring.end_gap) + " is wider than the circumference of the bore, " +
+                            in_mm(circumference),
+                        remedy});
+  }
+  if (gas.gap_area && gas.land_clearance && *gas.gap_area >= circumference * *gas.land_clearance) {
+    breaches.push_back({"ring.gap_area",
+                        "ring.gap_area = " + number_text(*gas.gap_area * 1e6) +
+                            " mm2 is more than the whole clearance between piston land and bore, " +
+                            number_text(circumference * *gas.land_clearance * 1e6) +
+                            " mm2: a gap wider than the "
+                            "circumference",
+                        remedy});
+  }
+}
+
+void check_groove(const Case& c, Breaches& breaches) {
+  const Ring& ring = c.ring;
+  const RingGasPath& gas = ring.gas_path;
+  require(gas.groove_volume, "ring.groove_volume", breaches);
+  require(gas.side_clearance, "ring.side_clearance", breaches);
+  if (gas.gap_area || !ring.end_gap) require(gas.land_clearance, "ring.land_clearance", breaches);
+  require(ring.radial_thickness, "ring.radial_thickness", breaches);
+  if (!gas.land_clearance || !ring.radial_thickness) return;
+  if (*ring.radial_thickness <= *gas.land_clearance) {
+    breaches.push_back({"ring.radial_thickness",
+                        "ring.radial_thickness = " + in_mm(*ring.radial_thickness) +
+                            " is not more than ring.land_clearance = " + in_mm(*gas.land_clearance) +
+                            ": the ring has no flank in its groove",
+                        "check the units of both"});
+  }
+  if (2 * *ring.radial_thickness >= c.engine.bore) {
+    breaches.push_back(
+        {"ring.radial_thickness",
+         "ring.radial_thickness = " + in_mm(*ring.radial_thickness) + " fills the bore of " + in_mm(c.engine.bore),
+         "check its unit"});
+  }
+}
+
+void check_motion(const Case& c, Breaches& breaches) {
+  const RingGasPath& gas = c.ring.gas_path;
+  if (gas.mass && gas.density) {
+    breaches.push_back({"ring.mass",
+                        "the mass of the ring is stated twice: ring.mass and ring.density",
+                        "state one of them",
+                        RuleBreach::By::kValues,
+                        {{"ring.mass"}, {"ring.density"}}});
+  } else if (c.gas_path.ring_motion == RingMotion::kAxial) {
+    if (!gas.density) require(gas.mass, "ring.mass", breaches);
+    if (!(c.ring.face_width > 0)) require(std::nullopt, "ring.face_width", breaches);
+  }
+}
+
+/// The ring of that number, from 1, of a pack or of a case of one ring.
+const Ring& ring_of(const Case& c, std::size_t number) { return c.is_pack() ? c.rings[number - 1].ring : c.ring; }
+
+std::string key_of(const Case& c, std::size_t number, const char* key) {
+  return c.is_pack() ? pack_key(number, key) : key;
+}
+
+}  // namespace
+
+void append_gas_path_breaches(const Case& c, Breaches& breaches) {
+  check_end_gap_of_gas(c, breaches);
+  if (c.ring.gas_path.kind == RingKind::kOil) return;
+  check_groove(c, breaches);
+  check_motion(c, breaches);
+}
+
+std::vector<RuleBreach> broken_pack_rules(const Case& pack) {
+  Breaches breaches;
+  const std::size_t n = pack.is_pack() ? pack.rings.size() : 1;
+  if (!pack.is_pack() && pack.ring.rails > 1) {
+    breaches.push_back({"ring.rails", "ring.rails = " + std::to_string(pack.ring.rails) + " in a case of one ring",
+                        "write the ring as [[ring]]: its rails are computed as the rings of a pack"});
+  }
+  for (std::size_t i = 2; i <= n; ++i) {
+    const bool oil_before = ring_of(pack, i - 1).gas_path.kind == RingKind::kOil;
+    if (!oil_before || ring_of(pack, i).gas_path.kind == RingKind::kOil) continue;
+    breaches.push_back({pack_key(i - 1, "ring.kind"),
+                        "rings out of order: ring " + std::to_string(i - 1) + " is an oil ring, and ring " +
+                            std::to_string(i) + " below it a compression ring",
+                        "[[ring]] sections go from the chamber to the crankcase, oil rings last"});
+  }
+  if (pack.gas_path.is_computed() && ring_of(pack, n).gas_path.volume_below > 0) {
+    const std::string key = key_of(pack, n, "ring.volume_below");
+    breaches.push_back({key, key + " is a volume below the last ring, where the crankcase is",
+                        "leave it out, or add the oil ring as a [[ring]] with kind = \"oil\" and its gap_area"});
+  }
+  return breaches;
+}
+
+}  // namespace ringfilm::cycle

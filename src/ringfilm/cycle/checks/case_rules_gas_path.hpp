@@ -1,0 +1,12 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/checks/case_rules.hpp"
+
+namespace ringfilm::cycle {
+
+/// Rules of what the gas meets at a ring, where the gas path is computed.
+void append_gas_path_breaches(const Case& c, std::vector<RuleBreach>& breaches);
+
+}  // namespace ringfilm::cycle

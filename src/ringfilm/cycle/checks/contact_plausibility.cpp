@@ -1,0 +1,118 @@
+#include "ringfilm/cycle/checks/contact_plausibility.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// N beta sigma is 0.03 to 0.05 in Greenwood and Tripp 1971, 0.064 to 0.073 in Styles et al. 2014. The real area is
+/// pi^2 (N beta sigma)^2 F_2 of the nominal one: above 1 it exceeds it at a separation of 0.8 sigma.
+constexpr double kLowestRoughnessParameter = 0.005, kHighestRoughnessParameter = 1;
+/// Dry metals in air reach a friction coefficient of about 1; a boundary film lowers it.
+constexpr double kHighestShearStrength = 1;
+/// From polymers to diamond [Pa].
+constexpr double kSoftest = 1e9, kHardest = 1200e9;
+/// Eyring stresses of oils are 2 to 10 MPa (Johnson and Tevaarwerk 1977); no oil shears at more than 100 MPa before it
+/// yields as a solid [Pa].
+constexpr double kHighestEyringStress = 100e6;
+
+void append_roughness_note(const Contact& contact, double sigma, std::vector<Note>& notes) {
+  const double parameter = contact.asperity_density * contact.asperity_radius * sigma;
+  if (parameter >= kLowestRoughnessParameter && parameter <= kHighestRoughnessParameter) return;
+  notes.push_back({"roughness-parameter-unusual",
+                   "the roughness parameter N beta sigma is " + number_text(parameter) +
+                       ", where published surfaces have 0.03 to 0.073: are the units of contact.asperity_density, "
+                       "contact.asperity_radius and contact.roughness right?",
+                   1});
+}
+
+/// Does a text hold one of these words?
+bool names_any(const std::string& text, std::initializer_list<std::string_view> names) {
+  const auto is_letter = [&](std::size_t i) {
+    return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]));
+  };
+  return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+    std::size_t at = text.find(name);
+    while (at != std::string::npos && ((at > 0 && is_letter(at - 1)) || is_letter(at + name.size()))) {
+      at = text.find(name, at + 1);
+    }
+    return at != std::string::npos;
+  });
+}
+
+/// A root-sum-square of Ra lies 20 % below that of the rms heights of Gaussian surfaces.
+void append_measure_note(const Contact& contact, std::vector<Note>& notes) {
+  const std::optional<std::string>& rule = contact.measured.roughness_rule;
+  const bool is_of_ra = rule && names_any(*rule, {"Ra", "Sa"}) && !names_any(*rule, {"Rq", "Sq", "rms"});
+  if (!is_of_ra || is_closed_form(contact) || contact.roughness_measure != RoughnessMeasure::kAsGiven) return;
+  notes.push_back({"roughness-from-ra",
+                   "contact.roughness is of Ra (contact.measured.roughness_rule = \"" + *rule +
+                       "\"), and this contact law takes the rms height, for a Gaussian surface 1.25 times as much: "
+                       "measure the pair with --sigma Rq, or state contact.roughness_measure = \"ra-to-rq\"",
+                   1});
+}
+
+void append_modulus_note(const char* key, double modulus, std::vector<Note>& notes) {
+  if (modulus >= kSoftest && modulus <= kHardest) return;
+  notes.push_back({"modulus-unusual",
+                   std::string(key) + " = " + number_text(modulus / 1e9) + " GPa: solids of rings and liners have " +
+                       number_text(kSoftest / 1e9) + " (polymers) to " + number_text(kHardest / 1e9) +
+                       " GPa (diamond); is its unit right?",
+                   1});
+}
+
+void append_modulus_notes(const Case& c, std::vector<Note>& notes) {
+  const Coating& coating = c.ring.coating;
+  if (c.contact.composite_modulus) {
+    append_modulus_note("contact.composite_modulus", *c.contact.composite_modulus, notes);
+  } else {
+    if (coating.youngs_modulus) append_modulus_note("ring.coating.youngs_modulus", *coating.youngs_modulus, notes);
+    append_modulus_note("liner.youngs_modulus", c.liner.youngs_modulus, notes);
+  }
+  if (!c.contact.composite_modulus || c.ring.free_gap || c.ring.free_shape) {
+    append_modulus_note("ring.youngs_modulus", c.ring.youngs_modulus, notes);
+  }
+}
+
+}  // namespace
+
+void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes) {
+  const Contact& contact = c.contact;
+  if (contact.model != ContactLaw::kTable) {
+    append_roughness_note(contact, sigma, notes);
+    append_measure_note(contact, notes);
+  }
+  append_modulus_notes(c, notes);
+  if (contact.boundary_shear_strength_coefficient > kHighestShearStrength) {
+    notes.push_back(
+        {"boundary-shear-strength-high",
+         "contact.boundary_shear_strength_coefficient = " + number_text(contact.boundary_shear_strength_coefficient) +
+             ": dry metals reach a friction coefficient of about 1, and a boundary film lowers it",
+         1});
+  }
+  if (contact.friction_pair && contact.pair->state == models::FrictionState::kDry) {
+    notes.push_back({"boundary-friction-dry",
+                     "contact.friction_pair = \"" + *contact.friction_pair + "\": its coefficient of " +
+                         number_text(contact.pair->friction) +
+                         " is that of a probe without oil, not of asperities in engine oil, which have 0.08 to 0.15",
+                     1});
+  }
+  if (contact.eyring_shear_stress > kHighestEyringStress) {
+    notes.push_back({"eyring-stress-high",
+                     "contact.eyring_shear_stress = " + number_text(contact.eyring_shear_stress / 1e6) +
+                         " MPa: oils have 2 to 10 MPa, and yield as solids below " +
+                         number_text(kHighestEyringStress / 1e6) + " MPa; is its unit right?",
+                     1});
+  }
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,32 @@
+#pragma once
+#include <vector>
+
+#include "ringfilm/cycle/integration/time_integration.hpp"
+#include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
+
+namespace ringfilm::cycle {
+
+/// Asperity load from separations at which the contact law is not trusted: beyond the turning point of the printed F5/2
+/// polynomial, beyond the last separation of a table at which several spots carry.
+struct UntrustedContact {
+  long steps = 0;             ///< crank steps with asperity load from there, of the polynomial
+  double largest_share = 0;   ///< of the asperity load at one of them [-]
+  double share_of_cycle = 0;  ///< of the asperity load over the cycle, of a table [-]
+};
+
+/// Notes on models used outside the range in which they were made, and on results that no ring can have.
+/// @param grid the cells of the film  @param fmep of the cycle [Pa]; 0 where it was not finished
+void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
+                           const UntrustedContact& untrusted, std::vector<Note>& notes);
+
+/// The note on steps of the cycle that could not be cut as far as their error requires: a limit of the result, or for
+/// information where it changes the values by less than the accuracy of the case.
+/// @param base samples at the base angles of the cycle
+void append_step_note(const Setup& setup, const std::vector<Sample>& base, const std::vector<UncontrolledStep>& steps,
+                      std::vector<Note>& notes);
+
+/// Notes on remedies that the solver had to use.
+void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes);
+
+}  // namespace ringfilm::cycle

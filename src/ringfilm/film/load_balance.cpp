@@ -1,0 +1,57 @@
+#include "ringfilm/film/load_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ringfilm/film/gas_reach.hpp"
+
+namespace ringfilm::film {
+
+double thickest(const FilmProblem& problem) {
+  constexpr double kWidths = 1e2;
+  return std::max(kWidths * problem.grid.width, problem.contact == nullptr ? 0.0 : problem.contact->reach());
+}
+
+double enough_of_newton(const FilmProblem& problem) {
+  constexpr double kAtKinks = 1e-2;  // of the usual: film and asperities then balance to better than sqrt(tolerance)
+  const bool kinked = problem.contact != nullptr && problem.contact->has_kinks();
+  return std::sqrt(problem.tolerance) * (kinked ? kAtKinks : 1);
+}
+
+double asperity_load(const FilmProblem& problem, double h_m, double* slope) {
+  double load = 0;
+  double d_load = 0;
+  const auto add = [&](double h, double share) {
+    if (h >= problem.contact->reach()) return;
+    double p_a;
+    double dp_a;
+    problem.contact->pressure(h, p_a, dp_a);
+    load += share * p_a;
+    d_load += share * dp_a;
+  };
+  if (problem.contact == nullptr) {
+    // smooth surfaces
+  } else if (problem.contact_spread == ContactSpread::kNominal) {
+    add(h_m, problem.grid.width);
+  } else {
+    const FilmGrid& grid = problem.grid;
+    for (std::size_t i = 0; i < grid.x.size(); ++i) add(h_m + grid.node_height[i], grid.share[i]);
+  }
+  if (slope != nullptr) *slope = d_load;
+  return load;
+}
+
+double hydrodynamic_load(const FilmProblem& problem, const FilmState& state) {
+  double load = 0;
+  for (std::size_t i = 0; i < state.p.size(); ++i) load += problem.grid.share[i] * state.p[i];
+  return load;
+}
+
+double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs) {
+  const GasReach reach(problem.grid, inputs);
+  double load = 0;
+  for (int i = 0; i <= problem.grid.n_cells(); ++i) load += problem.grid.share[i] * reach.pressure_bound(i);
+  return load;
+}
+
+}  // namespace ringfilm::film

@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/instrument/grid/channel.hpp"
+#include "ringfilm/surface/topography/topography.hpp"
+
+/// Checks of heights after any reader: a file can be read without an error and not be a surface.
+namespace ringfilm::instrument {
+
+/// The unit in which the file, or the user, states heights.
+struct HeightUnit {
+  std::string name;     ///< e.g. "um"
+  double size_m = 1.0;  ///< [m]
+};
+
+/// What cannot be a measured surface, or hardly: rows and columns of one value, edges that are numbers or places,
+/// heights far outside all others, slopes, roughness and curvatures beyond those of surfaces, a length in front of a
+/// profile. Empty for fewer than eight measured points.
+std::vector<Doubt> height_doubts(const surface::HeightMap& map, const HeightUnit& unit);
+
+/// Leading values of a text that count the values behind them: the head of the file was read as heights.
+/// @param value as the file has them, in their order
+std::vector<Doubt> count_doubts(const std::vector<double>& value);
+
+}  // namespace ringfilm::instrument

@@ -1,0 +1,150 @@
+#include "ringfilm/io/case/shipped_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "ringfilm/base/error.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
+
+namespace ringfilm::io {
+namespace {
+
+using models::FrictionPair;
+using models::FrictionState;
+
+const std::vector<std::pair<std::string, FrictionState>> kStates = {{"lubricated", FrictionState::kLubricated},
+                                                                    {"dry", FrictionState::kDry}};
+
+constexpr std::size_t kLargestLibrary = std::size_t{1} << 20;  // [byte]
+
+class PairReader {
+ public:
+  PairReader(const TomlValue& table, const Units& units, std::vector<Fault>& faults)
+      : table_(table, "[[pair]]",
+               {"name", "coating", "liner", "state", "friction", "band", "hardness", "roughness", "source"}, faults),
+        units_(units) {}
+
+  FrictionPair read() {
+    FrictionPair pair;
+    pair.name = table_.needed_text("name", "\"crn-on-grey-iron\"");
+    pair.coating = table_.needed_text("coating", "\"CrN (PVD)\"");
+    pair.liner = table_.needed_text("liner", "\"grey iron\"");
+    pair.source = table_.needed_text("source", "\"typical, assumed\"");
+    pair.roughness_class = table_.text("roughness").value_or("");
+    const auto state = table_.chosen<FrictionState>("state", kStates);
+    if (!state && table_.find("state") == nullptr) {
+      table_.refuse(table_.mark(), "state is missing", "write state = \"lubricated\" or \"dry\"");
+    }
+    pair.state = state.value_or(FrictionState::kLubricated);
+    read_friction(pair);
+    if (const auto text = table_.text("hardness")) {
+      try {
+        pair.hardness = units_.quantity(*text, "Pa", "\"2.5 GPa\"");
+      } catch (const UnitError& problem) {
+        table_.refuse(table_.find("hardness")->mark, fmt::format("hardness = {} {}", io::quoted(*text), problem.what()),
+                      problem.remedy);
+      }
+    }
+    return pair;
+  }
+
+ private:
+  void read_friction(FrictionPair& pair) {
+    const auto friction = table_.number("friction");
+    if (!friction || !(*friction > 0)) {
+      table_.refuse(table_.mark(), "friction is missing or not above 0", "state the coefficient, for example 0.12");
+      return;
+    }
+    pair.friction = *friction;
+    const std::vector<TomlValue> band = table_.items("band");
+    if (band.empty()) return;
+    if (band.size() != 2 || !(band[0].number <= pair.friction && pair.friction <= band[1].number)) {
+      table_.refuse(table_.find("band")->mark, "band does not enclose the coefficient", "write band = [low, high]");
+      return;
+    }
+    pair.low = band[0].number;
+    pair.high = band[1].number;
+  }
+
+  TomlTable table_;
+  const Units& units_;
+};
+
+nlohmann::ordered_json maybe(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+}  // namespace
+
+FrictionPairs read_friction_pairs(const NamedFile& file, const Units& units) {
+  const SourceText source = read_source_text(file.path, file.shown, kLargestLibrary);
+  const TomlValue root = parse_toml(source);
+  FrictionPairs all;
+  all.sha256 = source.sha256;
+  std::vector<Fault> faults;
+  std::set<std::string> names;
+  TomlTable whole(root, "the library", {"pair"}, faults);
+  for (const TomlValue& item : whole.items("pair")) {
+    all.pairs.push_back(PairReader(item, units, faults).read());
+    if (names.insert(all.pairs.back().name).second) continue;
+    faults.push_back(
+        {item.key_mark, "the name " + io::quoted(all.pairs.back().name) + " comes twice", "keep one of them"});
+  }
+  if (all.pairs.empty() && faults.empty()) faults.push_back({source.mark(0), "there is no [[pair]]", "state one"});
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return all;
+}
+
+FrictionPairs shipped_pairs(const Units& units) { return read_friction_pairs(locate(kPairsFile, ""), units); }
+
+FrictionPair pair_of_name(const FrictionPairs& pairs, const std::string& name) {
+  std::string known;
+  for (const FrictionPair& pair : pairs.pairs) {
+    if (pair.name == name) return pair;
+    known += (known.empty() ? "" : ", ") + pair.name;
+  }
+  throw InputError({{{kPairsFile, 0, 0, ""},
+                     "no pair is called " + io::quoted(name),
+                     "choose one of " + known + ", or state contact.boundary_shear_strength_coefficient"}});
+}
+
+std::string name_of(FrictionState state) {
+  return std::find_if(kStates.begin(), kStates.end(), [&](const auto& one) { return one.second == state; })->first;
+}
+
+std::string pairs_table(const std::vector<FrictionPair>& pairs) {
+  std::string text = fmt::format("{:<32}{:<12}{:>9}{:>14}{:>10}  {:<14}{}\n", "name", "state", "friction", "band",
+                                 "hardness", "roughness", "source");
+  for (const FrictionPair& pair : pairs) {
+    text += fmt::format("{:<32}{:<12}{:>9.4g}{:>14}{:>10}  {:<14}{}\n", pair.name, name_of(pair.state), pair.friction,
+                        pair.low ? fmt::format("{:.2f} to {:.2f}", *pair.low, *pair.high) : "-",
+                        pair.hardness ? fmt::format("{:.3g} GPa", *pair.hardness * 1e-9) : "-",
+                        pair.roughness_class.empty() ? "-" : pair.roughness_class, pair.source);
+  }
+  return text +
+         "friction: coefficient of boundary friction; of dry rows that of a probe without oil, not an input of an "
+         "engine\nin a case: [contact] friction_pair = \"crn-on-grey-iron\"\n";
+}
+
+std::string pairs_json(const std::vector<FrictionPair>& pairs) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const FrictionPair& pair : pairs) {
+    list.push_back({{"name", pair.name},
+                    {"coating", pair.coating},
+                    {"liner", pair.liner},
+                    {"state", name_of(pair.state)},
+                    {"friction", pair.friction},
+                    {"friction_low", maybe(pair.low)},
+                    {"friction_high", maybe(pair.high)},
+                    {"hardness", maybe(pair.hardness)},
+                    {"roughness_class", pair.roughness_class},
+                    {"source", pair.source}});
+  }
+  return list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace ringfilm::io

@@ -1,0 +1,19 @@
+#include "ringfilm/study/design/wording.hpp"
+
+#include <cstdio>
+
+namespace ringfilm::study {
+
+std::string shown(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", number);
+  return text;
+}
+
+std::string exact(double number) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%a", number);
+  return text;
+}
+
+}  // namespace ringfilm::study
