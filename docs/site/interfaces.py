@@ -168,8 +168,7 @@ def folder_page(namespace, headers):
     directive = f"```{{doxygennamespace}} {namespace}\n:project: ringfilm\n:members:\n```\n"
     if folder == "base":  # the namespace ringfilm itself holds all others
         directive = "".join(
-            f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n"
-            for header in headers
+            f"```{{doxygenfile}} {header.removeprefix('src/')}\n:project: ringfilm\n```\n\n" for header in headers
         )
     return f"# {title}\n\nFrom {listed}.\n\n{directive}"
 

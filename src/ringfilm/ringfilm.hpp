@@ -29,6 +29,7 @@
 
 // One cycle, a pad, many cycles, studies.
 #include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/checks/advice.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/result/result.hpp"

@@ -8,6 +8,7 @@ import { pathToFileURL } from 'node:url';
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const { MapChoice, mapFigure } = await load('study/study_map.js');
 const { StudyModel } = await load('study/study_model.js');
+const { differenceOf } = await load('study/study_compare.js');
 
 /** A map of 2 x 2 scenarios from a low to a high value [kPa]. */
 function drawn(low, high, error) {
@@ -51,4 +52,13 @@ test('steps of colour are no finer than the numerical error', () => {
   assert.ok(drawn(6.9, 7, null).colours <= 3);
   assert.ok(drawn(6.9, 7, 0.0002).colours > 5);
   assert.ok(drawn(1, 7, null).colours > 5);
+});
+
+test('a base of which an operating point was not solved has no difference to another one', () => {
+  const compared = (mean) => ({
+    has_sample: false,
+    comparison: { fmep: [{ weighted_mean: 10 }, { weighted_mean: mean }] },
+  });
+  assert.equal(differenceOf(compared(null), { name: 'fmep' }, 1), null);
+  assert.match(differenceOf(compared(11), { name: 'fmep' }, 1).text, /10/);
 });

@@ -76,6 +76,26 @@ TEST(GasHolding, IsWhereTheSolverLosesTheFilm) {
   }
 }
 
+TEST(GasHolding, AFlatFaceThatIsDryThroughoutIsFullOfGas) {
+  SmoothFilm film(
+      60, 1.2e-3, [](double) { return 0.0; }, 5e-3, Cavitation::kMassConserving);
+  film.problem.terms = Terms::kAll;
+  FilmInputs inputs = inputs_of(flooded(), film);
+  inputs.left = {5e5, EdgeFluid::kGas};
+  inputs.right = {1e5, EdgeFluid::kGas};
+  FilmState dry;
+  dry.h_m = 1e-6;
+  dry.p.assign(61, 1e5);
+  dry.deficit.assign(61, 0.9);
+  dry.mass_per_area.assign(61, 0.0);
+  const FilmIntegrals integrals = film_integrals(film.problem, inputs, dry, dry);
+  EXPECT_TRUE(integrals.is_broken_through);
+  EXPECT_LT(integrals.cavitated_fraction, 1e-12);
+  // A film that has left one node of its edge holds the gas in the rest.
+  std::fill(dry.deficit.begin() + 2, dry.deficit.end(), 0.0);
+  EXPECT_FALSE(film_integrals(film.problem, inputs, dry, dry).is_broken_through);
+}
+
 TEST(GasHolding, TakesTheViscosityUnderPressure) {
   // Barus: the mean of 1/eta between 0 and p is (1 - exp(-alpha p))/(alpha p eta_0).
   const double alpha = 2e-8, p = 60e5, eta_0 = 5e-3;

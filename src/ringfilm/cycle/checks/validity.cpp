@@ -470,7 +470,7 @@ void append_step_note(const Setup& setup, const std::vector<Sample>& base, const
                                 ? text("at %.1f degree", worst.crank_angle_deg)
                                 : text("between %.1f and %.1f degree", first->crank_angle_deg, last->crank_angle_deg);
   const auto percent = [](double share) -> std::string {
-    if (share > 1) return "more than 100 %";
+    if (share > 10) return "more than 1000 %";  // without a limit where no error is known
     return text(share < 0.095 ? "%.1g %%" : "%.0f %%", 100 * share);
   };
   notes.push_back({effect < accuracy ? "step-control-without-effect" : "step-control-at-its-limit",

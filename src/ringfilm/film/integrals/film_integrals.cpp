@@ -115,16 +115,16 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
     cavity.end = std::max(front(i, i - 1), cavity.begin);
     // Gas fills it from its edge up to the end of the narrowest stretch at most; what is beyond is a cavity of its own.
     // The gas of the higher pressure that has come to that stretch blows through it; where the stretch begins at the
-    // edge itself, the gas that has come to its other end.
+    // edge itself, gas that fills the whole gap.
     if (first == 1 && inputs.left.fluid == EdgeFluid::kGas && reach.is_filled(1) && reach.gas_at(1) != &inputs.right) {
-      const int through = left_presses && reach.begin() > 0 ? reach.begin() : reach.end();
+      const int through = reach.begin() == 0 ? n : left_presses ? reach.begin() : reach.end();
       sums.is_broken_through = sums.is_broken_through || i >= through;
       sums.wetted_begin = i > reach.end() ? grid.x[reach.end()] : cavity.end;
       cavity.begin = sums.wetted_begin;
     }
     const bool from_right = reach.is_filled(n - 1) && reach.gas_at(n - 1) != &inputs.left;
     if (i == n && inputs.right.fluid == EdgeFluid::kGas && from_right) {
-      const int through = right_presses && reach.end() < n ? reach.end() : reach.begin();
+      const int through = reach.end() == n ? 0 : right_presses ? reach.end() : reach.begin();
       sums.is_broken_through = sums.is_broken_through || first <= through + 1;
       sums.wetted_end = first <= reach.begin() ? grid.x[reach.begin()] : cavity.begin;
       cavity.end = sums.wetted_end;

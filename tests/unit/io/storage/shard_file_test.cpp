@@ -190,6 +190,7 @@ TEST(ShardFile, ContinuesWithTheRowsBeyondAGapWhereverItWasCutOff) {
     }
     ASSERT_EQ(missing.size(), 6 - writer.n_rows()) << n;
     for (const std::uint64_t i : missing) writer.append(block(i, 1));
+    ASSERT_EQ(writer.n_unsolved(), 1u) << n;
     const ShardReader shard(path);
     ASSERT_TRUE(shard.is_complete()) << n;
     ASSERT_EQ(shard.n_unsolved(), 1u) << n;
