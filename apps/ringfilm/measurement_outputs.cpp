@@ -9,12 +9,12 @@
 #include "ringfilm/io/measurement/measurement_netcdf.hpp"
 #include "ringfilm/io/measurement/measurement_text.hpp"
 #include "ringfilm/io/result/result_file.hpp"
-#include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/report/measurement_page.hpp"
 
 namespace ringfilm::app {
 
-void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs) {
+std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs,
+                                             const std::vector<std::string>& inputs) {
   std::vector<std::pair<std::string, std::string>> named;
   const auto add = [&](const char* option, const std::optional<std::string>& path, io::Sink sink,
                        const std::optional<OutputKind>& kind) {
@@ -38,6 +38,7 @@ void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::str
   add("--fragment", outputs.fragment, io::Sink::kFileOrDevice, OutputKind::kToml);
   add("--csv", outputs.csv, io::Sink::kFileOrDevice, OutputKind::kCsv);
   add("--heights", outputs.heights, io::Sink::kFile, std::nullopt);
+  return claims({outputs.netcdf, outputs.page, outputs.fragment, outputs.csv, outputs.heights});
 }
 
 io::NamedNumbers numbers_of(const io::Measurement& measurement) {

@@ -1,10 +1,12 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "commands/commands.hpp"
 #include "ringfilm/io/measurement/measurement.hpp"
 #include "ringfilm/io/measurement/measurement_json.hpp"
+#include "ringfilm/io/storage/atomic_file.hpp"
 
 namespace ringfilm::app {
 
@@ -18,9 +20,9 @@ struct MeasurementOutputs {
   SummaryForm summary = SummaryForm::kTable;
 };
 
-/// Can all be written, and are they different files, none of them among `inputs`? Throws InputError; to be asked before
-/// anything is computed.
-void check_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs);
+/// Claims them, to be held until all are written: can all be written, are they different files, none of them among
+/// `inputs`, and none being written by another run? Throws InputError; to be asked before anything is computed.
+[[nodiscard]] std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs);
 
 /// The values of all groups by their names, for the top of the JSON.
 io::NamedNumbers numbers_of(const io::Measurement& measurement);

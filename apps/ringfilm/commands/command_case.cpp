@@ -122,6 +122,7 @@ void pairs(const OilsOptions& options) {
 void start_case(const NewOptions& options) {
   const std::string& path = options.path;
   io::check_can_write(path, io::Sink::kFile);
+  const io::OutputClaim claimed(path);
   std::error_code error;
   if (std::filesystem::exists(path, error)) {
     throw InputError(path + ": this file exists already", "name one that does not, nothing is replaced here");

@@ -21,7 +21,7 @@ io::NamedRows rows_of(const io::Measurement& measurement, const std::string& tab
 }  // namespace
 
 void conform(const ConformCommand& command) {
-  check_outputs(command.outputs, {command.case_path});
+  const auto claimed = claimed_outputs(command.outputs, {command.case_path});
   std::vector<io::DroppedKey> dropped;
   const cycle::Case input = io::read_closure_case(command.case_path, command.settings, io::Units(), dropped);
   if (!dropped.empty()) {

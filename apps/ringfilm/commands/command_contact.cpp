@@ -30,11 +30,11 @@ void check_law(io::Measurement& measurement, const MeasurementOutputs& outputs) 
 
 void contact(const ContactCommand& command) {
   if (command.case_path) {
-    check_outputs(command.outputs, {*command.case_path});
+    const auto claimed = claimed_outputs(command.outputs, {*command.case_path});
     const cycle::Case input = case_with_settings(*command.case_path, command.settings);
     return deliver_law(instrument::contact_of_case(input, command.lambda), command.outputs);
   }
-  check_outputs(command.outputs, command.surfaces);
+  const auto claimed = claimed_outputs(command.outputs, command.surfaces);
   const io::Units units;
   const auto first = instrument::read_surface_file(command.surfaces.front(), command.reading, units);
   std::optional<instrument::SurfaceFile> second;

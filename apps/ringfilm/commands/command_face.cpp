@@ -42,7 +42,7 @@ std::string points_path(const FaceCommand& command) {
 }  // namespace
 
 void face(const FaceCommand& command) {
-  check_outputs(command.outputs, {command.trace});
+  const auto claimed = claimed_outputs(command.outputs, {command.trace});
   std::optional<std::string> points, points_name;
   if (command.as == FaceAs::kPoints) {
     points = points_path(command);

@@ -105,7 +105,7 @@ std::optional<std::size_t> requested_sample(const LateralForceCommand& command,
 }  // namespace
 
 void lateral_force(const LateralForceCommand& command) {
-  check_outputs(command.outputs, inputs_of(command));
+  const auto claimed = claimed_outputs(command.outputs, inputs_of(command));
   const io::Units units;
   const std::vector<ForceSample> samples = read_samples(command, units);
   const std::optional<std::size_t> requested = requested_sample(command, samples);

@@ -92,6 +92,7 @@ void report(const ReportOptions& options) {
     check_output_apart(options);
     check_suffix("--output", *options.output, OutputKind::kPage);
   }
+  const std::vector<io::OutputClaim> claimed = claims({options.output});
   if (options.vts_folder) io::check_can_write_series(*options.vts_folder);
   const std::vector<ResultBytes> files = read_files(options);
   if (const std::optional<std::string> page = gas_page_of(options, files)) {

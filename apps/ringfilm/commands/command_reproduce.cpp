@@ -110,6 +110,7 @@ void reproduce(const ReproduceOptions& options) {
   make_folder(folder);
   const std::string page = (folder / "report.html").string();
   io::check_can_write(page, io::Sink::kFile);
+  const io::OutputClaim claimed(page);
 
   std::cout << "Styles et al. 2014: three rings over one engine cycle at 1500 rpm and 120 degC\n"
             << "cylinder pressure: SYNTHETIC, made for this project; the paper's own trace is only a picture\n\n";

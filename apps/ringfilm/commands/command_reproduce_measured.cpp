@@ -262,6 +262,7 @@ void reproduce_measured(const ReproduceOptions& options) {
   make_folder(folder);
   const std::string page = (folder / "report.html").string();
   io::check_can_write(page, io::Sink::kFile);
+  const io::OutputClaim claimed(page);
   const Chain chain(shipped / "measured", folder);
   std::cout << "From files of instruments to the cycle: three rings of Styles et al. 2014 at 1500 rpm and 120 degC\n"
             << "surfaces, faces and friction loops: SYNTHETIC, made such that Tables 1, 2 and 4 come back\n"

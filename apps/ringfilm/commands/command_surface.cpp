@@ -121,7 +121,7 @@ void surface(const std::vector<std::string>& paths, const std::optional<std::str
   if (command.noise) inputs.push_back(*command.noise);
   MeasurementOutputs outputs = command.outputs;
   outputs.heights = heights;
-  check_outputs(outputs, inputs);
+  const auto claimed = claimed_outputs(outputs, inputs);
   const io::Units units;
   const auto flat = read_flat(command, units);
   if (paths.size() > 1) {
@@ -142,7 +142,7 @@ void pair(const std::vector<std::string>& ring, const std::vector<std::string>& 
   std::vector<std::string> inputs = ring;
   inputs.insert(inputs.end(), liner.begin(), liner.end());
   if (command.noise) inputs.push_back(*command.noise);
-  check_outputs(command.outputs, inputs);
+  const auto claimed = claimed_outputs(command.outputs, inputs);
   const io::Units units;
   const auto read = [&](const std::vector<std::string>& paths) {
     std::vector<instrument::SurfaceFile> files;

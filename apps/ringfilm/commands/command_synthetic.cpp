@@ -32,6 +32,7 @@ struct Maker {
 void synthetic(const SyntheticCommand& command) {
   const instrument::MapFormat format = instrument::map_format_of(command.output);
   io::check_can_write(command.output, io::Sink::kFile);
+  const io::OutputClaim claimed(command.output);
   const surface::HeightMap map = std::visit(Maker{command.grid, command.seed}, command.kind);
   const std::string maker = fmt::format("{}, seed {}", command.command_text, command.seed);
   io::write_atomically(command.output, instrument::map_bytes(map, format, "SYNTHETIC", maker));

@@ -123,6 +123,7 @@ void verify(const VerifyOptions& options) {
     check_apart(*options.output, folders);
     check_suffix("--output", *options.output, OutputKind::kPage);
   }
+  const std::vector<io::OutputClaim> claimed = claims({options.output});
   std::vector<study::Verification> verifications;
   for (const std::string& folder : folders) verifications.push_back(io::read_verification(folder, units));
   ringfilm::report::VerificationResult result{{}, {}, io::this_program()};

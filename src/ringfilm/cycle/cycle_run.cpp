@@ -48,7 +48,8 @@ CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
       integration_(setup_, with_liner(setup_, place_)),
       recorder_(setup_),
       k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
-      distance_{kNotKnown, kNotKnown} {
+      distance_{kNotKnown, kNotKnown},
+      oil_ahead_(place_.film != nullptr ? kNotKnown : 0) {
   attempt([this] { integration_.start(k_); });
 }
 
@@ -104,6 +105,13 @@ void CycleRun::forget_last_cycle() {
   one_cycle_ago_[k_] = integration_.snapshot();
 }
 
+bool CycleRun::oil_repeats() const {
+  const double moves = takes_unsettled_ ? distance_.on_liner : std::max(distance_.on_liner, oil_ahead_);
+  return moves <= setup_.input.solver.step_error;
+}
+
+double CycleRun::distance_ahead() const { return std::max(distance_.largest(), oil_ahead_); }
+
 double CycleRun::allowed_distance() const {
   const Solver& solver = setup_.input.solver;
   const double iterated = kPeriodicityFactor * solver.tolerance;
@@ -118,10 +126,15 @@ double CycleRun::allowed_distance() const {
 }
 
 void CycleRun::check_approach() {
-  const double distance = distance_.largest();
+  const double distance = distance_ahead();
   distances_.push_back(distance);
   const std::size_t n = distances_.size();
   if (n <= kCyclesToHalve || distance <= distances_[n - 1 - kCyclesToHalve] / 2) return;
+  if (distance > distance_.largest() && !takes_unsettled_) {
+    takes_unsettled_ = true;
+    distances_.clear();
+    return;
+  }
   char text[512];
   std::snprintf(text, sizeof text,
                 "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
@@ -154,7 +167,7 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 }
 
 CycleResult CycleRun::result(Completeness others) const {
-  return recorder_.result(integration_, distance_.largest(), steps_integrated_,
+  return recorder_.result(integration_, distance_ahead(), steps_integrated_,
                           repeats_ ? others : Completeness::kStopped);
 }
 

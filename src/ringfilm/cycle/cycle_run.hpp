@@ -49,7 +49,9 @@ class CycleRun final : public BatchMember {
   bool begins_compression() const;
   /// Compares the state with that of one cycle before, if there is one, and keeps it.
   void compare_with_last_cycle();
-  bool oil_repeats() const { return distance_.on_liner <= setup_.input.solver.step_error; }
+  bool oil_repeats() const;
+  /// @param ahead what all cycles to come are expected to move, as a share of the oil on the liner
+  void expect_oil_to_move(double ahead) { oil_ahead_ = ahead; }
   /// After a change of the oil on the liner: cycles are compared from the present state on.
   void forget_last_cycle();
 
@@ -61,6 +63,8 @@ class CycleRun final : public BatchMember {
   void arrived();
   /// From the state of one cycle before, where the cycle counts as the same.
   double allowed_distance() const;
+  /// From the state that repeats itself, as far as it is known.
+  double distance_ahead() const;
   /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
   void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);
@@ -81,6 +85,8 @@ class CycleRun final : public BatchMember {
   int k_ = 0;                                               ///< base angle
   int steps_integrated_ = 0;
   TimeIntegration::Distance distance_;
+  double oil_ahead_;               ///< what all cycles to come are expected to move on the liner, as a share
+  bool takes_unsettled_ = false;   ///< cycles that differ little, though what they add up to is not known to be small
   std::vector<double> distances_;  ///< at the end of each cycle
   bool repeats_ = false;
   std::optional<Stop> stop_;

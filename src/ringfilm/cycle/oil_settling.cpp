@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "ringfilm/cycle/cycle_run.hpp"
@@ -21,8 +22,8 @@ constexpr double kAstray = 2;
 constexpr double kLeastShare = 0.1;
 /// What moves less than this share of what moved before comes to rest by itself.
 constexpr double kFast = 0.25;
-/// A mixture helped if what still moves is less than this share of what moved before.
-constexpr double kHelped = 0.9;
+/// What all cycles to come move, as a multiple of what the first one moved, if each moves 0.9 of the one before.
+constexpr double kUnknownApproach = 10;
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -58,8 +59,8 @@ std::vector<double> solution(std::vector<std::vector<double>> A, std::vector<dou
 }  // namespace
 
 void AndersonMixing::add(const std::vector<double>& argument, const std::vector<double>& image) {
-  Pair now{image, difference(image, argument), 0};
-  for (std::size_t i = 1; i < now.moved.size(); ++i) now.moved[i] += now.moved[i - 1];
+  Pair now{image, difference(image, argument), 0, share_elsewhere(image, argument)};
+  std::partial_sum(now.moved.begin(), now.moved.end(), now.moved.begin());
   now.norm = std::sqrt(product(now.moved, now.moved));
   if (!history_.empty() && now.norm > kAstray * moved()) history_.clear();
   history_.push_back(std::move(now));
@@ -86,24 +87,32 @@ std::vector<double> AndersonMixing::mixture() const {
   return mixed;
 }
 
+double AndersonMixing::ahead() const {
+  const Pair& now = history_.back();
+  if (now.share == 0) return 0;
+  double cycles = can_mix() ? 0 : kUnknownApproach;
+  for (std::size_t i = 0; i + 1 < history_.size(); ++i) {
+    const std::vector<double> slower = difference(now.moved, history_[i].moved);
+    std::vector<double> apart = difference(now.image, history_[i].image);
+    std::partial_sum(apart.begin(), apart.end(), apart.begin());
+    cycles = std::max(cycles, std::sqrt(product(apart, apart) / product(slower, slower)));
+  }
+  return cycles * now.share;
+}
+
 void OilSettling::begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings) {
-  for (CycleRun* ring : rings) ring->compare_with_last_cycle();
   const std::vector<double> end = liner.mass_per_area();
+  const double moved_before = mixing_.moved();
+  if (!begin_.empty()) mixing_.add(begin_, end);
+  for (CycleRun* ring : rings) {
+    if (!begin_.empty()) ring->expect_oil_to_move(mixing_.ahead());
+    ring->compare_with_last_cycle();
+  }
   if (iteration_ == OilIteration::kMixed && !begin_.empty() && !rings.front()->oil_repeats()) {
-    const double moved_before = mixing_.moved();
-    mixing_.add(begin_, end);
-    const bool has_helped = has_mixed_ && mixing_.moved() <= kHelped * moved_before;
-    if (has_helped) n_to_wait_ = 1;
-    if (has_mixed_ && !has_helped) {
-      n_plain_ = n_to_wait_;
-      n_to_wait_ *= 2;
-    }
-    has_mixed_ = n_plain_ == 0 && mixing_.can_mix() && mixing_.moved() > kFast * moved_before;
-    if (has_mixed_) {
+    if (mixing_.can_mix() && mixing_.moved() > kFast * moved_before) {
       liner.replace(mixing_.mixture());
       for (CycleRun* ring : rings) ring->forget_last_cycle();
     }
-    n_plain_ = std::max(0, n_plain_ - 1);
   }
   begin_ = liner.mass_per_area();
 }

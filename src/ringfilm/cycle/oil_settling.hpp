@@ -23,6 +23,9 @@ class AndersonMixing {
   bool can_mix() const { return history_.size() > 1; }
   /// The argument with which to continue, once there is an image.
   std::vector<double> mixture() const;
+  /// What all images to come are expected to move from the last one on, eq-oil-ahead, as a share of all [-]. Of a
+  /// single image, whose approach is not known, a multiple of what it moved.
+  double ahead() const;
   /// How much the map still moves, as a norm.
   double moved() const { return history_.empty() ? 0 : history_.back().norm; }
 
@@ -31,6 +34,7 @@ class AndersonMixing {
     std::vector<double> image;
     std::vector<double> moved;  ///< integral of image less argument up to each cell
     double norm = 0;            ///< of `moved`
+    double share = 0;           ///< of all oil that lies elsewhere in the image than in the argument
   };
   std::vector<Pair> history_;  ///< the latest last
 };
@@ -41,16 +45,14 @@ class OilSettling {
   explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
 
   /// All rings on the liner have ended a cycle of the oil: compares it with the one before and, where the oil lies
-  /// elsewhere, lays that with which the next cycle begins.
+  /// elsewhere, lays that with which the next cycle begins. The oil repeats where neither this cycle moved much nor
+  /// all cycles to come are expected to, eq-oil-ahead.
   void begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings);
 
  private:
   OilIteration iteration_;
   AndersonMixing mixing_;
   std::vector<double> begin_;  ///< oil at the begin of the cycle [kg/m2]; empty: none has begun
-  bool has_mixed_ = false;     ///< did the cycle begin with a mixture?
-  int n_plain_ = 0;            ///< cycles that follow one another before oil is mixed again
-  int n_to_wait_ = 1;          ///< such cycles after the next mixture that does not help
 };
 
 }  // namespace ringfilm::cycle

@@ -69,6 +69,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"edge-flow-grows", kLimited, kCase},
       {"viscosity-extrapolated", kLimited, kCase},
       {"density-extrapolated", kLimited, kCase},
+      {"oil-not-settled", kLimited, kCase},
       {"error-estimate-missing", kFull, kCase},
       {"error-estimate-one-sided", kFull, kCase},
       {"cavitation-pressure-lowered", kFull, kCase},

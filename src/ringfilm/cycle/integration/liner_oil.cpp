@@ -67,6 +67,16 @@ LinerFilm film_of_oil_ring(const Setup& setup, double length, double below_first
 
 }  // namespace
 
+double share_elsewhere(const std::vector<double>& mass_per_area, const std::vector<double>& other) {
+  double moved = 0, largest = 0, all = 0;
+  for (std::size_t c = 0; c < mass_per_area.size(); ++c) {
+    moved += mass_per_area[c] - other[c];
+    largest = std::max(largest, std::abs(moved));
+    all += mass_per_area[c];
+  }
+  return all > 0 ? largest / all : 0.0;
+}
+
 LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
   const double length = below_first_ring + last_ring.engine.crank.stroke() + last_ring.input.ring.face_width;
   const double reach = last_ring.input.supply.reach.value_or(0);

@@ -38,6 +38,10 @@ class LinerFilm {
   std::vector<double> mass_per_area_;  ///< [kg/m2]
 };
 
+/// Oil that lies elsewhere in one film on a liner than in another, as a share of all that the first one has [-].
+/// Scatter from cell to cell, which follows the steps, does not count.
+double share_elsewhere(const std::vector<double>& mass_per_area, const std::vector<double>& other);
+
 /// Strokes from firing TDC on: power, exhaust, intake, compression.
 inline constexpr std::size_t kStrokes = 4;
 

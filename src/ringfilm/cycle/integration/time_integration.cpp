@@ -482,15 +482,7 @@ TimeIntegration::Distance TimeIntegration::distance(const Snapshot& snapshot) co
     }
   }
   if (liner_oil_) {
-    const std::vector<double>& now = liner_oil_->film().mass_per_area();
-    // Scatter from cell to cell, which follows the steps, does not count.
-    double moved = 0, all = 0;
-    for (std::size_t c = 0; c < now.size(); ++c) {
-      moved += now[c] - snapshot.on_liner[c];
-      distance.on_liner = std::max(distance.on_liner, std::abs(moved));
-      all += now[c];
-    }
-    distance.on_liner /= all;
+    distance.on_liner = share_elsewhere(liner_oil_->film().mass_per_area(), snapshot.on_liner);
   }
   return distance;
 }

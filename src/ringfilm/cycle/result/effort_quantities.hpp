@@ -15,7 +15,7 @@ struct EffortQuantity : Quantity {
 inline const std::vector<EffortQuantity>& effort_quantities() {
   static const std::vector<EffortQuantity> table = {
       {{"cycles_integrated", "1", "1", "cycles integrated until periodic", "", ""}, &Effort::cycles_integrated},
-      {{"periodicity_error", "1", "1", "change of the state from one cycle to the next, relative", "", ""},
+      {{"periodicity_error", "1", "1", "distance from the state that repeats itself, estimated, relative", "", ""},
        &Effort::periodicity_error},
       {{"crank_steps", "1", "1", "crank steps", "", ""}, &Effort::crank_steps},
       {{"newton_iterations", "1", "1", "Newton iterations", "", ""}, &Effort::newton_iterations},

@@ -274,8 +274,9 @@ struct Note {
 /// What the integration cost, and how well it kept its tolerances.
 struct Effort {
   double cycles_integrated = 0;  ///< until periodic
-  double periodicity_error = 0;  ///< largest relative difference of the state one cycle apart [-]
-  long crank_steps = 0;          ///< taken in all cycles integrated, shortened ones among them
+  double periodicity_error =
+      0;                 ///< largest relative difference of the state one cycle apart, or of the oil from its end [-]
+  long crank_steps = 0;  ///< taken in all cycles integrated, shortened ones among them
   long newton_iterations = 0;    ///< of all films that were sought, those of steps that were taken again shorter too
   long sub_steps = 0;            ///< of the crank steps: shorter than solver.crank_step
   long fallback_secant = 0;      ///< films that a bracketed search found because Newton's method failed
