@@ -22,7 +22,8 @@ struct MeasurementOutputs {
 
 /// Claims them, to be held until all are written: can all be written, are they different files, none of them among
 /// `inputs`, and none being written by another run? Throws InputError; to be asked before anything is computed.
-[[nodiscard]] std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs);
+[[nodiscard]] std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs,
+                                                           const std::vector<std::string>& inputs);
 
 /// The values of all groups by their names, for the top of the JSON.
 io::NamedNumbers numbers_of(const io::Measurement& measurement);

@@ -85,11 +85,13 @@ class Writing(program.ProgramTest):
         self.assertEqual(self.partials(), [])
         self.assertEqual((self.folder / "out.nc").read_bytes(), (self.folder / "other.nc").read_bytes())
 
-    def test_every_command_that_computes_for_long_refuses_an_output_that_another_computes(self):
+    def test_every_command_that_writes_refuses_an_output_that_another_computes(self):
         (self.folder / "pad.toml").write_text(PAD)
         (self.folder / "gap.csv").write_text(GAP)
         states = "".join(f'[[state]]\nhours = "{hours} h"\ncase = "case.toml"\n' for hours in (0, 2))
         (self.folder / "life.toml").write_text('case = "case.toml"\nhours = ["0 h", "2 h"]\n' + states)
+        self.run_well("run", "case.toml", "--output", "short.nc")
+        measured = str(program.SOURCES / "cases" / "measured") + "/"
         pack = str(program.SOURCES / "cases" / "ring-pack" / "three_rings.toml")
         for name, *words in (
             ("x.nc", "run", "case.toml", "--output"),
@@ -100,6 +102,10 @@ class Writing(program.ProgramTest):
             ("x.nc", "gas", pack, "--output"),
             ("x.csv", "gas", pack, "--csv"),
             ("x.csv", "gas", pack, "--vary", "operating.speed=1000 rpm,2000 rpm", "--csv"),
+            ("x.toml", "pair", "--ring", measured + "ring_new.x3p", "--liner", measured + "liner.sur", "--fragment"),
+            ("x.html", "report", "short.nc", "--output"),
+            ("x.html", "verify", "--output"),
+            ("x.toml", "new"),
         ):
             with self.subTest(words):
                 # As such a process holds it.

@@ -84,6 +84,7 @@ TEST(HeightChecks, AnEdgeThatCountsIsRefused) {
               ElementsAre("refused: column 1 goes in even steps from 0 um to 47 um: its values are numbers "
                           "or places, not heights"));
   EXPECT_THAT(counts(1, 1), ElementsAre(HasSubstr("refused: column 1 goes in even steps from 1 um to 48 um")));
+  EXPECT_THAT(counts(48, -1), ElementsAre(HasSubstr("refused: column 1 goes in even steps from 48 um to 1 um")));
   EXPECT_THAT(counts(-10, 0.25), ElementsAre(HasSubstr("column 1 goes in even steps from -10 um to 1.75 um")));
   // Places with one digit: steps of 0.83 become 0.8 and 0.9.
   EXPECT_THAT(doubts(with_first_column(
@@ -137,10 +138,36 @@ TEST(HeightChecks, AValueFarFromAllOthersIsNamedWithItsPlace) {
 }
 
 TEST(HeightChecks, AValueAmongTheOthersThatIsMuchMoreFrequent) {
+  surface::HeightMap coarse = map_of_surface();  // an instrument with a coarse digit
+  for (double& height : coarse.height_m) height = std::round(height / 5e-9) * 5e-9;
+  EXPECT_THAT(doubts(coarse), IsEmpty());
+  for (surface::HeightMap map : {map_of_surface(), coarse}) {
+    for (std::size_t i = 5; i < map.points(); i += 50) map.height_m[i] = 0;
+    EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("% of the heights are 0 um, the first of them row 1, column 6")));
+  }
+  surface::HeightMap few = map_of_surface();
+  for (std::size_t i = 5; i < few.points(); i += 100) few.height_m[i] = 0;
+  EXPECT_THAT(doubts(few), ElementsAre(HasSubstr("1 % of the heights are 0 um")));
+}
+
+TEST(HeightChecks, ARangeThatEndedOnOneSideOrOnBoth) {
   surface::HeightMap map = map_of_surface();
-  for (std::size_t i = 5; i < map.points(); i += 50) map.height_m[i] = 0;
-  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("2 % of the heights are 0 um, the first of them row 1, column 6")));
-  for (double& height : map.height_m) height = std::round(height / 5e-9) * 5e-9;  // an instrument with a coarse digit
+  for (double& height : map.height_m) height = std::min(height, 0.6e-6);
+  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("% of the heights are 0.6 um, the highest value")));
+  for (double& height : map.height_m) height = std::max(height, -0.6e-6);
+  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("the lowest value"), HasSubstr("the highest value")));
+}
+
+TEST(HeightChecks, LinesThatWereWrittenTwice) {
+  surface::HeightMap map = map_of_surface();
+  const auto copy_row = [&map](std::size_t j) {
+    for (std::size_t i = 0; i < map.points_x; ++i) map.height_m[map.index(i, j)] = map.height_m[map.index(i, j - 1)];
+  };
+  copy_row(20);
+  EXPECT_THAT(doubts(map), ElementsAre("row 21 repeats the one before it, point for point"));
+  copy_row(30);
+  EXPECT_THAT(doubts(map), ElementsAre("row 21 repeats the one before it, point for point, and so do 1 more"));
+  for (std::size_t j = 1; j < map.points_y; j += 2) copy_row(j);  // interpolated to the nearest row
   EXPECT_THAT(doubts(map), IsEmpty());
 }
 

@@ -16,13 +16,17 @@ namespace {
 using surface::HeightMap;
 using Weight = Doubt::Weight;
 
-constexpr std::size_t kMinPoints = 8;   // of a map that is judged
-constexpr std::size_t kMinLine = 5;     // points of a row or column that is judged
-constexpr double kUnequal = 1e-3;       // of a step: places stored in single precision are even to that
-constexpr std::size_t kSample = 65536;  // points from which the bulk of the heights is found
-constexpr std::size_t kFrequent = 10;   // times of a value, and times as often as any other, that are not by chance
-constexpr double kFewFar = 0.01;        // share of the points; more of them, of many values, are a structure
-constexpr std::size_t kFewValues = 3;   // distinct values that may mark points without a height
+constexpr std::size_t kMinPoints = 8;    // of a map that is judged
+constexpr std::size_t kMinLine = 5;      // points of a row or column that is judged
+constexpr double kUnequal = 1e-3;        // of a step: places stored in single precision are even to that
+constexpr std::size_t kSample = 65536;   // points from which the bulk of the heights is found
+constexpr std::size_t kFrequent = 10;    // times of a value that may not be by chance
+constexpr std::size_t kNeighbours = 10;  // values above and below with which it is compared
+constexpr double kTimesUsual = 3;        // as often as its neighbours: digits scatter less
+constexpr double kScatter = 8;           // standard deviations of a count above it
+constexpr double kFewRepeats = 0.1;      // share of the lines; more of them are a ruled surface, or interpolated
+constexpr double kFewFar = 0.01;         // share of the points; more of them, of many values, are a structure
+constexpr std::size_t kFewValues = 3;    // distinct values that may mark points without a height
 
 constexpr double kSteep = 3;  // rms slope, 72 degree: optical instruments end below, and styli far below
 constexpr double kImpossibleSlope = 100;
@@ -81,8 +85,11 @@ std::optional<double> constant_of(const Line& line) {
 
 struct Sequence {
   double first = 0, last = 0, step = 0;
-  /// Does it rise from 0 or from its own step, as counts and most axes do?
-  bool counts() const { return step > 0 && std::min(std::abs(first), std::abs(first - step)) <= kUnequal * step; }
+  /// Does its lower end lie at 0 or at its own step, as that of counts and most axes does?
+  bool counts() const {
+    const double low = step > 0 ? first : last, size = std::abs(step);
+    return std::min(std::abs(low), std::abs(low - size)) <= kUnequal * size;
+  }
 };
 
 /// The points from..to of a line as a sequence of even steps, or of even steps that were rounded to some digit.
@@ -187,11 +194,37 @@ void find_odd_lines(const HeightMap& map, bool is_row, const HeightUnit& unit, O
   from_edge(false);
 }
 
+/// Is a line that is not straight the same as the one before it, point for point?
+bool repeats_last(const HeightMap& map, bool is_row, std::size_t k) {
+  const Line line(map, is_row, k), last(map, is_row, k - 1);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line.at(i) != last.at(i)) return false;
+  }
+  return line.size() >= kMinLine && !constant_of(line) && !sequence_of(line);
+}
+
+/// Lines that an instrument or a program wrote twice.
+void find_repeated_lines(const HeightMap& map, bool is_row, std::vector<Doubt>& doubts) {
+  const std::size_t count = is_row ? map.points_y : map.points_x;
+  const char* const word = is_row ? "row" : "column";
+  std::vector<std::size_t> repeated;
+  for (std::size_t k = 1; k < count; ++k) {
+    if (repeats_last(map, is_row, k)) repeated.push_back(k);
+  }
+  if (repeated.empty() || static_cast<double>(repeated.size()) > kFewRepeats * static_cast<double>(count)) return;
+  doubts.push_back({fmt::format("{} {} repeats the one before it, point for point{}", word, repeated.front() + 1,
+                                repeated.size() == 1 ? "" : fmt::format(", and so do {} more", repeated.size() - 1)),
+                    fmt::format("a {} that was lost or written twice: measure again, or remove it", word),
+                    Weight::kNote});
+}
+
 OddLines odd_lines(const HeightMap& map, const HeightUnit& unit) {
   OddLines odd;
   if (!map.is_profile()) {
     find_odd_lines(map, true, unit, odd);
     find_odd_lines(map, false, unit, odd);
+    find_repeated_lines(map, true, odd.doubts);
+    find_repeated_lines(map, false, odd.doubts);
   } else if (const auto places = sequence_of(Line(map, true, 0))) {
     odd.doubts.push_back({fmt::format("all heights go in even steps from {} to {}, as numbers or places do",
                                       shown(places->first, unit), shown(places->last, unit)),
@@ -224,20 +257,15 @@ struct Repeated {
   std::size_t times = 0;
 };
 
-/// The most frequent of rising values and the second one.
-std::pair<Repeated, Repeated> most_frequent(const std::vector<double>& rising) {
-  Repeated first, second;
+/// Rising values, each once.
+std::vector<Repeated> counted(const std::vector<double>& rising) {
+  std::vector<Repeated> values;
   for (auto from = rising.begin(); from != rising.end();) {
     const auto to = std::upper_bound(from, rising.end(), *from);
-    const Repeated here{*from, static_cast<std::size_t>(to - from)};
-    if (here.times > first.times) {
-      second = std::exchange(first, here);
-    } else if (here.times > second.times) {
-      second = here;
-    }
+    values.push_back({*from, static_cast<std::size_t>(to - from)});
     from = to;
   }
-  return {first, second};
+  return values;
 }
 
 /// The densest half of the distinct heights of a sample, each value counted once however often it occurs.
@@ -297,8 +325,9 @@ std::size_t first_with(const HeightMap& map, const OddLines& odd, double value) 
 void add_far_heights(const HeightMap& map, const OddLines& odd, const Bulk& bulk, const std::vector<double>& far,
                      const HeightUnit& unit, std::vector<Doubt>& doubts) {
   if (far.empty()) return;
-  const double repeated = most_frequent(far).first.value;
-  const std::size_t most = most_frequent(far).first.times;
+  const std::vector<Repeated> all = counted(far);
+  const auto [repeated, most] =
+      *std::max_element(all.begin(), all.end(), [](const Repeated& a, const Repeated& b) { return a.times < b.times; });
   std::vector<double> values = far;
   const auto distinct = static_cast<std::size_t>(std::unique(values.begin(), values.end()) - values.begin());
   const double share = static_cast<double>(far.size()) / static_cast<double>(map.points());
@@ -319,21 +348,36 @@ void add_far_heights(const HeightMap& map, const OddLines& odd, const Bulk& bulk
   }
 }
 
-/// A value within the range of the others that is far more frequent than any of them: no data, or a range that ended.
-void add_frequent_value(const HeightMap& map, const OddLines& odd, const Bulk& bulk, const std::vector<double>& sample,
-                        const HeightUnit& unit, std::vector<Doubt>& doubts) {
-  const auto [first, second] = most_frequent(sample);
-  if (second.times == 0 || first.times < kFrequent || first.times < kFrequent * second.times ||
-      first.value < bulk.low || first.value > bulk.high) {
-    return;
+/// How often each of the values next to one occurs, the mean over up to kNeighbours on both sides.
+double times_of_neighbours(const std::vector<Repeated>& values, std::size_t of) {
+  const std::size_t from = of > kNeighbours ? of - kNeighbours : 0, to = std::min(of + kNeighbours + 1, values.size());
+  std::size_t sum = 0;
+  for (std::size_t i = from; i < to; ++i) sum += i == of ? 0 : values[i].times;
+  return static_cast<double>(sum) / static_cast<double>(to - from - 1);
+}
+
+/// Values within the range of the others that are far more frequent than their neighbours: no data, or a range that
+/// ended. Many of them are the digits of the instrument.
+void add_frequent_values(const HeightMap& map, const OddLines& odd, const Bulk& bulk, const std::vector<double>& sample,
+                         const HeightUnit& unit, std::vector<Doubt>& doubts) {
+  const std::vector<Repeated> values = counted(sample);
+  std::vector<std::size_t> frequent;
+  for (std::size_t i = 0; i < values.size() && values.size() > kNeighbours; ++i) {
+    if (values[i].times < kFrequent || values[i].value < bulk.low || values[i].value > bulk.high) continue;
+    const double usual = times_of_neighbours(values, i), times = static_cast<double>(values[i].times);
+    if (times >= kTimesUsual * usual && times >= usual + kScatter * std::sqrt(usual)) frequent.push_back(i);
   }
-  const double share = static_cast<double>(first.times) / static_cast<double>(sample.size());
-  doubts.push_back(
-      {fmt::format("{:.2g} % of the heights are {}, the first of them {}, and any other value is {:.0f} times "
-                   "rarer at least",
-                   100 * share, shown(first.value, unit), place(map, first_with(map, odd, first.value)),
-                   static_cast<double>(first.times) / static_cast<double>(second.times)),
-       std::string("if the value marks points without a height or the end of the range, ") + kMask, Weight::kNote});
+  if (frequent.size() > kFewValues) return;
+  for (const std::size_t i : frequent) {
+    const double share = static_cast<double>(values[i].times) / static_cast<double>(sample.size());
+    const char* const end = i == 0 ? ", the lowest value" : i + 1 == values.size() ? ", the highest value" : "";
+    doubts.push_back(
+        {fmt::format("{:.2g} % of the heights are {}{}, the first of them {}, and the values next to it are {:.0f} "
+                     "times rarer",
+                     100 * share, shown(values[i].value, unit), end, place(map, first_with(map, odd, values[i].value)),
+                     static_cast<double>(values[i].times) / times_of_neighbours(values, i)),
+         std::string("if the value marks points without a height or the end of the range, ") + kMask, Weight::kNote});
+  }
 }
 
 /// Sums over the points that `use` lets through.
@@ -439,7 +483,7 @@ std::vector<Doubt> height_doubts(const HeightMap& map, const HeightUnit& unit) {
   const auto split = std::lower_bound(tail.begin(), tail.end(), bulk.low);
   add_far_heights(map, odd, bulk, {tail.begin(), split}, unit, doubts);
   add_far_heights(map, odd, bulk, {split, tail.end()}, unit, doubts);
-  add_frequent_value(map, odd, bulk, sample, unit, doubts);
+  add_frequent_values(map, odd, bulk, sample, unit, doubts);
   const auto measured = [&map](std::size_t i) { return map.measured(i); };
   const Extent whole = extent_of(map, measured);
   if (doubts.empty()) {
