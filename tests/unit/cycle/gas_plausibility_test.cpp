@@ -182,7 +182,15 @@ TEST(GasPlausibility, AnOffsetOfATraceIsNoted) {
   for (const Case& c : {aspirated, diesel, throttled}) {
     EXPECT_THAT(topics(changed(c, 1, kBar)), ElementsAre("gas-compression-low"));
   }
-  EXPECT_THAT(topics(changed(aspirated, 1, 0.5 * kBar)), ElementsAre("gas-compression-low"));
+  for (const double offset : {0.2 * kBar, 0.3 * kBar, 0.5 * kBar}) {
+    EXPECT_THAT(topics(changed(aspirated, 1, offset)), ElementsAre("gas-compression-low")) << offset;
+  }
+  for (const double offset : {-0.2 * kBar, -0.3 * kBar}) {
+    EXPECT_THAT(topics(changed(aspirated, 1, offset)), ElementsAre("gas-compression-high")) << offset;
+  }
+  for (const double offset : {-0.05 * kBar, 0.1 * kBar}) {
+    EXPECT_THAT(topics(changed(aspirated, 1, offset)), IsEmpty()) << "of usual pegging";
+  }
   const Case charged = with(engine_trace(2 * kBar, 1.9 * kBar, -360, 358)),
              half_open = with(engine_trace(0.5 * kBar, 1.05 * kBar, -360, 358));
   EXPECT_THAT(topics(changed(charged, 1, -kAtmosphere)), ElementsAre("gas-compression-high")) << "gauge as absolute";

@@ -39,6 +39,15 @@ constexpr double kLowestRatio = 6;
 constexpr double kLowestChargedRatio = 8, kLowestIndex = 1.25;
 /// Cold air without losses has 1.4; the rest is scatter.
 constexpr double kHighestIndex = 1.43;
+/// A pressure that is added or missing bends ln p over ln V, most where p is low. Both halves of a sealed compression
+/// have one index with some compression ratio, 1.25 to 1.4; half a degree of TDC, a tenth of a bar of an indicator or
+/// heat, which differs along the way, move that index by 0.1. An offset of 0.2 bar at 1 bar moves it by 0.2.
+constexpr double kLowestCommonIndex = 1.15, kHighestCommonIndex = 1.55;
+/// Without an offset the pressure of an engine that is not charged falls below that of the atmosphere; one that leaks
+/// at cranking speed has a low index, too.
+constexpr double kLowestAdded = 1.1 * kBar;
+constexpr double kLatestCommonStartDeg = -100;  ///< of a compression that has two halves
+constexpr double kLeastRatioTried = 5, kMostRatioTried = 60;
 /// Most intake valves are closed from here on.
 constexpr double kIndexFromDeg = -120;
 /// Where the pressure rises by less than with this index, the intake valve is still open.
@@ -244,11 +253,11 @@ class GasNotes {
                                " degree before TDC: is TDC of the trace right? Correct its angles by the difference");
   }
 
-  /// Polytropic index of the compression from an angle on, by least squares of ln p over ln V.
-  double index_from(double from_deg, double compression_ratio) const {
+  /// Polytropic index of the compression between two angles, by least squares of ln p over ln V.
+  double index_of(double from_deg, double to_deg, double compression_ratio) const {
     constexpr double kStepDeg = 5;
     double n = 0, x_sum = 0, y_sum = 0, xx = 0, xy = 0;
-    for (double deg = from_deg; deg <= kCompressionToDeg; deg += kStepDeg, ++n) {
+    for (double deg = from_deg; deg <= to_deg; deg += kStepDeg, ++n) {
       const double x = -std::log(volume_above(case_, deg, compression_ratio)), y = std::log(cylinder_.pressure(deg));
       x_sum += x;
       y_sum += y;
@@ -271,12 +280,36 @@ class GasNotes {
     return start;
   }
 
+  void append_common_index(double start) {
+    if (start > kLatestCommonStartDeg) return;
+    const double middle = (start + kCompressionToDeg) / 2;
+    const auto bend = [&](double ratio) {  // rises with the ratio
+      return index_of(start, middle, ratio) - index_of(middle, kCompressionToDeg, ratio);
+    };
+    double low = kLeastRatioTried, high = kMostRatioTried;
+    while (high > 1.01 * low) {
+      const double ratio = std::sqrt(low * high);
+      (bend(ratio) > 0 ? high : low) = ratio;
+    }
+    const double index = index_of(start, kCompressionToDeg, low);
+    const bool is_added = index < kLowestCommonIndex && lowest_ > kLowestAdded;
+    if (!is_added && index <= kHighestCommonIndex) return;
+    note(is_added ? "gas-compression-low" : "gas-compression-high",
+         "the cylinder pressure between " + number_text(-start) + " and " + number_text(-kCompressionToDeg) +
+             " degree before firing TDC rises as with a compression ratio of " + number_text(std::round(low)) +
+             " and a polytropic index of " + number_text(std::round(100 * index) / 100) +
+             ", where sealed engines have 1.25 to 1.4: is a pressure " + (is_added ? "added to" : "missing from") +
+             " the trace? Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and "
+             "TDC");
+  }
+
   void append_index() {
     if (!is_compressed() || (!is_whole_ && first_deg_ > kCompressionFromDeg)) return;
     const double start = start_of_compression();
-    const double largest = index_from(start, kLowestChargedRatio), least = index_from(start, kHighestRatio);
+    const double largest = index_of(start, kCompressionToDeg, kLowestChargedRatio);
+    const double least = index_of(start, kCompressionToDeg, kHighestRatio);
     const bool is_weak = lowest_ > kHighestOpen && largest < kLowestIndex;
-    if (!is_weak && least <= kHighestIndex) return;
+    if (!is_weak && least <= kHighestIndex) return append_common_index(start);
     const std::string rise = "the cylinder pressure rises from " + in_bar(cylinder_.pressure(start)) + " absolute at " +
                              number_text(-start) + " degree before firing TDC to " +
                              in_bar(cylinder_.pressure(kCompressionToDeg)) + " at " + number_text(-kCompressionToDeg) +
