@@ -10,10 +10,9 @@
 #include "record.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/io/study/factor_notes.hpp"
 #include "ringfilm/io/study/study_file.hpp"
-#include "ringfilm/io/study/study_flat_notes.hpp"
 #include "ringfilm/io/study/study_result.hpp"
-#include "ringfilm/study/design/idle_factors.hpp"
 #include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/sampled_error.hpp"
@@ -220,19 +219,15 @@ py::dict notes_by_topic(const StudyResultObject& self) {
 
 std::vector<std::string> plan_notes(const StudyResultObject& self) {
   std::vector<std::string> notes = self.loaded->plan.notes();
-  study::IdleFactors idle(self.loaded->plan);
-  study::FlatFactors flat(self.loaded->plan, study::kNotMeasured);
-  std::vector<double> row(self.values.size()), watched(flat.watched().size());
+  io::FactorNotes factors(self.loaded->plan);
+  const std::vector<std::size_t> columns = factors.columns();
+  std::vector<double> row;
   for (std::size_t i = 0; i < self.reasons.size(); ++i) {
-    for (std::size_t q = 0; q < row.size(); ++q) row[q] = self.values[q][i];
-    for (std::size_t q = 0; q < watched.size(); ++q) watched[q] = row[flat.watched()[q]];
-    if (!idle.is_decided()) idle.add(i, row);
-    if (!watched.empty()) flat.add(i, watched);
+    row.clear();
+    for (const std::size_t q : columns) row.push_back(self.values[q][i]);
+    factors.add(i, row);
   }
-  for (std::string& note : idle.notes()) notes.push_back(std::move(note));
-  for (std::string& note : io::flat_notes(self.loaded->plan, flat.ranges(), study::kNotMeasured)) {
-    notes.push_back(std::move(note));
-  }
+  for (std::string& note : factors.notes()) notes.push_back(std::move(note));
   return notes;
 }
 

@@ -36,6 +36,18 @@ std::string quoted_cell(const std::string& text) {
   return cell + "\"";
 }
 
+/// Faults of overrides, with the option that stated them.
+std::vector<Fault> of_varied(std::vector<Fault> faults, const std::vector<Variation>& varied) {
+  for (Fault& fault : faults) {
+    const bool is_varied = std::ranges::any_of(varied, [&](const Variation& one) {
+      const auto of_ring = cycle::ring_key(one.key);
+      return fault.message.find(of_ring ? of_ring->key : one.key) != std::string::npos;
+    });
+    if (fault.mark.file == "--set" && is_varied) fault.mark.file = "--vary";
+  }
+  return faults;
+}
+
 /// A case of each combination; whatever is wrong with one is reported before anything is computed.
 std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io::Override>& overrides,
                                   const std::vector<Variation>& varied, std::size_t n) {
@@ -45,7 +57,11 @@ std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io:
     std::vector<io::Override> settings = overrides;
     std::ranges::copy(combination(varied, i), std::back_inserter(settings));
     std::vector<io::DroppedKey> dropped;
-    cases.push_back(io::read_case_dropping(path, settings, units, dropped, cycle::CasePurpose::kGasPath));
+    try {
+      cases.push_back(io::read_case_dropping(path, settings, units, dropped, cycle::CasePurpose::kGasPath));
+    } catch (const InputError& error) {
+      throw InputError(of_varied(error.faults(), varied));
+    }
   }
   return cases;
 }

@@ -151,7 +151,7 @@ class GasTest(program.ProgramTest):
         self.assertLess(float(rows[0]["blow_by_flow [m3/s]"]), float(rows[1]["blow_by_flow [m3/s]"]))
         for words, text in (
             (("--vary", "operating.speed"), "is not a key with its values"),
-            (("--vary", "operating.speed=1000 rpm, 5 m"), "operating.speed"),
+            (("--vary", "operating.speed=1000 rpm, 5 m"), "--vary: operating.speed"),
             ((*varied, "--json"), "are of one"),
         ):
             self.assert_refused(self.run_program("gas", "pack.toml", *words), text)

@@ -92,6 +92,13 @@ class GasOfPackTest(program.ProgramTest):
         self.assert_refused(done, "passenger-car.toml:8:1: ring.1.end_gap and 20 more keys", "in [gas_path]")
         self.assertIn("\n1 error; nothing", done.stderr)
 
+    def test_gas_alone_names_the_model_and_not_what_it_computes(self):
+        self.pack()
+        done = self.run_program("gas", "pack.toml")
+        self.assert_refused(done, "gas_path.model is not stated: there is no gas to compute", "orifice-volume")
+        self.assertNotIn("pressure_below", done.stderr)
+        self.assertIn("\n1 error; nothing", done.stderr)
+
     def test_other_faults_beside_it_are_reported(self):
         self.pack("[operating_x]\n")
         done = self.run_program("check", "pack.toml")

@@ -54,17 +54,22 @@ class FactorsTest(program.ProgramTest):
         done = self.study(factor("supply.film", '["0.2 um", "0.4 um", "5 um", "10 um", "20 um"]'))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(
-            'note: fmep changes by less than 2 % with "film" from 5 um to 20 um, the other factors unchanged: such a '
-            "factor cannot be fitted to a measured fmep",
+            'note: the friction mean effective pressure changes by less than 2 % with "film" from 5 um to 20 um, '
+            "the other factors unchanged: such a factor cannot be fitted to a measured one",
             done.stdout,
         )
-        self.assertIn(b"cannot be fitted to a measured fmep", (self.folder / "out" / "study.nc").read_bytes())
+        self.assertIn(b"cannot be fitted to a measured one", (self.folder / "out" / "study.nc").read_bytes())
 
     def test_a_number_that_counts_is_not(self):
         done = self.study(factor("contact.boundary_shear_strength_coefficient", "[0.08, 0.12, 0.2]"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertNotIn("a measured fmep", done.stdout)
-        self.assertIn("cannot be fitted to a measured min_film_thickness", done.stdout)
+        self.assertNotIn("the friction mean effective pressure changes", done.stdout)
+        self.assertIn("the minimum film thickness changes by less than", done.stdout)
+
+    def test_numbers_that_change_no_measured_value_at_all_are_noted_as_well(self):
+        done = self.study(factor("lubricant.specific_heat", '["1900 J/(kg K)", "2300 J/(kg K)"]'))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, '"specific_heat" changes no value|pressure changes by less than 2 % with "spec')
 
 
 if __name__ == "__main__":

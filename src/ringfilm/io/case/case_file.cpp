@@ -293,6 +293,10 @@ Case case_of(PackTrees pack, const Units& units, CasePurpose purpose = CasePurpo
     cases.push_back(CaseReader(std::move(pack.trees[i]), units, purpose).read(of_rings[i]));
   }
   if (pack.is_pack) join_gas_faults(pack, of_rings);
+  const auto is_model = [](const KeyFault& one) { return one.key == "gas_path.model"; };
+  if (std::ranges::any_of(of_rings, [&](const auto& of) { return std::ranges::any_of(of, is_model); })) {
+    pack.missing_pressures.clear();  // which the model may compute
+  }
   std::vector<Fault> faults = std::move(pack.faults);
   std::ranges::move(pack.missing_pressures, std::back_inserter(faults));
   if (pack.is_pack) {

@@ -15,10 +15,8 @@
 
 #include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
-#include "ringfilm/io/study/study_flat_notes.hpp"
+#include "ringfilm/io/study/factor_notes.hpp"
 #include "ringfilm/io/study/study_stopping_rule.hpp"
-#include "ringfilm/study/design/idle_factors.hpp"
-#include "ringfilm/study/statistics/flat_factors.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -149,15 +147,13 @@ class NotesByTopic {
   std::map<std::pair<std::size_t, std::string>, std::vector<StudyRows::ScenarioNotes::OfBase>> by_topic_;
 };
 
-/// Gives rows to those who look for flat factors.
-void add_rows(const StudyRows& rows, study::FlatFactors& flat, const study::ScenarioRange& range) {
-  if (flat.watched().empty()) return;
+void add_rows(const StudyRows& rows, FactorNotes& factors, const study::ScenarioRange& range) {
   std::vector<std::vector<double>> columns;
-  for (const std::size_t i : flat.watched()) columns.push_back(rows.values(i, range));
+  for (const std::size_t i : factors.columns()) columns.push_back(rows.values(i, range));
   std::vector<double> row(columns.size());
-  for (std::uint64_t k = 0; k < range.size(); ++k) {
+  for (std::uint64_t k = 0; k < range.size() && !columns.empty(); ++k) {
     for (std::size_t i = 0; i < row.size(); ++i) row[i] = columns[i][k];
-    flat.add(range.first + k, row);
+    factors.add(range.first + k, row);
   }
 }
 
@@ -165,9 +161,7 @@ void add_rows(const StudyRows& rows, study::FlatFactors& flat, const study::Scen
 
 StudyRows::Notes StudyRows::read_notes() const {
   const std::optional<study::StoppingRule>& until = plan.study().sampling.until;
-  const std::size_t n_values = plan.values().quantities.size();
-  study::IdleFactors idle(plan);
-  study::FlatFactors flat(plan, study::kNotMeasured);
+  FactorNotes factors(plan);
   NotesByTopic by_topic(plan);
   std::vector<double> of_until;
   for (std::uint64_t first = 0; first < plan.size(); first += kRowsReadAtATime) {
@@ -181,21 +175,11 @@ StudyRows::Notes StudyRows::read_notes() const {
       const std::vector<double> part = values(*plan.values().index(until->value), block);
       of_until.insert(of_until.end(), part.begin(), part.end());
     }
-    add_rows(*this, flat, block);
-    if (idle.is_decided()) continue;
-    std::vector<std::vector<double>> columns;
-    for (std::size_t i = 0; i < n_values; ++i) columns.push_back(values(i, block));
-    std::vector<double> row(n_values);
-    for (std::uint64_t k = 0; k < block.size(); ++k) {
-      for (std::size_t i = 0; i < n_values; ++i) row[i] = columns[i][k];
-      idle.add(first + k, row);
-    }
+    add_rows(*this, factors, block);
   }
   Notes notes{std::move(by_topic).all(), plan.notes()};
   for (std::string& note : until_notes(plan, of_until)) notes.of_plan.push_back(std::move(note));
-  for (std::string& note : idle.notes()) notes.of_plan.push_back(std::move(note));
-  for (std::string& note : flat_notes(plan, flat.ranges(), study::kNotMeasured))
-    notes.of_plan.push_back(std::move(note));
+  for (std::string& note : factors.notes()) notes.of_plan.push_back(std::move(note));
   const bool is_mixed = std::any_of(shards.begin(), shards.end(), [this](const ShardReader& shard) {
     return shard.header().kernels != shards.front().header().kernels;
   });

@@ -85,7 +85,7 @@ std::vector<std::string> IdleFactors::notes() const {
   std::vector<std::string> notes;
   const Study& study = plan_.study();
   for (std::size_t j = 0; j < factors_.size(); ++j) {
-    if (factors_[j].has_effect || factors_[j].n_pairs == 0) continue;
+    if (!is_idle(j)) continue;
     notes.push_back(called(study.factors[j]) +
                     " changes no value of the cycle: " + std::to_string(factors_[j].n_pairs) +
                     (factors_[j].n_pairs == 1 ? " scenario differs" : " scenarios differ") +

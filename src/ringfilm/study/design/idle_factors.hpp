@@ -32,6 +32,9 @@ class IdleFactors {
   /// Are all factors in use, whatever comes?
   bool is_decided() const;
 
+  /// Are there pairs of this factor, and no value that differs?
+  bool is_idle(std::size_t factor) const { return !factors_[factor].has_effect && factors_[factor].n_pairs > 0; }
+
   /// One sentence for each idle factor, or one for all of them.
   std::vector<std::string> notes() const;
 

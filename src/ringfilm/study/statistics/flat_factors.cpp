@@ -6,8 +6,6 @@
 #include <set>
 #include <variant>
 
-#include "ringfilm/study/design/idle_factors.hpp"
-
 namespace ringfilm::study {
 namespace {
 
@@ -87,18 +85,10 @@ void FlatFactors::append_ranges(std::size_t factor, std::size_t value, std::vect
   }
 }
 
-std::vector<FlatRange> FlatFactors::ranges() const {
+std::vector<FlatRange> FlatFactors::ranges(const IdleFactors& idle) const {
   std::vector<FlatRange> ranges;
   for (std::size_t j = 0; j < curves_.size(); ++j) {
-    const auto changes = [&](const Curves& curves) {
-      return std::ranges::any_of(curves, [&](const auto& one) {
-        for (std::size_t v = 0; v < watched_.size(); ++v) {
-          if (spread(one.second, v, -INFINITY, INFINITY).value_or(0) > 0) return true;
-        }
-        return false;
-      });
-    };
-    if (!changes(curves_[j])) continue;
+    if (idle.is_idle(j)) continue;
     for (std::size_t v = 0; v < watched_.size(); ++v) append_ranges(j, v, ranges);
   }
   return ranges;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "ringfilm/study/design/idle_factors.hpp"
 #include "ringfilm/study/design/plan.hpp"
 
 namespace ringfilm::study {
@@ -37,8 +38,8 @@ class FlatFactors {
   /// One scenario; `values` are those of watched(), NaN where it was not solved. Any order.
   void add(std::uint64_t scenario, std::span<const double> values);
 
-  /// Factor by factor. A factor that changes nothing at all has none: IdleFactors reports it.
-  std::vector<FlatRange> ranges() const;
+  /// Factor by factor, without those that change nothing at all and are reported by `idle`.
+  std::vector<FlatRange> ranges(const IdleFactors& idle) const;
 
  private:
   /// Values by the number of the factor.

@@ -162,7 +162,7 @@ TEST(PackOil, MixedCyclesEndWhereManyPlainOnesDo) {
   }
 }
 
-// What one cycle moves says little where all move nearly as much: with a rule that looks at one alone, the FMEP of the
+// What one cycle moves is little where all move nearly as much: with a rule that looks at one alone, the FMEP of the
 // first ring was 4 % off.
 TEST(PackOil, SlowOilIsFollowedToItsEnd) {
   const auto at = [](double step_error) {

@@ -41,7 +41,7 @@ std::vector<FlatRange> ranges_of(const Study& study, const std::function<double(
     }
     flat.add(i, values);
   }
-  return flat.ranges();
+  return flat.ranges(IdleFactors(plan));
 }
 
 /// Falls with the film up to 0.25 um, and stays from there on but for a part in 10,000.
@@ -69,12 +69,15 @@ TEST(FlatFactors, AreNotThoseThatAreFlatAtSomeOfTheOtherNumbersAlone) {
               }).empty());
 }
 
-TEST(FlatFactors, AreNotReportedWhereNothingChangesOrNothingIsSolved) {
+TEST(FlatFactors, AreNotReportedWhereNoValueChangesOrNothingIsSolved) {
   EXPECT_TRUE(ranges_of(grid(), [](double, double) { return std::numeric_limits<double>::quiet_NaN(); }).empty());
   const Plan plan(grid());
   FlatFactors flat(plan, kTolerance);
   for (std::uint64_t i = 0; i < plan.size(); ++i) flat.add(i, std::vector<double>(flat.watched().size(), 7.0));
-  EXPECT_TRUE(flat.ranges().empty());  // idle: IdleFactors reports them
+  EXPECT_EQ(flat.ranges(IdleFactors(plan)).size(), 2 * flat.watched().size());  // other values may change
+  IdleFactors idle(plan);
+  for (std::uint64_t i = 0; i < plan.size(); ++i) idle.add(i, std::vector<double>{7.0});
+  EXPECT_TRUE(flat.ranges(idle).empty());  // reported by `idle`
 }
 
 TEST(FlatFactors, CannotBeFoundAmongScenariosThatDifferInAllFactors) {

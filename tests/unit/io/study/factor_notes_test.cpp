@@ -1,4 +1,4 @@
-#include "ringfilm/io/study/study_flat_notes.hpp"
+#include "ringfilm/io/study/factor_notes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace ringfilm::io {
 namespace {
 
-TEST(StudyFlatNotes, NameTheRangeInTheUnitsOfPeopleAndJoinTheFactorsOfAValue) {
+TEST(FactorNotes, NameTheRangeInTheUnitsOfPeopleAndJoinTheFactorsOfAValue) {
   ScratchFolder folder;
   folder.write("case.toml", CaseText{}.text());
   folder.write("p.csv", full_trace());
@@ -23,12 +23,14 @@ TEST(StudyFlatNotes, NameTheRangeInTheUnitsOfPeopleAndJoinTheFactorsOfAValue) {
                     film = plan.values().index("min_film_thickness").value();
   const auto notes =
       flat_notes(plan, {{0, fmep, false, 2e-7, 4e-7}, {1, film, true, 100, 110}, {1, fmep, true, 100, 110}}, 0.02);
-  EXPECT_THAT(notes,
-              ::testing::UnorderedElementsAre(
-                  "fmep changes by less than 2 % with \"sigma\" from 0.2 um to 0.4 um, \"speed\", the other factors "
-                  "unchanged: such a factor cannot be fitted to a measured fmep",
-                  "min_film_thickness changes by less than 2 % with \"speed\", the other factors unchanged: such a "
-                  "factor cannot be fitted to a measured min_film_thickness"));
+  EXPECT_THAT(
+      notes,
+      ::testing::UnorderedElementsAre(
+          "the friction mean effective pressure changes by less than 2 % with \"sigma\" from 0.2 um to 0.4 um, "
+          "\"speed\", the other factors "
+          "unchanged: such a factor cannot be fitted to a measured one",
+          "the minimum film thickness changes by less than 2 % with \"speed\", the other factors unchanged: such a "
+          "factor cannot be fitted to a measured one"));
 }
 
 }  // namespace
