@@ -250,6 +250,7 @@ test('changes carry their sign, no change has none', () => {
   assert.equal(percent(-0.088), '−8.8\u00a0%');
   assert.equal(percent(0.0001), '±0.0\u00a0%');
   assert.equal(percent(4.3), '+430\u00a0%');
+  assert.equal(percent(12.41), '×\u00a013.4');
   assert.equal(percent(NaN), '–');
 });
 

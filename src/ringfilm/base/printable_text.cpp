@@ -23,9 +23,9 @@ Character character_at(std::string_view text, std::size_t at) {
 }
 
 bool is_control(const Character& character) {
-  const auto [code, size] = character;
+  const char32_t code = character.code;
   const auto lies_in = [code](char32_t low, char32_t high) { return low <= code && code <= high; };
-  if (size == 1) return (code < 0x20 && code != '\n' && code != '\t') || code == 0x7F;
+  if (character.size == 1) return (code < 0x20 && code != '\n' && code != '\t') || code == 0x7F;
   const bool is_c1 = lies_in(0x80, 0x9F);
   const bool is_direction = code == 0x061C || lies_in(0x200E, 0x200F) || lies_in(0x202A, 0x202E) ||
                             lies_in(0x2066, 0x2069);  // Bidi_Control of Unicode 15

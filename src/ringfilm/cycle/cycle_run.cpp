@@ -152,6 +152,16 @@ void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failur
 
 std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
   const Case& c = setup.input;
+  if (stop.failure && stop.failure != film::Failure::kLiftedOff && c.bends() && setup.surfaces == Surfaces::kRigid) {
+    Setup flat = setup;
+    flat.surfaces = Surfaces::kFlattening;
+    flat.notes.push_back({kSurfacesFlattened,
+                          "computed with a ring and a liner that flatten where they are pressed together, and "
+                          "asperities that carry what the film cannot where it closes, since " +
+                              stop.message,
+                          1});
+    return flat;
+  }
   const bool can_help = stop.failure && stop.failure != film::Failure::kLiftedOff && !c.is_unrolled() &&
                         c.solver.method == Method::kCoupledNewton;
   if (!can_help || setup.cells == CellsOfFace::kGraded) return std::nullopt;

@@ -20,12 +20,13 @@ struct Stop {
   std::optional<film::Failure> failure{};  ///< where a film was not found
 };
 
-/// Topic of the note that such a second attempt carries.
+/// Topics of the notes that such a second attempt carries.
 inline constexpr const char* kCellsGraded = "cells-graded";
+inline constexpr const char* kSurfacesFlattened = "surfaces-flattened";
 
-/// After a stop where uniform cells found no film: the same scenario on graded cells, which see films too thin and too
-/// short for the others, with a note. Nothing where they cannot help: the film is lifted off, not sought by the coupled
-/// Newton method, unrolled, or the cells are graded already.
+/// After a stop where no film was found: the same scenario once more, with a note. A ring that bends gets surfaces that
+/// flatten; any other one graded cells, which see films too thin and too short for uniform ones. Nothing where they
+/// cannot help: the film is lifted off, not sought by the coupled Newton method, or it was the second attempt.
 std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop);
 
 /// One scenario on its way from a steady film to a cycle that repeats itself.

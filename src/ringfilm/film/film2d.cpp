@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ringfilm/film/load_balance.hpp"
+
 namespace ringfilm::film {
 
 int CircumferentialGrid::halfway() const {
@@ -129,16 +131,40 @@ void solve_band(const std::vector<double>& factored, double* x) {
   }
 }
 
-std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring) {
+double closed_film(const Film2dProblem& problem) {
+  constexpr double kOfRoughness = 0.1;
+  const models::AsperityContact* contact = problem.strip.contact;
+  if (problem.ring.flattening == 0 || contact == nullptr) return 0;
+  return std::max(kMolecules, kOfRoughness * contact->length_scale());
+}
+
+double closed_separation(double h, double closed, double* slope) {
+  const bool is_open = h >= 2 * closed;
+  const double over = is_open ? 1 : h / closed - 1;
+  if (slope != nullptr) *slope = 1 / (over * over);
+  return is_open ? h : closed * (3 - 1 / over);
+}
+
+std::vector<double> displacements(const Film2dProblem& problem, double h_m, std::vector<double> ring) {
+  const double closed = closed_film(problem);
+  for (int j = 0; closed > 0 && j < problem.around.n_strips(); ++j) {
+    double& strip = ring[problem.ring.of_strip(j)];
+    if (h_m + strip < 2 * closed) strip = closed_separation(h_m + strip, closed) - h_m;
+  }
+  return ring;
+}
+
+std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs,
+                                  const std::vector<double>& displacement) {
   constexpr int kWidth = ElasticRing::kWidth;
   const int n = of.n_unknowns();
   std::vector<double> force = inputs.bore_force;
   force.resize(n, 0.0);
   for (int i = 0; i < n; ++i) {
-    force[i] -= of.band[i * kWidth] * ring[i];
+    force[i] -= of.band[i * kWidth] * displacement[i];
     for (int k = 1; k < kWidth && i + k < n; ++k) {
-      force[i] -= of.band[i * kWidth + k] * ring[i + k];
-      force[i + k] -= of.band[i * kWidth + k] * ring[i];
+      force[i] -= of.band[i * kWidth + k] * displacement[i + k];
+      force[i + k] -= of.band[i * kWidth + k] * displacement[i];
     }
   }
   return force;

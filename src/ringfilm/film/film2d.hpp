@@ -72,6 +72,9 @@ struct ElasticRing {
   int first_node = 0;  ///< 1 where free ends lie beyond the first and the last strip
   /// Upper band of the symmetric stiffness, kWidth entries for each unknown; empty: the ring is rigid [N/m].
   std::vector<double> band;
+  /// By how much a strip and the liner flatten by a load per length, eq-ring-flattening; 0: they do not, and the film
+  /// has no closed_film() [m2/N].
+  double flattening = 0;
 
   bool bends() const { return !band.empty(); }
   int n_unknowns() const { return static_cast<int>(band.size()) / kWidth; }
@@ -118,8 +121,21 @@ bool factor_band(std::vector<double>& band);
 /// Solves for a right-hand side in its place.
 void solve_band(const std::vector<double>& factored, double* x);
 
+/// The thinnest film of a ring that flattens, which is what the valleys of rough surfaces hold that are pressed
+/// together; 0: there is none, as the ring does not or nothing but the film carries it [m].
+double closed_film(const Film2dProblem& problem);
+
+/// Separation of surfaces whose film is h thick (eq-ring-closed-film) [m]: the same for films of twice `closed` and
+/// more; without limit below zero as the film falls to `closed`. @param slope of it in h [-]
+double closed_separation(double h, double closed, double* slope = nullptr);
+
+/// Displacements of a ring that bends over h_m, of which a state has those of its film [m].
+/// @param ring as of FilmState
+std::vector<double> displacements(const Film2dProblem& problem, double h_m, std::vector<double> ring);
+
 /// What pushes a ring that bends from the liner at each of its unknowns, film and asperities apart: bore and bending,
-/// eq-film-2d-ring [N]. @param ring as of FilmState
-std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs, const std::vector<double>& ring);
+/// eq-film-2d-ring [N]. @param displacement of the unknowns, from any separation [m]
+std::vector<double> bending_force(const ElasticRing& of, const Film2dInputs& inputs,
+                                  const std::vector<double>& displacement);
 
 }  // namespace ringfilm::film

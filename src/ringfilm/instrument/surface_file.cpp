@@ -21,6 +21,7 @@
 #include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/storage/digest.hpp"
+#include "ringfilm/io/storage/digest_trailer.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -357,6 +358,9 @@ InstrumentFile open_instrument_file(const std::string& path, TableLayout layout)
   if (starts_with(*bytes, "PK\x03\x04")) {
     bytes.reset();
     return is_x3p(path) ? read_x3p(path) : through_gwyddion(path);
+  }
+  if (io::has_digest_trailer(*bytes)) {
+    refuse(path, "this is a result that ringfilm wrote, not a measured surface", "name the file of the instrument");
   }
   if (is_sdf(*bytes)) return read_sdf(path, bytes);
   if (starts_with(*bytes, "DIGITAL SURF") || starts_with(*bytes, "DSCOMPRESSED")) return read_digital_surf(path, bytes);

@@ -60,7 +60,7 @@ struct StudyRunOptions {
   std::uint64_t most_rows = 256;  ///< in one block; fewer where their curves are more than 16 MB
   /// What is ready is handed over after this time [s]. To write a block to the disk takes some milliseconds.
   double longest_wait = 0.5;
-  RowOrder order = RowOrder::kOfPlan;
+  RowOrder order = RowOrder::kOfPlan;     ///< in which rows are handed over
   std::vector<ScenarioRange> there = {};  ///< in their order: scenarios whose rows exist, which are not run
 };
 

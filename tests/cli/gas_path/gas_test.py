@@ -253,6 +253,15 @@ class GasTest(program.ProgramTest):
         self.write(HEAD + TOP.replace('face_width = "1.2 mm"\n', "") + SECOND + OIL)
         self.assertNotIn("largest_static_twist", self.json_of()["ring_motion"][0])
 
+    def test_a_seated_ring_that_much_lifts_off_its_flank_is_noted(self):
+        for speed, is_noted in (("1500 rpm", False), ("9000 rpm", True)):
+            with self.subTest(speed):
+                words = ("--set", 'gas_path.ring_motion="seated"', "--set", f"operating.speed={speed}")
+                found = self.json_of(*words)
+                least = min(ring["least_seating_force"] for ring in found["ring_motion"])
+                self.assertEqual(least <= -50, is_noted, least)
+                self.assertEqual(any(note["topic"] == "ring-unseated" for note in found["notes"]), is_noted)
+
     def test_mass_forward_and_back_is_that_of_the_curves(self):
         found = self.json_of("--csv", "gas.csv", "--set", "gas_path.ring_motion=axial")
         with open(self.folder / "gas.csv", encoding="utf-8", newline="") as file:

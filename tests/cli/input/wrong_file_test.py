@@ -47,6 +47,19 @@ class WrongKindTest(program.ProgramTest):
         self.assertIn("a NetCDF file that ringfilm wrote", self.refused_once("run", "names.toml"))
         self.run_well("report", "x.nc", "--output", "x.html")  # the remedy works
 
+    def test_a_result_in_place_of_a_surface_is_named_as_one(self):
+        self.run_well("run", "case.toml", "--output", "x.nc")
+        for words in (("surface", "x.nc"), ("pair", "--ring", "x.nc", "--liner", "x.nc")):
+            refused = self.refused_once(*words)
+            self.assertIn("x.nc: this is a result that ringfilm wrote, not a measured surface", refused)
+            self.assertNotIn("gwyddion", refused)
+
+    def test_a_part_of_a_case_is_named_as_one(self):
+        (self.folder / "part.toml").write_text('[contact]\nroughness = "0.5 um"\nasperity_density = "0.1 um-2"\n')
+        refused = self.refused_once("run", "part.toml")
+        self.assertIn("part.toml: this is a part of a case: it states no engine and no ring", refused)
+        self.assertIn('include = ["part.toml"]', refused)
+
     def test_a_netcdf_file_of_another_program_is_named_as_one(self):
         for begin in (b"\x89HDF\r\n\x1a\n", b"CDF\x01", b"CDF\x02"):
             (self.folder / "map.nc").write_bytes(begin + bytes(100))

@@ -116,6 +116,27 @@ TEST(Validity, ATensionThatNoRingHasIsNoted) {
   EXPECT_TRUE(noted(1000));
 }
 
+TEST(Validity, SizesOfNoEngineAndASupplyOfMoleculesAreNoted) {
+  const auto noted = [](const char* topic, const auto& change) {
+    Case c = styles_new_ring();
+    change(c);
+    const std::vector<Note> notes = advice(prepare(c));
+    return std::any_of(notes.begin(), notes.end(), [&](const Note& n) { return n.topic == topic; });
+  };
+  EXPECT_FALSE(noted("engine-size-unusual", [](Case&) {}));
+  EXPECT_TRUE(noted("engine-size-unusual", [](Case& c) { c.engine.bore /= 10; })) << "8.9 mm";
+  const auto supplied = [](double film) {
+    return [film](Case& c) {
+      c.film.cavitation = Cavitation::kMassConserving;
+      c.film.chamber_edge = c.film.crankcase_edge = EdgeFluid::kGas;
+      c.film.supply = OilSupply::kGiven;
+      c.supply.film = {{0, film}};
+    };
+  };
+  EXPECT_FALSE(noted("supply-film-thin", supplied(1e-6)));
+  EXPECT_TRUE(noted("supply-film-thin", supplied(1e-9))) << "nm in place of um";
+}
+
 TEST(Validity, NotesOfASetupAreInOrderOfSeverity) {
   Case c = styles_new_ring();
   c.ring.elastic_pressure = 10e6;

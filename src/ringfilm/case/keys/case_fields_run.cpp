@@ -151,7 +151,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  "solver.crank_step_control = \"adaptive\" or film.supply = \"film-on-liner\""},
                 {"error that one step may make in the logarithm of the film, weighted by contact with bdf2; in the oil "
                  "on the face eight times as much with bdf2, half with backward-euler; and share of the oil on the "
-                 "liner that may lie elsewhere after a cycle",
+                 "liner that a cycle, and all cycles to come by estimate, may move",
                  "1e-3"}),
           field("solver.tolerance", NumberKind{member<&Case::solver, &Solver::tolerance>}, kPlainNumber,
                 between(1e-14, 1e-2), Need::kDefault, {},

@@ -1,5 +1,6 @@
 #include "ringfilm/cycle/checks/advice.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "ringfilm/base/number_text.hpp"
@@ -36,6 +37,37 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
   notes.push_back({"ring-tension-high",
                    "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
                        " MPa: " + usual_tension(),
+                   1});
+}
+
+/// Four-stroke engines have bores from 20 mm (models) to 0.6 m (ships), and strokes of 0.6 to 1.5 bores (assumed: what
+/// lies far outside is a wrong unit).
+constexpr double kSmallestBore = 0.02, kLargestBore = 0.7, kShortestStroke = 0.4, kLongestStroke = 2.5;
+
+void append_size_note(const Engine& engine, std::vector<Note>& notes) {
+  const double ratio = engine.stroke / engine.bore;
+  const bool is_usual = engine.bore >= kSmallestBore && engine.bore <= kLargestBore && ratio >= kShortestStroke &&
+                        ratio <= kLongestStroke;
+  if (is_usual) return;
+  notes.push_back({"engine-size-unusual",
+                   "engine.bore = " + number_text(engine.bore * 1e3) +
+                       " mm and engine.stroke = " + number_text(engine.stroke * 1e3) +
+                       " mm: four-stroke engines have bores of 20 to 700 mm and strokes of 0.4 to 2.5 bores; are the "
+                       "units right?",
+                   1});
+}
+
+/// Films thinner than that are layers of molecules, of about 2 nm each, and not oil that flows.
+constexpr double kThinnestSupply = 10e-9;
+
+void append_supply_note(const Case& c, std::vector<Note>& notes) {
+  if (c.film.supply_at_inlet() == OilSupply::kFlooded || c.supply.film.empty()) return;
+  double most = 0;
+  for (const StrokeValue& film : c.supply.film) most = std::max(most, film.value);
+  if (most == 0 || most >= kThinnestSupply) return;
+  notes.push_back({"supply-film-thin",
+                   "supply.film is " + number_text(most * 1e9) +
+                       " nm, a few molecules: a ring leaves 0.5 to 5 um on the liner; is its unit right?",
                    1});
 }
 
@@ -84,6 +116,8 @@ std::vector<Note> advice(const Setup& setup) {
   append_viscosity_notes(setup.ring.oil, notes);
   append_contact_notes(c, setup.ring.sigma, notes);
   append_tension_note(setup.ring.elastic_pressure, notes);
+  append_size_note(c.engine, notes);
+  append_supply_note(c, notes);
   append_bore_note(c, notes);
   append_free_shape_note(c, notes);
   sort_notes(notes);

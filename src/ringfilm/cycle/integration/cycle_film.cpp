@@ -1,6 +1,8 @@
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "ringfilm/film/load_balance.hpp"
@@ -45,6 +47,13 @@ std::optional<BendingRing> bending_ring(const Case& c) {
   return BendingRing(c, strips_of(c));
 }
 
+/// Of two half-spaces that a strip presses together, beside its pressed part a tenth of the face wide: (3.7) between
+/// the middle of that part and the ends of the face, eq-ring-flattening [m2/N].
+double flattening(double E_prime) {
+  constexpr double kPressedPart = 0.1;
+  return 4 / (std::numbers::pi * E_prime) * (std::log(1 / kPressedPart) + 1);
+}
+
 std::optional<film::Film2dProblem> film_on_ring(const Setup& setup, const film::FilmProblem& across,
                                                 const std::optional<BendingRing>& ring) {
   if (!setup.input.is_unrolled()) return std::nullopt;
@@ -53,6 +62,7 @@ std::optional<film::Film2dProblem> film_on_ring(const Setup& setup, const film::
   problem.around = strips_of(setup.input);
   problem.gap = film::gap_of_strips(across.grid, problem.around);
   if (ring) problem.ring = ring->elastic_ring();
+  if (ring && setup.surfaces == Surfaces::kFlattening) problem.ring.flattening = flattening(setup.ring.E_prime);
   return problem;
 }
 

@@ -117,11 +117,15 @@ UnrolledValues unrolled_values(const std::vector<Sample>& whole, const std::vect
 
 double ring_imbalance(const film::Film2dProblem& problem, const film::Film2dInputs& inputs,
                       const film::FilmState& state, const std::vector<film::StripIntegrals>& strips) {
-  std::vector<double> force = film::bending_force(problem.ring, inputs, state.ring);
+  const auto carried = [&](int j) { return strips[j].hydrodynamic_load + strips[j].asperity_load - inputs.load_of(j); };
+  std::vector<double> displaced = film::displacements(problem, state.h_m, state.ring);
+  for (int j = 0; j < problem.around.n_strips(); ++j) {
+    displaced[problem.ring.of_strip(j)] -= problem.ring.flattening * carried(j);
+  }
+  const std::vector<double> force = film::bending_force(problem.ring, inputs, displaced);
   double left = 0;
   for (int j = 0; j < problem.around.n_strips(); ++j) {
-    const double carried = strips[j].hydrodynamic_load + strips[j].asperity_load - inputs.load_of(j);
-    left += std::abs(force[problem.ring.of_strip(j)] + problem.around.share[j] * carried);
+    left += std::abs(force[problem.ring.of_strip(j)] + problem.around.share[j] * carried(j));
   }
   return left / (inputs.strip.load * problem.around.length);
 }

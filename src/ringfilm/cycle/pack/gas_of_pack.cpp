@@ -15,6 +15,10 @@
 namespace ringfilm::cycle {
 namespace {
 
+/// Force off its lower flank from where a ring that the case keeps there has a note (assumed): the inertia of a light
+/// ring makes 10 N at 1500 rpm, over half of the cycle [N].
+constexpr double kLargeLift = 50;
+
 /// Below that the straight line of an orifice is as steep as a step to the integration [-].
 constexpr double kLeastSmoothing = 1e-6;
 
@@ -164,6 +168,19 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
     notes.push_back({"ring-flutter",
                      "a ring leaves its lower flank more than once in a stroke: ring " + joined_numbers(fluttering),
                      static_cast<int>(fluttering.size())});
+  }
+  for (std::size_t i = 0; i < result.motion.size() && c.gas_path.ring_motion == RingMotion::kSeated; ++i) {
+    const gas_path::RingMotionValues& ring = result.motion[i];
+    if (!ring.has_groove || ring.least_seating_force > -kLargeLift) continue;
+    notes.push_back({"ring-unseated",
+                     "ring " + std::to_string(i + 1) +
+                         " is kept on its lower flank, off which gas, inertia and friction "
+                         "press it over " +
+                         std::to_string(std::lround(100 * ring.unseated_share)) + " % of the cycle, with up to " +
+                         number_text(std::round(-ring.least_seating_force)) + " N (at " +
+                         number_text(ring.least_seating_force_angle_deg) +
+                         " degree): gas_path.ring_motion = \"axial\" computes when it leaves, and the blow-by then",
+                     1});
   }
   if (!result.repeats) {
     const std::string when =

@@ -23,6 +23,12 @@ enum class CellsOfFace {
   kGraded    ///< the same, and many more near the lowest places of the face: film::graded_grid
 };
 
+/// Do the strips of a ring that bends, and the liner, flatten under what they carry?
+enum class Surfaces {
+  kRigid,      ///< no
+  kFlattening  ///< by eq-ring-flattening; asperities take over where the film closes
+};
+
 /// What all rings of an engine have in common.
 struct EngineSetup {
   models::CrankSlider crank;  ///< moves piston and rings
@@ -71,6 +77,7 @@ struct Setup {
 
   const film::FilmKernels* kernels = &film::kernels();  ///< the inner loops that are to find the films
   CellsOfFace cells = CellsOfFace::kUniform;            ///< graded where uniform ones found no film
+  Surfaces surfaces = Surfaces::kRigid;                 ///< flattening where rigid ones found no film
 };
 
 /// The elastic pressure of rings and what to check of another one, for messages.

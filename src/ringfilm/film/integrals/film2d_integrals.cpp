@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
@@ -17,6 +18,7 @@ class Strips {
         previous_(previous),
         state_(state),
         rise_(rise_of_strips(problem, inputs, state.ring)),
+        closed_(closed_film(problem)),
         strip_(problem.strip) {}
 
   FilmIntegrals integrals(int j) {
@@ -36,6 +38,8 @@ class Strips {
     }
     FilmIntegrals sums = film_integrals(strip_, inputs_.strip, before_, now_);
     if (!problem_.gap.face_x_second.empty()) add_steps(j, sums);
+    if (closed_ > 0 && now_.h_m < 2 * closed_)
+      sums.asperity_load = asperity_load(strip_, closed_separation(now_.h_m, closed_));
     return sums;
   }
   double lowest() const {
@@ -111,6 +115,7 @@ class Strips {
   const Film2dInputs& inputs_;
   const FilmState &previous_, &state_;
   const std::vector<double> rise_;
+  const double closed_;
   FilmProblem strip_;
   FilmState now_, before_;
 };

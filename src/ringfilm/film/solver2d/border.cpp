@@ -33,6 +33,9 @@ BeamBorder::BeamBorder(const Film2dKernels& kernels, const Film2dBlock& block, c
       ends_(problem.around.ends),
       length_(problem.around.length),
       contact_slope_(n_strips_, 0.0),
+      stiffened_(ring_.n_unknowns(), 1.0),
+      share_(n_strips_, 0.0),
+      closing_(ring_.n_unknowns(), 1.0),
       solution_(block.system.shape.size(), 0.0),
       own_(block.system.shape.strip_size(), 0.0),
       low_(own_),
@@ -40,12 +43,15 @@ BeamBorder::BeamBorder(const Film2dKernels& kernels, const Film2dBlock& block, c
       sums_(own_),
       factor_(ring_.band.size(), 0.0),
       left_(ring_.n_unknowns(), 0.0),
-      bent_(left_) {}
+      bent_(left_) {
+  for (int j = 0; j < n_strips_; ++j) share_[j] = problem.around.share[j] / length_;
+}
 
-void BeamBorder::set(double scale, int lowest, std::vector<double> contact_slope) {
+void BeamBorder::set(double scale, int lowest, std::vector<double> contact_slope, const std::vector<double>& closing) {
   scale_ = scale;
   lowest_ = lowest;
   contact_slope_ = std::move(contact_slope);
+  for (int j = 0; j < n_strips_; ++j) closing_[ring_.of_strip(j)] = closing[j];
 }
 
 void BeamBorder::solve_columns(const Solve& approximately) { approximately(block_->column, solution_.data()); }
@@ -61,7 +67,10 @@ bool BeamBorder::factor() {
     const double of_film = s >= 0 && s < shape.n_strips ? sums_[shape.strip(s)] : 0;
     // A film that carries more the thinner its oil: Newton's method then sees a stiffness of the other sign, but what
     // precedes GMRES must be definite.
-    factor_[static_cast<std::size_t>(ring_.of_strip(j)) * kWidth] += std::max(of_film - contact_slope_[j], 0.0);
+    const int i = ring_.of_strip(j);
+    const double stiff = std::max(of_film - contact_slope_[j], 0.0);
+    stiffened_[i] = closing_[i] + ring_.flattening * stiff / (share_[j] * scale_);
+    factor_[static_cast<std::size_t>(i) * kWidth] += stiff / stiffened_[i];
   }
   return factor_band(factor_);
 }
@@ -92,8 +101,15 @@ void BeamBorder::multiply(const double* x, const double* b, double* to) {
   const int n = ring_.n_unknowns();
   const double scale = scale_ / length_;
   std::fill_n(to, n, 0.0);
-  std::copy_n(b, n, bent_.begin());
-  for (int i = 0; i < n; i += 2) bent_[i] -= b[ring_.of_strip(lowest_)];
+  for (int i = 0; i < n; ++i) bent_[i] = closing_[i] * b[i];
+  if (ring_.flattening > 0) kernels_->strip_sums(shape, block_->load_row, x, sums_.data());
+  for (int j = 0; ring_.flattening > 0 && j < n_strips_; ++j) {
+    const int i = ring_.of_strip(j), s = j - first_;
+    const double more = contact_slope_[j] * b[i] + (s >= 0 && s < shape.n_strips ? sums_[shape.strip(s)] : 0.0);
+    bent_[i] -= ring_.flattening / scale_ * more / share_[j];
+  }
+  const double of_lowest = bent_[ring_.of_strip(lowest_)];
+  for (int i = 0; i < n; i += 2) bent_[i] -= of_lowest;
   for (int i = 0; i < n; ++i) {
     const double* row = ring_.band.data() + static_cast<std::size_t>(i) * kWidth;
     to[i] -= scale * row[0] * bent_[i];
@@ -117,7 +133,7 @@ void BeamBorder::eliminate(const double* g, double* x, double* b) {
   kernels_->strip_sums(shape, block_->load_row, x, sums_.data());
   for (int s = 0; s < shape.n_strips; ++s) left_[ring_.of_strip(s + first_)] += sums_[shape.strip(s)];
   solve_band(factor_, left_.data());
-  std::copy_n(left_.begin(), n, b);
+  for (int i = 0; i < n; ++i) b[i] = left_[i] / stiffened_[i];
   for (int s = 0; s < shape.n_strips; ++s) own_[shape.strip(s)] = b[ring_.of_strip(s + first_)];
   kernels_->take_columns(shape, solution_.data(), own_.data(), x);
 }

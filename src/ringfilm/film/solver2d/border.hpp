@@ -63,7 +63,8 @@ class BeamBorder final : public Border {
 
   /// @param scale length that the unknowns count in [m] @param lowest strip, from which bending counts
   /// @param contact_slope of each strip's asperities, with its share of the length, in those units [N/m]
-  void set(double scale, int lowest, std::vector<double> contact_slope);
+  /// @param closing slope of each strip's separation in its film, closed_separation() [-]
+  void set(double scale, int lowest, std::vector<double> contact_slope, const std::vector<double>& closing);
 
   int count() const override { return ring_.n_unknowns(); }
   void solve_columns(const Solve& approximately) override;
@@ -85,6 +86,9 @@ class BeamBorder final : public Border {
   double scale_ = 0;
   int lowest_ = 0;
   std::vector<double> contact_slope_;
+  std::vector<double> stiffened_;                ///< displacement that each unknown needs, flattened by it [-]
+  std::vector<double> share_;                    ///< of the length that each strip has
+  std::vector<double> closing_;                  ///< slope of each displacement in its unknown [-]
   std::vector<double> solution_;                 ///< Y of all strips displaced alike
   std::vector<double> own_, low_, high_, sums_;  ///< of strips, as the block has them
   std::vector<double> factor_, left_, bent_;

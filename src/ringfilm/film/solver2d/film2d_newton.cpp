@@ -13,7 +13,8 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kMostIterationsOfStrips = 60;  // of Newton's method with the load
+constexpr double kThinnestClosed = 1 + 1e-6;  // to start from, of closed_film()
+constexpr int kMostIterationsOfStrips = 60;   // of Newton's method with the load
 
 /// By how much GMRES must reduce what is left of a linear system: by the square root of the tolerance, so that the last
 /// step's linear errors are as small as its nonlinear ones; after a step larger than kFarStep by no more than this. (A
@@ -53,6 +54,7 @@ Film2dNewton::Film2dNewton(const Film2dProblem& problem)
       first_(problem.around.ends == Ends::kOpen ? 1 : 0),
       gmres_(*kernels_, shape_.size() + border_count(problem)),
       elastic_(problem.ring),
+      closed_(closed_film(problem)),
       rigid_border_(*kernels_, block_, shape_.size()),
       border_(&rigid_border_),
       step_(shape_.size() + border_count(problem), 0.0),
@@ -242,6 +244,10 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   h_m_ = guess.h_m;
   ring_ = guess.ring;
   ring_.resize(elastic_.n_unknowns(), 0.0);
+  for (int j = 0; closed_ > 0 && j < problem.around.n_strips(); ++j) {
+    double& own = ring_[elastic_.of_strip(j)];
+    own = std::max(own, kThinnestClosed * closed_ - h_m_);
+  }
   set_lowest();
   set_separation(problem, inputs);
 }
@@ -312,21 +318,24 @@ void Film2dNewton::set_loads_of_beam(const Film2dProblem& problem, const Film2dI
   const CircumferentialGrid& around = problem.around;
   const int n_strips = around.n_strips();
   kernels_->strip_loads(block_, strip_loads_.data());
-  excess_ = bending_force(elastic_, inputs, ring_);
-  for (double& force : excess_) force /= around.length;
-  std::vector<double> contact_slope(n_strips);
+  std::vector<double> contact_slope(n_strips), closing(n_strips, 1.0), carried(n_strips);
+  std::vector<double> displaced = displacements(problem, h_m_, ring_);
   for (int j = 0; j < n_strips; ++j) {
     const double share = around.share[j] / around.length;
     const bool is_given = ends_ == Ends::kOpen && (j == 0 || j == n_strips - 1);
     const double given = (j == 0 ? inputs.p_low : inputs.p_high) * problem.strip.grid.width;
     const double of_film = is_given ? given : strip_loads_[shape_.strip(strip_of(j))];
-    double slope = 0;
-    const double asperities = asperity_load(problem.strip, h_m_ + rise_[j], &slope);
-    excess_[elastic_.of_strip(j)] += share * (of_film + asperities - inputs.load_of(j));
-    contact_slope[j] = share * slope * h_m_;
+    double slope = 0, separation = h_m_ + rise_[j];
+    if (closed_ > 0) separation = closed_separation(separation, closed_, &closing[j]);
+    carried[j] = of_film + asperity_load(problem.strip, separation, &slope) - inputs.load_of(j);
+    contact_slope[j] = share * slope * closing[j] * h_m_;
+    displaced[elastic_.of_strip(j)] -= elastic_.flattening * carried[j];
   }
+  excess_ = bending_force(elastic_, inputs, displaced);
+  for (double& force : excess_) force /= around.length;
+  for (int j = 0; j < n_strips; ++j) excess_[elastic_.of_strip(j)] += around.share[j] / around.length * carried[j];
   const auto lowest = std::min_element(rise_.begin(), rise_.end()) - rise_.begin();
-  beam_border_->set(h_m_, static_cast<int>(lowest), std::move(contact_slope));
+  beam_border_->set(h_m_, static_cast<int>(lowest), std::move(contact_slope), closing);
 }
 
 bool Film2dNewton::solve_at_border_step(double reduction) {
@@ -420,7 +429,10 @@ bool Film2dNewton::limit_step_of_beam() {
   double share = 1;
   for (std::size_t j = 0; j < rise_.size(); ++j) {
     const double film = h_m_ + rise_[j] + lowest_[j], change = change_of_strip(static_cast<int>(j));
-    const double most = (change < 0 ? std::expm1(kLargestFall) : std::expm1(kLargestRise)) * film;
+    double most = (change < 0 ? std::expm1(kLargestFall) : std::expm1(kLargestRise)) * film;
+    if (h_m_ + rise_[j] + change < 2 * closed_) {
+      most = std::max(most, std::expm1(kLargestFall) * (h_m_ + rise_[j] - closed_));
+    }
     if (std::abs(change) > std::abs(most)) share = std::min(share, most / change);
   }
   for (double& step : border_step_) step *= share;
@@ -431,7 +443,7 @@ double Film2dNewton::largest_move() const {
   if (!beam_border_) return std::abs(border_step_[0]);
   double moved = 0;
   for (std::size_t j = 0; j < rise_.size(); ++j) {
-    const double film = h_m_ + rise_[j] + lowest_[j];
+    const double film = h_m_ + rise_[j] + (h_m_ + rise_[j] < 2 * closed_ ? -closed_ : lowest_[j]);
     moved = std::max(std::abs(change_of_strip(static_cast<int>(j))) / film, moved);  // a NaN stays
   }
   return moved;

@@ -72,6 +72,7 @@ class Film2dNewton {
   std::optional<StripMultigrid> multigrid_;
   Gmres gmres_;
   ElasticRing elastic_;
+  double closed_;  ///< closed_film() [m]
   RigidBorder rigid_border_;
   std::optional<BeamBorder> beam_border_;
   Border* border_;

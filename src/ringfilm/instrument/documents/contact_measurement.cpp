@@ -54,12 +54,16 @@ constexpr Column kColumns[] = {
     {"spot_radius", "radius of the mean contact spot", "", "m", "um",
      [](const Point& of) { return of.mean.spot_radius_m; }},
     {"spot_density", "contact spots per area", "", "m-2", "mm-2", [](const Point& of) { return of.mean.spots_per_m2; }},
+    {"residual", "rms violation of the complementarity over Sq", "", "1", "1",
+     [](const Point& of) { return of.mean.residual; }},
+};
+
+/// Of one relative position there is none.
+constexpr Column kShiftColumns[] = {
     {"contact_pressure_deviation", "standard deviation of the pressure over relative positions", "s(p)", "Pa", "MPa",
      [](const Point& of) { return of.pressure_deviation; }},
     {"real_area_deviation", "standard deviation of the real contact area over relative positions", "s(A)", "1", "%",
      [](const Point& of) { return of.area_deviation; }},
-    {"residual", "rms violation of the complementarity over Sq", "", "1", "1",
-     [](const Point& of) { return of.mean.residual; }},
 };
 
 constexpr Column kFlowColumns[] = {
@@ -89,6 +93,9 @@ io::MeasuredTable law_table(const surface::ContactLaw& law, const ContactAnalysi
     for (const Point& point : law.points) table.values.back().push_back(column.value(point));
   };
   for (const Column& column : kColumns) add(column);
+  if (analysis.shifts > 1) {
+    for (const Column& column : kShiftColumns) add(column);
+  }
   if (analysis.regions_across * analysis.regions_down > 1) {
     for (const Column& column : kRegionColumns) add(column);
   }

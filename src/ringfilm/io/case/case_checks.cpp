@@ -20,6 +20,11 @@ class Checks {
   Checks(const cycle::Case& c, const StatedKeys& stated) : case_(c), stated_(stated) {}
 
   std::vector<KeyFault> faults() {
+    if (is_part_of_a_case()) {
+      add("", {stated_.path, 0, 0, ""}, "this is a part of a case: it states no engine and no ring",
+          "name it in a case, include = [\"" + stated_.path + "\"]; ringfilm new my_engine.toml writes one");
+      return std::move(faults_);
+    }
     check_missing();
     check_unused();
     check_rules();
@@ -27,6 +32,16 @@ class Checks {
   }
 
  private:
+  /// A fragment that a measurement wrote, an oil, a pair: tens of keys would be missing.
+  bool is_part_of_a_case() const {
+    const auto is_of_engine = [](const std::string& key) {
+      const std::string section = key.substr(0, key.find('.'));
+      return section == "engine" || section == "ring" || section == "gas" || section == "operating";
+    };
+    return case_.problem == cycle::Problem::kCycle && !stated_.given.empty() && stated_.faulty.empty() &&
+           std::ranges::none_of(stated_.given, [&](const auto& one) { return is_of_engine(one.first); });
+  }
+
   void add(const std::string& key, const SourceMark& mark, const std::string& message, const std::string& remedy) {
     faults_.push_back({key, {mark, message, remedy}});
   }

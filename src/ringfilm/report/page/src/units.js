@@ -139,7 +139,7 @@ const kSuperscript = {
  */
 export function number(value, digits = 4) {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
-  if (value === 0) return '0';
+  if (Math.abs(value) < 1e-14) return '0'; // in units of people: what rounding leaves of zero
   const size = Math.abs(value);
   let text;
   if (size < 1e-3 || size >= 1e6) {
@@ -248,6 +248,7 @@ export function asStated(value, unit) {
 /** A signed change in per cent. */
 export function percent(ratio, digits = 1) {
   if (ratio === null || !Number.isFinite(ratio)) return '–';
+  if (ratio >= 10) return `×\u00a0${number(1 + ratio, 3)}`;
   const value = 100 * ratio;
   const places = Math.abs(value) >= 100 ? 0 : digits;
   const text = Math.abs(value).toFixed(places);

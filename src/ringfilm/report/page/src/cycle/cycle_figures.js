@@ -304,7 +304,8 @@ export function breakthroughs(c) {
 function gasBreakthrough(model) {
   const found = model.cases.map((c) => ({ c, at: breakthroughs(c) })).filter(({ at }) => at.length > 0);
   if (found.length === 0) return { spans: [], words: '' };
-  const stretch = ({ from, to }) => (from === to ? `${angle(from)}°` : `${angle(from)}° to ${angle(to)}°`);
+  const stretch = ({ from, to }) =>
+    from === to ? `${angle(from)}°` : `${angle(from)}° to ${angle(from < to ? to : to + 720)}°`;
   const words = ({ c, at }) => {
     const count = at.reduce((sum, one) => sum + one.count, 0);
     const shown = at.slice(0, kMostMarks).map(stretch).join(', ');

@@ -38,10 +38,9 @@ export function operatingLine(model) {
 
 export function reportTitle(model) {
   if (!model.several) return model.cases[0].title || 'One engine cycle';
-  if (model.sharedTitle) return model.sharedTitle;
-  return model.comparesPacks
-    ? `${model.entries.length} ring packs compared`
-    : `${model.cases.length} engine cycles compared`;
+  const packs = `${model.entries.length} ring packs compared`;
+  if (model.sharedTitle) return model.comparesPacks ? `${model.sharedTitle}: ${packs}` : model.sharedTitle;
+  return model.comparesPacks ? packs : `${model.cases.length} engine cycles compared`;
 }
 
 /** The most serious thing first, without what is only for information. */

@@ -86,7 +86,7 @@ export function fmepVerdicts(model) {
     }));
   const packed = model.packs.flatMap((pack) => {
     const faces = model.cases.slice(pack.first_case, pack.first_case + pack.ring_numbers.length);
-    const before = model.packs.length > 1 ? `${pack.title}, ` : '';
+    const before = model.packs.length > 1 ? `${pack.name}, ` : '';
     return [
       ...pack.by_ring.map(({ ring, values }) => {
         const face = faces[pack.ring_numbers.indexOf(ring)];
