@@ -11,7 +11,6 @@ namespace ringfilm::pad {
 namespace {
 
 constexpr int kCellsOfScan = 200;   // at most: enough to see where the load is crossed
-constexpr int kCellsOfFilm2d = 50;  // the same in each direction of a film in two dimensions
 constexpr double kStep = 1.3;       // from one film of the scan to the next
 constexpr double kThinnest = 1e-9;  // of the scan [m]: molecules
 /// So many films in a row that were not found, on the finest grid either: from there on that grid is not tried, which
