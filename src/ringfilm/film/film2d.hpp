@@ -122,7 +122,7 @@ bool factor_band(std::vector<double>& band);
 void solve_band(const std::vector<double>& factored, double* x);
 
 /// The thinnest film of a ring that flattens, which is what the valleys of rough surfaces hold that are pressed
-/// together; 0: there is none, as the ring does not or nothing but the film carries it [m].
+/// together; 0 where the ring does not, or nothing but the film carries it [m].
 double closed_film(const Film2dProblem& problem);
 
 /// Separation of surfaces whose film is h thick (eq-ring-closed-film) [m]: the same for films of twice `closed` and

@@ -102,7 +102,7 @@ class Numbers(ContactTest):
         self.assertTrue(any("--shifts" in note for note in one["notes"]))
         several = self.json_of(*pair, "--separations", "0.9 um", "--shifts", "4")
         self.assertEqual(several["relative_positions"], 4)
-        self.assertNotIn("contact_pressure_deviation", one)  # of one position there is none
+        self.assertNotIn("contact_pressure_deviation", one)  # one position has no scatter
         self.assertGreater(several["contact_pressure_deviation"][0], 0)
 
     def test_without_separations_a_table_from_the_highest_point_down(self):

@@ -47,6 +47,8 @@ constexpr double kLowestCommonIndex = 1.15, kHighestCommonIndex = 1.55;
 /// at cranking speed has a low index, too.
 constexpr double kLowestAdded = 1.1 * kBar;
 constexpr double kLatestCommonStartDeg = -100;  ///< of a compression that has two halves
+constexpr const char* kPeg =
+    "Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and TDC";
 constexpr double kLeastRatioTried = 5, kMostRatioTried = 60;
 /// Most intake valves are closed from here on.
 constexpr double kIndexFromDeg = -120;
@@ -299,8 +301,7 @@ class GasNotes {
              " degree before firing TDC rises as with a compression ratio of " + number_text(std::round(low)) +
              " and a polytropic index of " + number_text(std::round(100 * index) / 100) +
              ", where sealed engines have 1.25 to 1.4: is a pressure " + (is_added ? "added to" : "missing from") +
-             " the trace? Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and "
-             "TDC");
+             " the trace? " + kPeg);
   }
 
   void append_index() {
@@ -318,13 +319,13 @@ class GasNotes {
     if (is_weak) {
       note("gas-compression-low",
            rise + rounded(largest) + " or less for a compression ratio of " + number_text(kLowestChargedRatio) +
-               " and more, where charged engines have 1.25 to 1.4: is a pressure added to the trace? Peg it to the "
-               "intake pressure at bottom dead centre, and check gas.pressure_reference and TDC");
+               " and more, where charged engines have 1.25 to 1.4: is a pressure added to the trace? " + kPeg);
     } else {
-      note("gas-compression-high",
-           rise + rounded(least) + " or more for a compression ratio of " + number_text(kHighestRatio) +
-               " and less, above that of air without losses, 1.4: is a pressure missing from the trace, or TDC wrong? "
-               "Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and TDC");
+      note(
+          "gas-compression-high",
+          rise + rounded(least) + " or more for a compression ratio of " + number_text(kHighestRatio) +
+              " and less, above that of air without losses, 1.4: is a pressure missing from the trace, or TDC wrong? " +
+              kPeg);
     }
   }
 

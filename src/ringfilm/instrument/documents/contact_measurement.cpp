@@ -58,7 +58,7 @@ constexpr Column kColumns[] = {
      [](const Point& of) { return of.mean.residual; }},
 };
 
-/// Of one relative position there is none.
+/// Of two relative positions and more.
 constexpr Column kShiftColumns[] = {
     {"contact_pressure_deviation", "standard deviation of the pressure over relative positions", "s(p)", "Pa", "MPa",
      [](const Point& of) { return of.pressure_deviation; }},
