@@ -12,8 +12,9 @@ namespace ringfilm::io {
 /// `--set key=value` of the command line: the value is read as TOML, else as text; an empty value removes the key, so
 /// that another way to state the same (a ring's tension, a gas model) can replace it.
 struct Override {
-  std::string key;    ///< "engine.bore"
-  std::string value;  ///< as written, e.g. "89 mm"; empty: the key is removed
+  std::string key;               ///< "engine.bore"
+  std::string value;             ///< as written, e.g. "89 mm"; empty: the key is removed
+  std::string option = "--set";  ///< of the command line that states it, for messages
 };
 
 /// A key of a file that overrides make unused, or state in another way.

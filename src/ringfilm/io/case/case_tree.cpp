@@ -428,9 +428,9 @@ class Gatherer {
 
   std::vector<TomlEntry> read_overrides(const std::vector<Override>& overrides) {
     std::vector<TomlEntry> stated;
-    for (const auto& [key, text] : overrides) {
+    for (const auto& [key, text, option] : overrides) {
       TomlEntry entry{key, {}, ""};
-      entry.value.key_mark = entry.value.mark = {"--set", 0, 0, ""};
+      entry.value.key_mark = entry.value.mark = {option, 0, 0, ""};
       if (key == "include") {
         fault(entry.value.mark, "include cannot be set on the command line",
               "write it into the case file, or set the keys of that file one by one");
@@ -451,16 +451,16 @@ class Gatherer {
         entry.value.kind = TomlValue::Kind::kText;
       }
       if (entry.value.kind == TomlValue::Kind::kText && entry.value.text.empty()) entry.value.text = text;
-      from_command_line(entry.value);
+      set_mark(entry.value, {option, 0, 0, ""});
       stated.push_back(entry);
     }
     return stated;
   }
 
-  static void from_command_line(TomlValue& value) {
-    value.key_mark = value.mark = {"--set", 0, 0, ""};
-    for (TomlValue& item : value.items) from_command_line(item);
-    for (auto& [name, member] : value.members) from_command_line(member);
+  static void set_mark(TomlValue& value, const SourceMark& mark) {
+    value.key_mark = value.mark = mark;
+    for (TomlValue& item : value.items) set_mark(item, mark);
+    for (auto& [name, member] : value.members) set_mark(member, mark);
   }
 
   void replace(const TomlEntry& entry) {
