@@ -21,7 +21,7 @@ endfunction()
 function(ringfilm_install_library)
   get_property(libraries GLOBAL PROPERTY RINGFILM_LIBRARIES)
   add_library(ringfilm_public INTERFACE)
-  target_link_libraries(ringfilm_public INTERFACE ringfilm_report ringfilm_instrument)
+  target_link_libraries(ringfilm_public INTERFACE ringfilm_run ringfilm_report ringfilm_instrument)
   target_compile_features(ringfilm_public INTERFACE cxx_std_20)
   set_target_properties(ringfilm_public PROPERTIES EXPORT_NAME ringfilm)
 

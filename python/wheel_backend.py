@@ -1,5 +1,5 @@
 """Builds the wheel of the Python module by CMake (PEP 517): what `cmake --install --component python` installs, with
-the shipped cases and data inside.
+the program and the shipped cases and data inside.
 
 RINGFILM_WHEEL_BUILD names a folder where the module is built already, which is used as it is; without it, build-wheel
 is configured and built.
@@ -60,7 +60,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                 "-DRINGFILM_TESTS=OFF",
                 f"-DPython3_EXECUTABLE={sys.executable}",
             )
-        _run("cmake", "--build", build, "--target", "ringfilm_python_stubs")
+        _run("cmake", "--build", build, "--target", "ringfilm_python_stubs", "ringfilm")
     version = _version()
     with tempfile.TemporaryDirectory(prefix="ringfilm-wheel-") as scratch:
         folder = pathlib.Path(scratch)
@@ -69,6 +69,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         root.mkdir()
         module = next((folder / "installed").rglob("_ringfilm*.so")).parent
         module.rename(root / "ringfilm")
+        _run("cmake", "--install", build, "--component", "program", "--prefix", folder / "program", "--strip")
+        _run("cmake", "-E", "copy_directory", folder / "program" / "bin", root / "ringfilm" / "share" / "bin")
         _run("cmake", "-E", "copy_directory", SOURCES / "cases", root / "ringfilm" / "share" / "cases")
         _run("cmake", "-E", "copy_directory", SOURCES / "data", root / "ringfilm" / "share" / "data")
         _run("cmake", "-E", "copy_directory", SOURCES / "verification", root / "ringfilm" / "share" / "verification")

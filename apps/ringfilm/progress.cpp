@@ -32,8 +32,16 @@ void ProgressLine::show(const std::string& text) {
   std::cerr << text << std::flush;
 }
 
-void IntegrationProgress::advanced(int cycle, double crank_angle_deg) {
-  line_.show(fmt::format("{}: cycle {}, {:.0f} degree", what_, cycle, crank_angle_deg));
+void RunProgress::advanced(int cycle, double crank_angle_deg) {
+  line_.show(fmt::format("{}: cycle {}, {:.0f} degree", name_, cycle, crank_angle_deg));
+}
+
+void RunProgress::advanced(double time, double end_time) {
+  line_.show(fmt::format("{}: {:.4g} of {:.4g} s", name_, time, end_time));
+}
+
+void RunProgress::others_ended(int n_done, int n_total) {
+  line_.show(fmt::format("{} of {} other grids and choices", n_done, n_total));
 }
 
 }  // namespace ringfilm::app

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <string>
 
-#include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/run/run.hpp"
 
 namespace ringfilm::app {
 
@@ -24,15 +24,17 @@ class ProgressLine {
   Clock::time_point next_;
 };
 
-/// Prints the progress of an integration on a line.
-class IntegrationProgress : public cycle::Observer {
+/// Prints the progress of a run on a line.
+class RunProgress : public run::Observer {
  public:
-  IntegrationProgress(ProgressLine& line, std::string what) : line_(line), what_(std::move(what)) {}
+  void begins(const std::string& name) override { name_ = name; }
   void advanced(int cycle, double crank_angle_deg) override;
+  void advanced(double time, double end_time) override;
+  void others_ended(int n_done, int n_total) override;
 
  private:
-  ProgressLine& line_;
-  std::string what_;
+  ProgressLine line_;
+  std::string name_;
 };
 
 }  // namespace ringfilm::app

@@ -26,7 +26,6 @@ void bind_lateral_force(py::module_& module);
 void bind_laws(py::module_& module);
 /// The closed contact laws, part of bind_laws.
 void bind_summit_contact(py::module_& part);
-void bind_command_line(py::module_& module);
 
 /// What all classes of the module and of its parts have in common, once they are bound: the use of an object that was
 /// never constructed is a TypeError, and so is pickling an object of a class without `__setstate__`.

@@ -17,6 +17,5 @@ PYBIND11_MODULE(_ringfilm, module) {
   bind_face(module);
   bind_lateral_force(module);
   bind_laws(module);
-  bind_command_line(module);
   complete_classes(module);
 }

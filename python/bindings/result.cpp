@@ -11,6 +11,7 @@
 #include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/result/result_file_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
@@ -460,13 +461,10 @@ ResultObject::ResultObject(cycle::Case input, cycle::CycleResult result, io::Pro
 
 const io::ResultDocument& ResultObject::document() const {
   if (input_) {
-    document_.title = input_->title;
-    document_.inputs = io::case_entries(*input_);
-    document_.resolved_case = io::case_text(document_.inputs);
-    document_.files = input_->files;
-    document_.input_notes = input_->notes;
+    io::Provenance provenance = std::move(document_.provenance);
+    document_ = io::result_document(*input_, std::move(document_.result));
+    document_.provenance = std::move(provenance);
     document_.ledger = study::assumptions(*input_);
-    document_.contact = cycle::contact_curves(*input_);
     input_.reset();
   }
   return document_;

@@ -27,17 +27,22 @@
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "ringfilm/models/ring.hpp"
 
-// One cycle, a pad, many cycles, studies.
+// A case, whatever its problem: run::run_case. Below it the parts that it is made of, lives, batches, studies.
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/checks/advice.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/cycle/pack/simulate_pack.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
+#include "ringfilm/life/life_run.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
+#include "ringfilm/run/run.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
+#include "ringfilm/study/ensemble/cycle_integrators.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 #include "ringfilm/study/study_run.hpp"
@@ -45,6 +50,8 @@
 // Files: cases and results.
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
+#include "ringfilm/io/life/life_file.hpp"
+#include "ringfilm/io/life/life_output.hpp"
 #include "ringfilm/io/pad/pad_netcdf.hpp"
 #include "ringfilm/io/pad/pad_output.hpp"
 #include "ringfilm/io/result/result_csv.hpp"

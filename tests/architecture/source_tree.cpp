@@ -81,9 +81,9 @@ std::vector<SourceFile> read_below(const std::vector<std::string>& folders) {
 
 const std::map<std::string, int>& layers() {
   static const std::map<std::string, int> layers = {
-      {"base", 0},   {"surface", 1}, {"models", 2},    {"film", 3},   {"gas_path", 3}, {"case", 4},
-      {"cycle", 5},  {"life", 6},    {"pad", 6},       {"study", 7},  {"io", 8},       {"instrument", 9},
-      {"report", 9}, {"apps", 10},   {"ringfilm", 10}, {"python", 10}};
+      {"base", 0},       {"surface", 1}, {"models", 2}, {"film", 3},      {"gas_path", 3}, {"case", 4},
+      {"cycle", 5},      {"life", 6},    {"pad", 6},    {"study", 7},     {"io", 8},       {"run", 9},
+      {"instrument", 9}, {"report", 9},  {"apps", 10},  {"ringfilm", 10}, {"python", 10}};
   return layers;
 }
 

@@ -24,6 +24,9 @@ def unpacked(tmp_path_factory):
     assert f"cp{sys.version_info.major}{sys.version_info.minor}" in wheel.name
     with zipfile.ZipFile(wheel) as packed:
         packed.extractall(folder / "site")
+        for info in packed.infolist():  # pip sets the mode, zipfile does not
+            if info.external_attr >> 16 & 0o111:
+                (folder / "site" / info.filename).chmod(0o755)
     return folder / "site"
 
 

@@ -5,6 +5,7 @@
 #include "ringfilm/instrument/documents/conformity.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/run/run.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -27,7 +28,7 @@ void conform(const ConformCommand& command) {
   if (!dropped.empty()) {
     std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
   }
-  const cycle::StaticClosure closure = cycle::static_closure(input);
+  const auto closure = std::get<cycle::StaticClosure>(run::run_case(input).result);
   const io::Measurement measurement = instrument::conformity_of_case(input, closure);
   if (command.outputs.csv) io::write_atomically(*command.outputs.csv, instrument::conformity_csv(closure));
   io::NamedRows rows = rows_of(measurement, instrument::kContactArcs);

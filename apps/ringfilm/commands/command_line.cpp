@@ -212,9 +212,12 @@ class Commands {
     auto& command = add("run", "Compute one engine cycle, or a pad, and print its summary", [this] {
       const std::string case_path = run_words_.case_path();
       if (csv_ && csv_->empty()) csv_ = std::filesystem::path(case_path).stem().string() + ".csv";
-      run({case_path, run_words_.overrides(), output_, csv_, json_ ? SummaryForm::kJson : SummaryForm::kTable,
-           ledger_ ? LedgerRequest::kComputed : LedgerRequest::kStatements,
-           error_estimate_ ? ErrorRequest::kEstimated : ErrorRequest::kNone, jobs()});
+      run({case_path,
+           run_words_.overrides(),
+           output_,
+           csv_,
+           json_ ? SummaryForm::kJson : SummaryForm::kTable,
+           {ledger_, error_estimate_, jobs()}});
     });
     run_words_.add_to(command);
     command.add_option("-o,--output", output_, "write the whole result as NetCDF-4")->type_name("X.nc");

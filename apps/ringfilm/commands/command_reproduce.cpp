@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "computation.hpp"
+#include "progress.hpp"
 #include "reproduction.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
@@ -45,12 +45,11 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
 }
 
 std::vector<io::ResultDocument> computed_rings(const std::vector<RingInput>& rings, int jobs) {
-  std::vector<RunRequest> requests;
-  for (const RingInput& ring : rings) {
-    requests.push_back({ring.input, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring});
-  }
+  std::vector<run::Request> requests;
+  for (const RingInput& ring : rings) requests.push_back({ring.input, ring.ring, true, true});
   std::vector<io::ResultDocument> documents;
-  for (Computation& done : computations(requests, {jobs})) {
+  RunProgress progress;
+  for (run::CycleOutcome& done : run::run_cycles(requests, jobs, &progress)) {
     if (done.stopped) throw *done.stopped;
     const auto& published = rings[documents.size()].published;
     done.document.comparison = study::compare(done.document.result, published, done.document.ledger);

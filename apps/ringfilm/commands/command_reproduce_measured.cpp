@@ -10,10 +10,10 @@
 #include "commands/command_lateral_force.hpp"
 #include "commands/command_surface.hpp"
 #include "commands/commands.hpp"
-#include "computation.hpp"
 #include "friction_band.hpp"
 #include "measured_chain.hpp"
 #include "output_names.hpp"
+#include "progress.hpp"
 #include "reproduction.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/instrument/documents/contact_measurement.hpp"
@@ -212,16 +212,16 @@ class TargetAndResult {
 };
 
 std::vector<io::ResultDocument> computed(const std::vector<RingPair>& rings, int jobs) {
-  std::vector<RunRequest> requests;
+  std::vector<run::Request> requests;
   for (const RingPair& ring : rings) {
-    requests.push_back(
-        {ring.result, LedgerRequest::kComputed, ErrorRequest::kEstimated, ring.ring + " ring, measured"});
+    requests.push_back({ring.result, ring.ring + " ring, measured", true, true});
   }
   for (const RingPair& ring : rings) {
-    requests.push_back({ring.target, LedgerRequest::kStatements, ErrorRequest::kEstimated, ring.ring + " ring"});
+    requests.push_back({ring.target, ring.ring + " ring", false, true});
   }
   std::vector<io::ResultDocument> documents;
-  for (Computation& done : computations(requests, {jobs})) {
+  RunProgress progress;
+  for (run::CycleOutcome& done : run::run_cycles(requests, jobs, &progress)) {
     if (done.stopped) throw *done.stopped;
     documents.push_back(std::move(done.document));
   }

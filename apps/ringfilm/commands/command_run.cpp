@@ -5,13 +5,16 @@
 #include <iostream>
 
 #include "commands/commands.hpp"
-#include "computation.hpp"
 #include "output_names.hpp"
+#include "progress.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
+#include "ringfilm/io/pad/pad_netcdf.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/run/run.hpp"
+#include "text/pad_summary.hpp"
 #include "text/summary.hpp"
 
 namespace ringfilm::app {
@@ -57,22 +60,58 @@ cycle::Case checked_case(const RunOptions& options) {
     check_suffix("--csv", *options.csv, OutputKind::kCsv);
     io::check_can_write(*options.csv, io::Sink::kFileOrDevice);
   });
+  if (input.problem == cycle::Problem::kPad) {
+    const std::pair<bool, const char*> of_rings[] = {{options.computed.ledger, "--ledger"},
+                                                     {options.computed.error_estimate, "--error-estimate"}};
+    for (const auto& [is_given, option] : of_rings) {
+      if (is_given) faults.push_back({{}, std::string(option) + " is for rings, and the case is a pad", "remove it"});
+    }
+  }
   if (!faults.empty()) throw InputError(std::move(faults));
   check_outputs_apart(options, input);
   return input;
 }
 
-/// Why the integration stopped, and what there is of it now.
-ConvergenceError named_stop(const RunOptions& options, const Computation& done) {
+/// A result as its outputs have it: each is asked for alone.
+struct Outputs {
+  std::size_t n_solved = 0;  ///< crank angles or instants
+  std::function<void(const std::string&)> write_netcdf;
+  std::function<std::string()> csv, json, text;
+};
+
+Outputs outputs_of(const io::ResultDocument& document, const cycle::Case& input) {
   std::size_t n_solved = 0;
-  for (const io::ResultDocument& ring : io::rings_of(done.document)) n_solved += ring.result.samples.size();
-  std::string text = done.stopped->what();
+  for (const io::ResultDocument& ring : io::rings_of(document)) n_solved += ring.result.samples.size();
+  const auto text = [&document, &input] {
+    const cycle::Case shown = cycle::with_rails(input);
+    std::string all;
+    const std::span<const io::ResultDocument> rings = io::rings_of(document);
+    for (std::size_t i = 0; i < rings.size(); ++i) {
+      all += (i > 0 ? "\n" : "") + summary(shown.is_pack() ? shown.rings[i] : shown, rings[i]);
+      if (rings[i].ledger_computed) all += "\n" + ledger_table(rings[i]);
+    }
+    if (input.is_pack()) all += "\n" + pack_summary(document);
+    return all;
+  };
+  return {n_solved, [&](const std::string& path) { io::write_result(path, document); },
+          [&] { return io::result_csv(document); }, [&] { return io::result_json(document); }, text};
+}
+
+Outputs outputs_of(const io::PadDocument& document, const cycle::Case& input) {
+  return {document.result.samples.size(), [&](const std::string& path) { io::write_pad(path, document); },
+          [&] { return io::pad_csv(document.result); }, [&] { return io::pad_json(document); },
+          [&] { return pad_summary(input, document); }};
+}
+
+/// Why the integration of a cycle stopped, and what there is of it now.
+ConvergenceError named_stop(const RunOptions& options, const ConvergenceError& stop, std::size_t n_solved) {
+  std::string text = stop.what();
   if (n_solved == 0) {
     text += "\nno crank angle of those asked for was finished; nothing was written, files that exist are unchanged";
   } else if (options.output || options.csv) {
     text += fmt::format("\nwhat was written holds the {} crank angles that were solved before", n_solved);
   }
-  return {text, done.stopped->crank_angle_deg()};
+  return {text, stop.crank_angle_deg()};
 }
 
 }  // namespace
@@ -80,27 +119,26 @@ ConvergenceError named_stop(const RunOptions& options, const Computation& done) 
 void run(const RunOptions& options) {
   const cycle::Case input = checked_case(options);
   const std::vector<io::OutputClaim> claimed = claims({options.output, options.csv});
-  if (input.problem == cycle::Problem::kPad) return run_pad(options, input);
-  const Computation done =
-      computations({{input, options.ledger, options.errors, options.case_path}}, {options.jobs}).front();
-  const std::span<const io::ResultDocument> rings = io::rings_of(done.document);
-  const bool is_worth_writing =
-      std::any_of(rings.begin(), rings.end(), [](const auto& ring) { return !ring.result.samples.empty(); });
-  if (options.output && is_worth_writing) io::write_result(*options.output, done.document);
-  if (options.csv && is_worth_writing) io::write_atomically(*options.csv, io::result_csv(done.document));
-  if (options.summary == SummaryForm::kJson) {
-    std::cout << io::result_json(done.document);
-  } else {
-    const cycle::Case shown = cycle::with_rails(input);
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      std::cout << (i > 0 ? "\n" : "") << summary(shown.is_pack() ? shown.rings[i] : shown, rings[i]);
-      if (rings[i].ledger_computed) std::cout << "\n" << ledger_table(rings[i]);
-    }
-    if (input.is_pack()) std::cout << "\n" << pack_summary(done.document);
+  std::optional<RunProgress> progress(std::in_place);
+  const run::Outcome done = run::run_case(input, options.computed, &*progress, options.case_path);
+  progress.reset();
+  const bool is_pad = input.problem == cycle::Problem::kPad;
+  const Outputs outputs = is_pad ? outputs_of(std::get<io::PadDocument>(done.result), input)
+                                 : outputs_of(std::get<io::ResultDocument>(done.result), input);
+  const bool is_worth_writing = outputs.n_solved > 0;
+  if (options.output && is_worth_writing) outputs.write_netcdf(*options.output);
+  if (options.csv && is_worth_writing) io::write_atomically(*options.csv, outputs.csv());
+  const bool is_shown = is_worth_writing || !is_pad;
+  if (is_shown && options.summary == SummaryForm::kJson) {
+    std::cout << outputs.json();
+  } else if (is_shown) {
+    std::cout << outputs.text();
     if (options.output && is_worth_writing) std::cout << "wrote " << *options.output << "\n";
     if (options.csv && is_worth_writing) std::cout << "wrote " << *options.csv << "\n";
   }
-  if (done.stopped) throw named_stop(options, done);
+  if (!done.stopped) return;
+  if (is_pad) throw *done.stopped;
+  throw named_stop(options, *done.stopped, outputs.n_solved);
 }
 
 }  // namespace ringfilm::app

@@ -6,14 +6,13 @@
 
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/vts_file.hpp"
+#include "ringfilm/run/run.hpp"
 
 /// The commands of the program: arguments in, text and files out. Each returns normally or throws one of the errors of
 /// ringfilm/base/error.hpp; main turns those into exit codes.
 namespace ringfilm::app {
 
 enum class SummaryForm { kTable, kJson, kNothing };
-enum class LedgerRequest { kStatements, kComputed };
-enum class ErrorRequest { kNone, kEstimated };
 
 /// The case of a command with what it states on the command line; prints on standard error which keys of the case that
 /// makes unused.
@@ -26,14 +25,9 @@ struct RunOptions {
   std::optional<std::string> output;  ///< NetCDF
   std::optional<std::string> csv;
   SummaryForm summary = SummaryForm::kTable;
-  LedgerRequest ledger = LedgerRequest::kStatements;
-  ErrorRequest errors = ErrorRequest::kNone;
-  int jobs = 0;  ///< threads for ledger and errors; 0: as many as the machine runs at once
+  run::Options computed;
 };
 void run(const RunOptions& options);
-
-/// The same for a case that is a pad.
-void run_pad(const RunOptions& options, const cycle::Case& input);
 
 struct CheckOptions {
   std::string case_path;

@@ -9,6 +9,7 @@
 #include "output_names.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/run/run.hpp"
 #include "text/summary.hpp"
 
 namespace ringfilm::app {
@@ -81,7 +82,7 @@ void gas(const GasOptions& options) {
   check_output(options.csv, "--csv", OutputKind::kCsv, input);
   check_output(options.output, "--output", OutputKind::kNetcdf, input);
   const std::vector<io::OutputClaim> claimed = claims({options.csv, options.output});
-  const io::GasPathDocument document = io::gas_path_document(input);
+  const auto document = std::get<io::GasPathDocument>(run::run_case(input).result);
   if (options.output) io::write_gas_path(*options.output, document);
   if (options.csv) io::write_atomically(*options.csv, io::gas_path_csv(document));
   if (options.summary == SummaryForm::kJson) {

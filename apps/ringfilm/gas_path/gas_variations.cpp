@@ -12,6 +12,7 @@
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
+#include "ringfilm/run/run.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -24,7 +25,7 @@ std::vector<io::Override> combination(const std::vector<Variation>& varied, std:
   std::vector<io::Override> settings(varied.size());
   for (std::size_t i = varied.size(); i-- > 0;) {
     const std::size_t n = varied[i].values.size();
-    settings[i] = {varied[i].key, varied[i].values[number % n]};
+    settings[i] = {varied[i].key, varied[i].values[number % n], "--vary"};
     number /= n;
   }
   return settings;
@@ -36,18 +37,6 @@ std::string quoted_cell(const std::string& text) {
   return cell + "\"";
 }
 
-/// Faults of overrides, with the option that stated them.
-std::vector<Fault> of_varied(std::vector<Fault> faults, const std::vector<Variation>& varied) {
-  for (Fault& fault : faults) {
-    const bool is_varied = std::ranges::any_of(varied, [&](const Variation& one) {
-      const auto of_ring = cycle::ring_key(one.key);
-      return fault.message.find(of_ring ? of_ring->key : one.key) != std::string::npos;
-    });
-    if (fault.mark.file == "--set" && is_varied) fault.mark.file = "--vary";
-  }
-  return faults;
-}
-
 /// A case of each combination; whatever is wrong with one is reported before anything is computed.
 std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io::Override>& overrides,
                                   const std::vector<Variation>& varied, std::size_t n) {
@@ -57,11 +46,7 @@ std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io:
     std::vector<io::Override> settings = overrides;
     std::ranges::copy(combination(varied, i), std::back_inserter(settings));
     std::vector<io::DroppedKey> dropped;
-    try {
-      cases.push_back(io::read_case_dropping(path, settings, units, dropped, cycle::CasePurpose::kGasPath));
-    } catch (const InputError& error) {
-      throw InputError(of_varied(error.faults(), varied));
-    }
+    cases.push_back(io::read_case_dropping(path, settings, units, dropped, cycle::CasePurpose::kGasPath));
   }
   return cases;
 }
@@ -83,7 +68,7 @@ struct Row {
 };
 
 Solution solution_of(const cycle::Case& c) {
-  io::GasPathDocument document = io::gas_path_document(c);
+  auto document = std::get<io::GasPathDocument>(run::run_case(c).result);
   gas_path::GasPathResult& result = document.result;
   Solution solution;
   solution.blow_by = document.gas.sums.blow_by_per_cycle;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace ringfilm;
 
-void run(const char* case_path, std::size_t count) {
+void compute(const char* case_path, std::size_t count) {
   const cycle::Case base = io::read_case(case_path);
   std::size_t given = 0;
   const auto next = [&]() -> std::optional<cycle::Case> {
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   try {
     const long count = argc == 3 ? std::atol(argv[2]) : 200;
     if (count < 1) throw InputError("COUNT is not a positive number", "omit it, or write for example 200");
-    run(argv[1], static_cast<std::size_t>(count));
+    compute(argv[1], static_cast<std::size_t>(count));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -8,11 +8,13 @@
 
 namespace {
 
-void run(const char* case_path, const char* result_path, const char* page_path) {
+void compute(const char* case_path, const char* result_path, const char* page_path) {
   using namespace ringfilm;
   const cycle::Case input = io::read_case(case_path, {{"operating.speed", "2000 rpm"}});
-  const cycle::Setup setup = cycle::prepare(input);  // may be used by several threads
-  const cycle::CycleResult result = cycle::simulate(setup);
+  const run::Outcome done = run::run_case(input);
+  if (done.stopped) throw *done.stopped;  // the result so far would be there all the same
+  const auto& document = std::get<io::ResultDocument>(done.result);
+  const cycle::CycleResult& result = document.result;
 
   // Every quantity by its name, in SI, with the unit that people use beside it.
   for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
@@ -27,7 +29,6 @@ void run(const char* case_path, const char* result_path, const char* page_path) 
               thinnest->crank_angle_deg);
   for (const cycle::Note& note : result.notes) std::printf("note: %s\n", note.message.c_str());
 
-  const io::ResultDocument document = io::result_document(input, result);
   io::write_result(result_path, document);
   std::ofstream(page_path) << report::report_page({document}, {});
 }
@@ -40,7 +41,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    run(argv[1], argv[2], argv[3]);
+    compute(argv[1], argv[2], argv[3]);
   } catch (const std::exception& error) {  // InputError contains file, line, rule and remedy
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

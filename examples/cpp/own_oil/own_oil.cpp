@@ -33,7 +33,7 @@ class FreeVolumeOil {
   double eta_0_, rho_0_;
 };
 
-void run(const char* case_path) {
+void compute(const char* case_path) {
   const cycle::Case input = io::read_case(case_path);
   const cycle::CycleResult of_the_case = cycle::simulate(cycle::prepare(input));
 
@@ -72,7 +72,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    run(argv[1]);
+    compute(argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

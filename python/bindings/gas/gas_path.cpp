@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
+#include "ringfilm/run/run.hpp"
 
 namespace ringfilm::python {
 namespace {
@@ -33,8 +34,10 @@ cycle::Case case_for_gas(const py::object& given, const std::optional<Settings>&
     return io::read_case_dropping(path_of("case", given), stated, io::Units(), dropped, io::CasePurpose::kGasPath);
   }
   if (overrides) throw py::type_error("overrides go with the path of a case file; set the keys of a ringfilm.Case");
-  const cycle::Case& c = py::cast<const CaseObject&>(given).value();
+  cycle::Case c = py::cast<const CaseObject&>(given).value();
   check_gas(c);
+  c.purpose = cycle::CasePurpose::kGasPath;
+  for (cycle::Case& ring : c.rings) ring.purpose = c.purpose;
   return c;
 }
 
@@ -49,7 +52,7 @@ py::dict gas_record(const py::object& given, const std::optional<Settings>& over
   io::GasPathDocument document;
   {
     const py::gil_scoped_release others_go_on;
-    document = io::gas_path_document(c);
+    document = std::get<io::GasPathDocument>(run::run_case(c).result);
   }
   py::dict record = py::module_::import("json").attr("loads")(io::gas_path_json(document));
   const gas_path::GasPathResult& result = document.result;

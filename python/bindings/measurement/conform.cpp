@@ -4,9 +4,9 @@
 #include "case_object.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
-#include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/instrument/documents/conformity.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/run/run.hpp"
 
 namespace ringfilm::python {
 namespace {
@@ -33,7 +33,7 @@ cycle::Case closure_case(const py::object& given) {
 
 py::dict conform(const py::object& given) {
   const cycle::Case input = closure_case(given);
-  const cycle::StaticClosure closure = cycle::static_closure(input);
+  const auto closure = std::get<cycle::StaticClosure>(run::run_case(input).result);
   const io::Measurement document = instrument::conformity_of_case(input, closure);
   py::dict of;
   of["title"] = document.title;

@@ -71,9 +71,6 @@ void bind_numbers(py::class_<PadObject>& type) {
 
 }  // namespace
 
-PadObject::PadObject(const cycle::Case& input, pad::PadResult result)
-    : document_{input.title, io::case_entries(input), input.notes, io::this_run(), std::move(result)} {}
-
 void bind_pad(py::module_& module) {
   py::class_<PadObject> type(module, "PadResult",
                              R"(The film between a pad of stated shape and a flat surface that moves past it.

@@ -9,7 +9,6 @@ namespace ringfilm::python {
 /// `ringfilm.PadResult`: the film of a pad.
 class PadObject {
  public:
-  PadObject(const cycle::Case& input, pad::PadResult result);
   explicit PadObject(io::PadDocument document) : document_(std::move(document)) {}
 
   const io::PadDocument& document() const { return document_; }

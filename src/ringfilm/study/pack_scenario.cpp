@@ -98,16 +98,10 @@ class Row {
   ScenarioRow row_;
 };
 
-/// The faces of a pack whose pressures are known, from the chamber to the crankcase.
-std::vector<CycleResult> films_of(const Case& pack) {
+/// The faces of a case whose pressures are known, from the chamber to the crankcase.
+std::vector<CycleResult> films_of(const Case& c) {
   std::vector<CycleResult> faces;
-  if (!cycle::shares_oil(pack)) {
-    for (const Case& ring : pack.rings) faces.push_back(cycle::simulate(cycle::prepare(ring)));
-    return faces;
-  }
-  std::vector<cycle::Setup> setups;
-  for (const Case& ring : pack.rings) setups.push_back(cycle::prepare(ring));
-  for (cycle::RingOutcome& outcome : cycle::simulate_pack(std::move(setups))) {
+  for (cycle::RingOutcome& outcome : cycle::simulate_rings(c)) {
     if (outcome.stop) throw ConvergenceError(outcome.stop->message, outcome.stop->crank_angle_deg);
     faces.push_back(std::move(outcome.result));
   }
@@ -138,15 +132,14 @@ ScenarioRow pack_row(const Case& scenario, const Study& study, const StudyValues
   const Case faces = cycle::with_rails(scenario);
   const cycle::CaseWithGas found = cycle::solve_gas_through_films(faces);
   if (found.gas) row.put_gas(*found.gas, scenario.gas_path.gas_constant);
+  const std::vector<CycleResult> films = films_of(found.input);
   if (scenario.is_pack()) {
-    const std::vector<CycleResult> films = films_of(found.input);
     const std::vector<std::size_t> numbers = ring_numbers(scenario, faces);
     row.put_rings(films, numbers);
     row.put_curves(kept_numbers_of_pack(study, films, numbers));
   } else {
-    const CycleResult film = cycle::simulate(cycle::prepare(found.input));
-    row.put_cycle(film);
-    row.put_curves(kept_numbers(study.keep, film.samples));
+    row.put_cycle(films.front());
+    row.put_curves(kept_numbers(study.keep, films.front().samples));
   }
   return std::move(row).row();
 }

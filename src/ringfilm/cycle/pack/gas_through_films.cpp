@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,31 +17,14 @@ namespace {
 constexpr double kUnchanged = 1e-3;
 constexpr int kMostTurns = 10;
 
-/// The rings of a case, as films are computed for its gas: at each degree, without fields.
-std::vector<Case> film_cases(const Case& c) {
-  std::vector<Case> rings = c.is_pack() ? c.rings : std::vector{c};
-  for (Case& ring : rings) {
+/// The films of the rings as their gas asks for them, at each degree without fields; nothing where one is not found.
+std::optional<std::vector<CycleResult>> films(Case c, Observer* observer) {
+  for (Case& ring : c.is_pack() ? std::span(c.rings) : std::span(&c, 1)) {
     ring.output = {};
     ring.output.crank_angle_step_deg = 1;
   }
-  return rings;
-}
-
-/// What the films of the rings are; nothing where one of them is not found.
-std::optional<std::vector<CycleResult>> films(const Case& c, Observer* observer) {
   std::vector<CycleResult> results;
-  const std::vector<Case> rings = film_cases(c);
-  if (!shares_oil(c)) {
-    try {
-      for (const Case& ring : rings) results.push_back(simulate(prepare(ring), observer));
-    } catch (const StoppedCycle&) {
-      return std::nullopt;
-    }
-    return results;
-  }
-  std::vector<Setup> setups;
-  for (const Case& ring : rings) setups.push_back(prepare(ring));
-  for (RingOutcome& outcome : simulate_pack(std::move(setups), observer)) {
+  for (RingOutcome& outcome : simulate_rings(c, observer)) {
     if (outcome.stop || !outcome.result.complete) return std::nullopt;
     results.push_back(std::move(outcome.result));
   }

@@ -99,4 +99,24 @@ std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* obser
   }
 }
 
+std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer,
+                                        const std::function<void(std::size_t)>& begins) {
+  const std::vector<Case> rings = c.is_pack() ? c.rings : std::vector{c};
+  if (shares_oil(c)) {
+    std::vector<Setup> setups;
+    for (const Case& ring : rings) setups.push_back(prepare(ring));
+    return simulate_pack(std::move(setups), observer);
+  }
+  std::vector<RingOutcome> outcomes;
+  for (const Case& ring : rings) {
+    if (begins) begins(outcomes.size());
+    try {
+      outcomes.push_back({simulate(prepare(ring), observer), std::nullopt});
+    } catch (const StoppedCycle& stop) {
+      outcomes.push_back({stop.result, Stop{stop.what(), stop.crank_angle_deg()}});
+    }
+  }
+  return outcomes;
+}
+
 }  // namespace ringfilm::cycle

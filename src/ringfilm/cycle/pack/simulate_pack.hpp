@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,5 +26,12 @@ struct RingOutcome {
 /// @param iteration how the oil on the liner comes to rest
 std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer = nullptr,
                                        OilIteration iteration = OilIteration::kMixed);
+
+/// Integrates all rings of a case whose pressures are known, from the chamber to the crankcase: one after another, or
+/// with `simulate_pack` where they share the oil on the liner. @returns the one ring of a case that is not a pack
+/// @param c each rail of an oil ring by itself (with_rails)
+/// @param begins called with the number of each ring, from 0, that is integrated by itself
+std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer = nullptr,
+                                        const std::function<void(std::size_t)>& begins = {});
 
 }  // namespace ringfilm::cycle

@@ -8,7 +8,6 @@
 
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
-#include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/pack_gas_layout.hpp"
@@ -55,10 +54,9 @@ std::string column_name(const std::string& what, std::string name) {
 
 }  // namespace
 
-GasPathDocument gas_path_document(const cycle::Case& c) {
-  const gas_path::Pack pack = cycle::gas_pack(c);
+GasPathDocument gas_path_document(const cycle::Case& c, const gas_path::Pack& pack, gas_path::GasPathResult result) {
   GasPathDocument document;
-  document.result = gas_path::solve_gas_path(pack, cycle::given_pressures(c));
+  document.result = std::move(result);
   document.title = c.title;
   for (CaseEntry& entry : case_entries(c)) {
     if (is_gas_entry(entry, c)) document.inputs.push_back(std::move(entry));

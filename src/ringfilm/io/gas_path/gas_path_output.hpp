@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ringfilm/case/case.hpp"
+#include "ringfilm/gas_path/pack.hpp"
 #include "ringfilm/gas_path/result.hpp"
 #include "ringfilm/io/result/pack_gas.hpp"
 #include "ringfilm/io/result/result_file.hpp"
@@ -21,9 +22,8 @@ struct GasPathDocument {
   PackGas gas;                           ///< the same as files and JSON have it
 };
 
-/// Computes the gas of a case that was read for CasePurpose::kGasPath or as a whole. Throws InputError where its traces
-/// cannot be used, ConvergenceError where the integration stops.
-GasPathDocument gas_path_document(const cycle::Case& c);
+/// The gas of a pack with the case that it is of.
+GasPathDocument gas_path_document(const cycle::Case& c, const gas_path::Pack& pack, gas_path::GasPathResult result);
 
 /// Values of the cycle as JSON, in SI with their units; crank angles in degrees.
 std::string gas_path_json(const GasPathDocument& document);
