@@ -11,9 +11,10 @@ namespace ringfilm::documents {
 namespace {
 
 TEST(Docs, TheListOfRenamedNamesIsThatOfTheProgram) {
-  std::string lines = "kind,old,new\n";
+  std::string lines = "kind,old,new,since\n";
   for (const RenamedName& name : kRenamedNames)
-    lines += std::string(name.kind) + "," + std::string(name.before) + "," + std::string(name.now) + "\n";
+    lines += std::string(name.kind) + "," + std::string(name.before) + "," + std::string(name.now) + "," +
+             std::string(name.since) + "\n";
   EXPECT_EQ(text_of("docs/renamed.csv"), lines);
 }
 
