@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "document_tree.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/pad/pad_result.hpp"
@@ -19,6 +21,15 @@ TEST(Docs, EveryQuantityOfAResultIsInTheGlossary) {
   for (const auto& quantity : pad::front_quantities()) EXPECT_TRUE(words.count(quantity.name)) << quantity.name;
   for (const auto& quantity : pad::profile_quantities())
     EXPECT_TRUE(quantity.name == "x" || words.count(quantity.name)) << quantity.name;
+}
+
+// \f, \r or \b of a formula that a program took for a code.
+TEST(Docs, HaveNoControlCharacters) {
+  const auto is_control = [](unsigned char c) { return c < ' ' && c != '\n'; };
+  for (const auto& [path, text] : texts_below("docs", {".md", ".py", ".csv", ".txt"})) {
+    const auto found = std::find_if(text.begin(), text.end(), is_control);
+    EXPECT_EQ(found, text.end()) << path << ": line " << 1 + std::count(text.begin(), found, '\n');
+  }
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string points_path(const FaceCommand& command) {
   }
   const fs::path fragment = *command.outputs.fragment;
   if (fs::exists(fragment) && !fs::is_regular_file(fragment)) {
-    throw InputError("--as points: " + fragment.string() + " is not a file, nothing can are next to it",
+    throw InputError("--as points: " + fragment.string() + " is not a file, nothing can lie next to it",
                      "name a file, for example --fragment face.toml");
   }
   const std::string points = fs::path(fragment).replace_extension(".csv").string();
@@ -48,6 +48,7 @@ void face(const FaceCommand& command) {
     points = points_path(command);
     points_name = fs::path(*points).filename().string();
   }
+  const auto claimed_points = claims({points});
   const io::Units units;
   const instrument::TraceFile file = instrument::read_trace_file(command.trace, command.reading, units);
   const surface::FaceFit fit = surface::fit_face(file.trace, command.rule);

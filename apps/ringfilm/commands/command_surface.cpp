@@ -143,6 +143,7 @@ void pair(const std::vector<std::string>& ring, const std::vector<std::string>& 
   inputs.insert(inputs.end(), liner.begin(), liner.end());
   if (command.noise) inputs.push_back(*command.noise);
   const auto claimed = claimed_outputs(command.outputs, inputs);
+  const auto claimed_law = claims({command.law ? std::optional(command.law->path) : std::nullopt});
   const io::Units units;
   const auto read = [&](const std::vector<std::string>& paths) {
     std::vector<instrument::SurfaceFile> files;

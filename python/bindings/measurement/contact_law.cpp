@@ -37,7 +37,7 @@ py::dict contact_law_of(const GivenNumbers& heights, const GivenStep& step, cons
   put("mean_gap", [](const Point& point) { return point.mean.mean_gap_m; });
   put("share_at_cap", [](const Point& point) { return point.mean.share_at_cap; });
   put("spot_radius", [](const Point& point) { return point.mean.spot_radius_m; });
-  put("contact_pressure_deviation", [](const Point& point) { return point.pressure_deviation; });
+  if (positions > 1) put("contact_pressure_deviation", [](const Point& point) { return point.pressure_deviation; });
   put("residual", [](const Point& point) { return point.mean.residual; });
   if (!flow_factors) return of;
   put("phi_x", [](const Point& point) { return point.flow.phi_x; });
@@ -61,7 +61,7 @@ face [Pa]; None: elastic. edges: "mirrored" or "periodic". shifts: relative posi
 flow_factors: phi_x, phi_y, phi_s, phi_fp of the true gap, too, and separations beyond the highest point.
 
 Returns a dict of arrays: separation, contact_pressure, real_area, mean_gap, share_at_cap, spot_radius,
-contact_pressure_deviation, residual. Raises InputError, ConvergenceError, TypeError.
+contact_pressure_deviation (with shifts above 1), residual. Raises InputError, ConvergenceError, TypeError.
 Source: docs/theory, eq-contact-problem.)");
 }
 

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/checks/validity.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
@@ -153,13 +156,16 @@ void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failur
 std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
   const Case& c = setup.input;
   if (stop.failure && stop.failure != film::Failure::kLiftedOff && c.bends() && setup.surfaces == Surfaces::kRigid) {
+    const std::string at_angle =
+        stop.crank_angle_deg ? " at " + number_text(*stop.crank_angle_deg) + " degree" : std::string();
     Setup flat = setup;
     flat.surfaces = Surfaces::kFlattening;
-    flat.notes.push_back({kSurfacesFlattened,
-                          "computed with a ring and a liner that flatten where they are pressed together, and "
-                          "asperities that carry what the film cannot where it closes, since " +
-                              stop.message,
-                          1});
+    flat.notes.push_back(
+        {kSurfacesFlattened,
+         std::string("computed with a ring and a liner that flatten where they are pressed together") +
+             (setup.ring.contact ? ", and asperities that carry what the film cannot where it closes" : "") +
+             ", since rigid ones have no film" + at_angle,
+         1});
     return flat;
   }
   const bool can_help = stop.failure && stop.failure != film::Failure::kLiftedOff && !c.is_unrolled() &&
@@ -177,8 +183,13 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 }
 
 CycleResult CycleRun::result(Completeness others) const {
-  return recorder_.result(integration_, distance_ahead(), steps_integrated_,
-                          repeats_ ? others : Completeness::kStopped);
+  CycleResult result =
+      recorder_.result(integration_, distance_ahead(), steps_integrated_, repeats_ ? others : Completeness::kStopped);
+  if (result.complete && takes_unsettled_ && oil_ahead_ > setup_.input.solver.step_error) {
+    result.notes.push_back(settling_note(result.effort.cycles_integrated, oil_ahead_));
+    sort_notes(result.notes);
+  }
+  return result;
 }
 
 }  // namespace ringfilm::cycle

@@ -196,7 +196,6 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
   std::vector<UncontrolledStep> uncontrolled;
   for (const auto& steps : uncontrolled_) uncontrolled.insert(uncontrolled.end(), steps.begin(), steps.end());
   append_step_note(setup_, base, uncontrolled, result.notes);
-  if (result.complete) append_settling_note(setup_, result.effort, result.notes);
   append_effort_notes(result.effort, totals, result.notes);
   sort_notes(result.notes);
   return result;

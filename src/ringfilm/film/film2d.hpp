@@ -126,7 +126,7 @@ void solve_band(const std::vector<double>& factored, double* x);
 double closed_film(const Film2dProblem& problem);
 
 /// Separation of surfaces whose film is h thick (eq-ring-closed-film) [m]: the same for films of twice `closed` and
-/// more; without limit below zero as the film falls to `closed`. @param slope of it in h [-]
+/// more, and all where that is 0; without limit below zero as the film falls to `closed`. @param slope of it in h [-]
 double closed_separation(double h, double closed, double* slope = nullptr);
 
 /// Displacements of a ring that bends over h_m, of which a state has those of its film [m].

@@ -160,6 +160,63 @@ TEST(BentRing, NewtonsMethodTakesHardlyMoreIterationsThanForARigidRing) {
   EXPECT_LE(bent_iterations, 2 * rigid_iterations);
 }
 
+/// What each strip carries beyond its share [N/m].
+std::vector<double> carried(const Piece& piece, const Solved& of) {
+  std::vector<double> all;
+  for (int j = 0; j < piece.problem.around.n_strips(); ++j) {
+    const StripIntegrals& strip = of.sums.strips[j];
+    all.push_back(strip.hydrodynamic_load + strip.asperity_load - piece.inputs.load_of(j));
+  }
+  return all;
+}
+
+double range(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end()) - *std::min_element(values.begin(), values.end());
+}
+
+// (14.10) by hand: where a strip presses, the ring gets further out by kappa of what it carries.
+TEST(BentRing, FlatteningSurfacesLetTheRingFurtherOutWhereTheyPress) {
+  int n_open = 0;  // films that are not closed anywhere
+  for (const LaneFilm& film : lane_films(kind(Cavitation::kMassConserving))) {
+    Piece piece(film, uniform_around(16, kLength, Ends::kJoined), 1, 0.5 * film.first.h_m);
+    const Solved rigid = solved(piece);
+    ASSERT_TRUE(rigid.report.converged);
+    piece.problem.ring.flattening = 0.3 * film.first.h_m / range(carried(piece, rigid));
+    const std::vector<double> h = separations(piece.problem, rigid.state);
+    if (*std::min_element(h.begin(), h.end()) < 2.5 * closed_film(piece.problem)) continue;
+    ++n_open;
+    const Solved flat = solved(piece);
+    ASSERT_TRUE(flat.report.converged);
+    const std::vector<double> more = carried(piece, flat);
+    EXPECT_LT(range(more), 0.95 * range(carried(piece, rigid)));
+    Film2dProblem bending = piece.problem;
+    std::vector<double> outwards = flat.state.ring;
+    for (int j = 0; j < bending.around.n_strips(); ++j) {
+      outwards[bending.ring.of_strip(j)] -= piece.problem.ring.flattening * more[j];
+    }
+    const std::vector<double> force = bending_force(bending.ring, piece.inputs, outwards);
+    for (int j = 0; j < bending.around.n_strips(); ++j) {
+      EXPECT_NEAR(force[bending.ring.of_strip(j)], -bending.around.share[j] * more[j],
+                  1e-6 * piece.inputs.strip.load * kLength);
+    }
+  }
+  EXPECT_GT(n_open, 0);
+}
+
+TEST(BentRing, AClosedFilmPartsFromItsSeparationWithoutAKink) {
+  constexpr double kClosed = 2e-8, kStep = 1e-14;
+  double slope = 0;
+  EXPECT_DOUBLE_EQ(closed_separation(2 * kClosed, kClosed, &slope), 2 * kClosed);
+  EXPECT_DOUBLE_EQ(slope, 1);
+  EXPECT_NEAR(closed_separation(1.5 * kClosed, kClosed, &slope) / kClosed, 1, 1e-12);
+  for (const double h : {1.05 * kClosed, 1.3 * kClosed, 1.99 * kClosed}) {
+    closed_separation(h, kClosed, &slope);
+    const double rise = closed_separation(h + kStep, kClosed) - closed_separation(h - kStep, kClosed);
+    EXPECT_NEAR(slope / (rise / (2 * kStep)), 1, 1e-5);
+  }
+  EXPECT_DOUBLE_EQ(closed_separation(1e-12, 0), 1e-12);  // a film that may close
+}
+
 }  // namespace
 }  // namespace bent_ring
 }  // namespace ringfilm::film::testing

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "ringfilm/base/number_text.hpp"
 #include "synthetic_surfaces.hpp"
@@ -13,9 +14,11 @@ namespace ringfilm::instrument {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const HeightUnit kUm{"um", 1e-6};
 
@@ -169,6 +172,16 @@ TEST(HeightChecks, LinesThatWereWrittenTwice) {
   EXPECT_THAT(doubts(map), ElementsAre("row 21 repeats the one before it, point for point, and so do 1 more"));
   for (std::size_t j = 1; j < map.points_y; j += 2) copy_row(j);  // interpolated to the nearest row
   EXPECT_THAT(doubts(map), IsEmpty());
+}
+
+TEST(HeightChecks, LinesThatWereNotMeasuredAreNoneThatWereWrittenTwice) {
+  surface::HeightMap map = map_of_surface();
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t i = 0; i < map.points_x; ++i) {
+      map.height_m[map.index(i, j)] = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+  EXPECT_THAT(doubts(map), Not(Contains(HasSubstr("repeats"))));
 }
 
 TEST(HeightChecks, SlopesAndHeightsBeyondThoseOfSurfaces) {

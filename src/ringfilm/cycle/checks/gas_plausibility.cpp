@@ -40,8 +40,8 @@ constexpr double kLowestChargedRatio = 8, kLowestIndex = 1.25;
 /// Cold air without losses has 1.4; the rest is scatter.
 constexpr double kHighestIndex = 1.43;
 /// A pressure that is added or missing bends ln p over ln V, most where p is low. Both halves of a sealed compression
-/// have one index with some compression ratio, 1.25 to 1.4; half a degree of TDC, a tenth of a bar of an indicator or
-/// heat, which differs along the way, move that index by 0.1. An offset of 0.2 bar at 1 bar moves it by 0.2.
+/// have one index with some compression ratio, 1.25 to 1.4; a tenth of a bar of an indicator or heat, which differs
+/// along the way, move that index by 0.1. An offset of 0.2 bar at 1 bar moves it by 0.2.
 constexpr double kLowestCommonIndex = 1.15, kHighestCommonIndex = 1.55;
 /// Without an offset the pressure of an engine that is not charged falls below that of the atmosphere; one that leaks
 /// at cranking speed has a low index, too.
@@ -293,12 +293,13 @@ class GasNotes {
       const double ratio = std::sqrt(low * high);
       (bend(ratio) > 0 ? high : low) = ratio;
     }
+    const std::string bound = bend(kMostRatioTried) < 0 ? " or more" : bend(kLeastRatioTried) > 0 ? " or less" : "";
     const double index = index_of(start, kCompressionToDeg, low);
     const bool is_added = index < kLowestCommonIndex && lowest_ > kLowestAdded;
     if (!is_added && index <= kHighestCommonIndex) return;
     note(is_added ? "gas-compression-low" : "gas-compression-high",
          "the cylinder pressure between " + number_text(-start) + " and " + number_text(-kCompressionToDeg) +
-             " degree before firing TDC rises as with a compression ratio of " + number_text(std::round(low)) +
+             " degree before firing TDC rises as with a compression ratio of " + number_text(std::round(low)) + bound +
              " and a polytropic index of " + number_text(std::round(100 * index) / 100) +
              ", where sealed engines have 1.25 to 1.4: is a pressure " + (is_added ? "added to" : "missing from") +
              " the trace? " + kPeg);

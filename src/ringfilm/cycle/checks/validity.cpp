@@ -481,15 +481,13 @@ void append_step_note(const Setup& setup, const std::vector<Sample>& base, const
                    static_cast<long>(steps.size())});
 }
 
-void append_settling_note(const Setup& setup, const Effort& effort, std::vector<Note>& notes) {
-  const bool follows_oil = setup.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner;
-  if (follows_oil && effort.periodicity_error > setup.input.solver.step_error) {
-    notes.push_back({"oil-not-settled",
-                     text("after %.0f cycles one differs little from the next, but all further ones are estimated to "
-                          "move up to %.2g %% of the oil on the liner: friction and films may be off by as much",
-                          effort.cycles_integrated, std::min(100.0, 100 * effort.periodicity_error)),
-                     1});
-  }
+Note settling_note(double cycles, double oil_ahead) {
+  return {"oil-not-settled",
+          text("after %.0f cycles one differs little from the next, but all further ones are estimated to move up to "
+               "%.2g %% of the oil on the liner: friction and films of a nearly dry ring may be off by several times "
+               "that",
+               cycles, std::min(100.0, 100 * oil_ahead)),
+          1};
 }
 
 void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes) {

@@ -27,7 +27,7 @@ void append_step_note(const Setup& setup, const std::vector<Sample>& base, const
                       std::vector<Note>& notes);
 
 /// The note on oil on the liner that has not come to rest in a cycle that was finished.
-void append_settling_note(const Setup& setup, const Effort& effort, std::vector<Note>& notes);
+Note settling_note(double cycles, double oil_ahead);
 
 /// Notes on remedies that the solver had to use.
 void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes);

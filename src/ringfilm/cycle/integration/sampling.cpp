@@ -159,9 +159,11 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
   const int strip = integration.film2d() == nullptr ? 0 : integration.film2d()->around.halfway();
   fields.crank_angle_deg.push_back(instant.crank_angle_deg);
   const double separation = state.h_m + integration.rise(state, strip);
+  const double closed = integration.film2d() == nullptr ? 0 : film::closed_film(*integration.film2d());
+  const double of_contact = film::closed_separation(separation, closed);
   for (int k = 0; k <= n; ++k) {
     const int i = instant.at.axis == Axis::kFromChamber ? k : n - k;
-    const double h = separation + problem.grid.node_height[i];
+    const double height = problem.grid.node_height[i], h = separation + height;
     const bool local = problem.contact_spread == film::ContactSpread::kLocal;
     fields.film_thickness.push_back(h);
     if (!state.deformation.empty()) fields.local_deformation.push_back(state.deformation[i]);
@@ -169,7 +171,7 @@ void append_fields(const Setup& setup, const TimeIntegration& integration, const
     fields.film_pressure.push_back(state.p[at]);
     fields.film_content.push_back(film::film_content(problem.cavitation, state.deficit[at]));
     fields.lambda_ratio.push_back(h / setup.ring.sigma);
-    fields.asperity_pressure.push_back(setup.ring.contact->contact(local ? h : separation).pressure);
+    fields.asperity_pressure.push_back(setup.ring.contact->contact(local ? of_contact + height : of_contact).pressure);
   }
 }
 

@@ -355,12 +355,13 @@ void TimeIntegration::continue_ring(film::FilmState& to) const {
   to.h_m = state_.h_m;
   if (time_step_before_ == 0) return;
   constexpr double kMost = 0.5;
+  const double closed = film::closed_film(*film2d());
   double ratio = step_.time_step / time_step_before_;
   const int n_strips = film2d()->around.n_strips();
   const auto at = [&](const film::FilmState& state, int j) { return state.h_m + film_.rise(state, j); };
   for (int j = 0; j < n_strips; ++j) {
-    const double now = at(state_, j), fall = at(before_, j) - now;
-    if (ratio * fall > kMost * now) ratio = kMost * now / fall;
+    const double room = at(state_, j) - closed, fall = at(before_, j) - at(state_, j);
+    if (ratio * fall > kMost * room) ratio = kMost * room / fall;
   }
   to.h_m += ratio * (state_.h_m - before_.h_m);
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);

@@ -166,13 +166,14 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
   const int n = problem.n_across();
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     const double separation = state.h_m + integration.rise(state, j);
+    const double of_contact = film::closed_separation(separation, film::closed_film(problem));
     for (int k = 0; k < n; ++k) {
       const std::size_t at = static_cast<std::size_t>(j) * n + (instant.at.axis == Axis::kFromChamber ? k : n - 1 - k);
-      const double h = separation + problem.gap.node[at];
+      const double height = problem.gap.node[at], h = separation + height;
       keep(kept.film_thickness, h);
       keep(kept.film_pressure, state.p[at]);
       keep(kept.film_content, film::film_content(problem.strip.cavitation, state.deficit[at]));
-      keep(kept.asperity_pressure, setup_.ring.contact->contact(local ? h : separation).pressure);
+      keep(kept.asperity_pressure, setup_.ring.contact->contact(local ? of_contact + height : of_contact).pressure);
     }
   }
   fields_[instant.crank_angle_deg] = std::move(kept);

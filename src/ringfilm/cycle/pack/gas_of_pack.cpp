@@ -153,6 +153,20 @@ CaseWithGas solve_gas_of_case(Case c) {
 
 Case with_gas_path(Case c) { return solve_gas_of_case(std::move(c)).input; }
 
+namespace {
+
+/// What acts on a ring along the bore, with its verb.
+std::string pressing(const gas_path::Ring& ring) {
+  const bool has_inertia = ring.mass > 0, rubs = ring.bore_friction_coefficient > 0;
+  if (!has_inertia && !rubs) return "gas (ring.mass is not stated) presses it";
+  return std::string(has_inertia && rubs ? "gas, inertia and friction"
+                     : has_inertia       ? "gas and inertia"
+                                         : "gas and friction") +
+         " press it";
+}
+
+}  // namespace
+
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
   std::vector<Note> notes;
   append_gas_notes(c, pack.chamber, notes);
@@ -173,12 +187,10 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
     const gas_path::RingMotionValues& ring = result.motion[i];
     if (!ring.has_groove || ring.least_seating_force > -kLargeLift) continue;
     notes.push_back({"ring-unseated",
-                     "ring " + std::to_string(i + 1) +
-                         " is kept on its lower flank, off which gas, inertia and friction "
-                         "press it over " +
-                         std::to_string(std::lround(100 * ring.unseated_share)) + " % of the cycle, with up to " +
-                         number_text(std::round(-ring.least_seating_force)) + " N (at " +
-                         number_text(ring.least_seating_force_angle_deg) +
+                     "ring " + std::to_string(i + 1) + " is kept on its lower flank, off which " +
+                         pressing(pack.rings[i]) + " over " + std::to_string(std::lround(100 * ring.unseated_share)) +
+                         " % of the cycle, with up to " + number_text(std::round(-ring.least_seating_force)) +
+                         " N (at " + number_text(ring.least_seating_force_angle_deg) +
                          " degree): gas_path.ring_motion = \"axial\" computes when it leaves, and the blow-by then",
                      1});
   }

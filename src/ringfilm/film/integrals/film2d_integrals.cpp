@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
 namespace ringfilm::film {
@@ -38,8 +37,7 @@ class Strips {
     }
     FilmIntegrals sums = film_integrals(strip_, inputs_.strip, before_, now_);
     if (!problem_.gap.face_x_second.empty()) add_steps(j, sums);
-    if (closed_ > 0 && now_.h_m < 2 * closed_)
-      sums.asperity_load = asperity_load(strip_, closed_separation(now_.h_m, closed_));
+    if (now_.h_m < 2 * closed_) set_contact(strip_, closed_separation(now_.h_m, closed_), sums);
     return sums;
   }
   double lowest() const {

@@ -15,19 +15,6 @@
 namespace ringfilm::film {
 namespace {
 
-void add_contact(const FilmProblem& problem, const FilmState& state, FilmIntegrals& sums) {
-  const FilmGrid& grid = problem.grid;
-  const bool local = problem.contact_spread == ContactSpread::kLocal;
-  const double turning_gap = problem.contact->trusted_up_to();
-  for (std::size_t i = 0; i < grid.x.size(); ++i) {
-    const double h = local ? state.h_m + grid.node_height[i] : state.h_m;
-    const auto contact = problem.contact->contact(h);
-    sums.asperity_load += grid.share[i] * contact.pressure;
-    sums.asperity_area += grid.share[i] * contact.area_share;
-    if (h > turning_gap) sums.asperity_load_beyond_polynomial += grid.share[i] * contact.pressure;
-  }
-}
-
 /// The same of a law of cubics.
 void add_tabulated_contact(const FilmProblem& problem, const models::ContactPieces& law, const FilmView& film,
                            FilmIntegrals& sums) {
@@ -174,6 +161,20 @@ FilmSums sums_of_film(const FilmProblem& problem, const models::OilAtTemperature
 
 }  // namespace
 
+void set_contact(const FilmProblem& problem, double h_m, FilmIntegrals& sums) {
+  const FilmGrid& grid = problem.grid;
+  const bool local = problem.contact_spread == ContactSpread::kLocal;
+  const double turning_gap = problem.contact->trusted_up_to();
+  sums.asperity_load = sums.asperity_area = sums.asperity_load_beyond_polynomial = 0;
+  for (std::size_t i = 0; i < grid.x.size(); ++i) {
+    const double h = local ? h_m + grid.node_height[i] : h_m;
+    const auto contact = problem.contact->contact(h);
+    sums.asperity_load += grid.share[i] * contact.pressure;
+    sums.asperity_area += grid.share[i] * contact.area_share;
+    if (h > turning_gap) sums.asperity_load_beyond_polynomial += grid.share[i] * contact.pressure;
+  }
+}
+
 FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                              const FilmState& state) {
   FilmIntegrals sums;
@@ -205,7 +206,7 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   } else if (problem.contact != nullptr && problem.contact->pieces() != nullptr && state.h_m >= 0) {
     add_tabulated_contact(problem, *problem.contact->pieces(), film, sums);
   } else if (problem.contact != nullptr) {
-    add_contact(problem, state, sums);
+    set_contact(problem, state.h_m, sums);
   }
   add_flow(problem, inputs, previous, state, flow, sums);
   add_cavities(problem, inputs, state, sums);

@@ -34,6 +34,9 @@ struct FilmIntegrals {
   boost::container::small_vector<Cavity, 4> cavities;  ///< from x = 0 on
 };
 
+/// Replaces what the asperities carry by that at the separation h_m.
+void set_contact(const FilmProblem& problem, double h_m, FilmIntegrals& sums);
+
 /// Integrals of `state`, solved with `inputs` from `previous`.
 FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous,
                              const FilmState& state);

@@ -108,7 +108,7 @@ void BeamBorder::multiply(const double* x, const double* b, double* to) {
     const double more = contact_slope_[j] * b[i] + (s >= 0 && s < shape.n_strips ? sums_[shape.strip(s)] : 0.0);
     bent_[i] -= ring_.flattening / scale_ * more / share_[j];
   }
-  const double of_lowest = bent_[ring_.of_strip(lowest_)];
+  const double of_lowest = b[ring_.of_strip(lowest_)];  // displacements count from its film
   for (int i = 0; i < n; i += 2) bent_[i] -= of_lowest;
   for (int i = 0; i < n; ++i) {
     const double* row = ring_.band.data() + static_cast<std::size_t>(i) * kWidth;

@@ -13,8 +13,8 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr double kThinnestClosed = 1 + 1e-6;  // to start from, of closed_film()
-constexpr int kMostIterationsOfStrips = 60;   // of Newton's method with the load
+constexpr double kThinnestClosed = 1.05;     // to start from, of closed_film()
+constexpr int kMostIterationsOfStrips = 60;  // of Newton's method with the load
 
 /// By how much GMRES must reduce what is left of a linear system: by the square root of the tolerance, so that the last
 /// step's linear errors are as small as its nonlinear ones; after a step larger than kFarStep by no more than this. (A

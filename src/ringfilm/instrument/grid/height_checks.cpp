@@ -197,10 +197,12 @@ void find_odd_lines(const HeightMap& map, bool is_row, const HeightUnit& unit, O
 /// Is a line that is not straight the same as the one before it, point for point?
 bool repeats_last(const HeightMap& map, bool is_row, std::size_t k) {
   const Line line(map, is_row, k), last(map, is_row, k - 1);
+  std::size_t measured = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line.at(i) != last.at(i)) return false;
+    if (line.at(i)) ++measured;
   }
-  return line.size() >= kMinLine && !constant_of(line) && !sequence_of(line);
+  return measured >= kMinLine && !constant_of(line) && !sequence_of(line);
 }
 
 /// Lines that an instrument or a program wrote twice.

@@ -228,9 +228,20 @@ ErrorEstimate no_estimate(std::size_t n_samples) {
 
 namespace {
 
-bool is_graded(const CycleResult& result) {
+bool has_note(const CycleResult& result, const char* topic) {
   return std::any_of(result.notes.begin(), result.notes.end(),
-                     [](const cycle::Note& note) { return note.topic == cycle::kCellsGraded; });
+                     [&](const cycle::Note& note) { return note.topic == topic; });
+}
+
+/// Why the difference of two results is not that of their grids; empty where it is.
+std::string not_comparable(const CycleResult& one, const CycleResult& other) {
+  if (has_note(one, cycle::kCellsGraded) || has_note(other, cycle::kCellsGraded)) {
+    return "cells were graded, so that their number does not measure the error";
+  }
+  if (has_note(one, cycle::kSurfacesFlattened) != has_note(other, cycle::kSurfacesFlattened)) {
+    return "one of the two was computed with surfaces that flatten, the other with rigid ones";
+  }
+  return "";
 }
 
 }  // namespace
@@ -258,10 +269,9 @@ ErrorEstimate error_estimate(const Case& stated, const CycleResult& result, std:
   errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, "", cells_y(c.solver)});
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const cycle::Solver& solver = grids[i].solver;
-    const bool is_comparable = !is_graded(result) && !is_graded(others[i].result);
-    const bool is_usable = others[i].is_solved() && is_comparable;
-    const std::string reason =
-        is_comparable ? others[i].reason() : "cells were graded, so that their number does not measure the error";
+    std::string reason = not_comparable(result, others[i].result);
+    const bool is_usable = others[i].is_solved() && reason.empty();
+    if (reason.empty()) reason = others[i].reason();
     errors.runs.push_back(
         {solver.cells, solver.crank_step_deg, solver.step_error, is_usable, is_usable ? "" : reason, cells_y(solver)});
   }

@@ -167,6 +167,21 @@ TEST(ErrorEstimate, OfGradedCellsIsOneNoteWithoutValues) {
   EXPECT_NE(notes[0].message.find("cells were graded"), std::string::npos) << notes[0].message;
 }
 
+TEST(ErrorEstimate, RigidSurfacesAreNotComparedWithSuchThatFlatten) {
+  const cycle::Case c = coarse_case();
+  cycle::CycleResult result;
+  result.samples.resize(3);
+  std::vector<study::Ending> ended(4);
+  for (study::Ending& ending : ended) ending.result = result;
+  ended[1].result.notes.push_back({cycle::kSurfacesFlattened, "", 1});
+  const auto is_used = [](const ErrorEstimate& errors, std::size_t grid) { return errors.runs[grid + 1].solved; };
+  EXPECT_FALSE(is_used(study::error_estimate(c, result, ended), 1));
+  EXPECT_TRUE(is_used(study::error_estimate(c, result, ended), 2));
+  result.notes.push_back({cycle::kSurfacesFlattened, "", 1});
+  EXPECT_TRUE(is_used(study::error_estimate(c, result, ended), 1));
+  EXPECT_FALSE(is_used(study::error_estimate(c, result, ended), 2));
+}
+
 TEST(ErrorEstimate, NeedsAnEndingOnEachOtherGrid) {
   const cycle::Case c = coarse_case();
   const std::vector<study::Ending> ended(study::other_grids(c).size());
