@@ -143,7 +143,6 @@ void pair(const std::vector<std::string>& ring, const std::vector<std::string>& 
   inputs.insert(inputs.end(), liner.begin(), liner.end());
   if (command.noise) inputs.push_back(*command.noise);
   const auto claimed = claimed_outputs(command.outputs, inputs);
-  const auto claimed_law = claims({command.law ? std::optional(command.law->path) : std::nullopt});
   const io::Units units;
   const auto read = [&](const std::vector<std::string>& paths) {
     std::vector<instrument::SurfaceFile> files;
@@ -156,6 +155,7 @@ void pair(const std::vector<std::string>& ring, const std::vector<std::string>& 
     }
     check_law_output(command, inputs);
   }
+  const auto claimed_law = claims({command.law ? std::optional(command.law->path) : std::nullopt});
   const auto flat = read_flat(command, units);
   const std::vector<instrument::SurfaceFile> rings = read(ring), liners = read(liner);
   io::Measurement measurement = pair_measurement(rings, liners, command.analysis, flat ? &*flat : nullptr);

@@ -139,7 +139,7 @@ double closed_film(const Film2dProblem& problem) {
 }
 
 double closed_separation(double h, double closed, double* slope) {
-  const bool is_open = h >= 2 * closed;
+  const bool is_open = closed == 0 || h >= 2 * closed;
   const double over = is_open ? 1 : h / closed - 1;
   if (slope != nullptr) *slope = 1 / (over * over);
   return is_open ? h : closed * (3 - 1 / over);

@@ -56,7 +56,7 @@ std::vector<CycleOutcome> run_cycles(const std::vector<Request>& requested, int 
 using Result = std::variant<io::ResultDocument, io::PadDocument, io::GasPathDocument, cycle::StaticClosure>;
 
 struct Outcome {
-  Result result;                            ///< of a cycle or a pad that stopped all up to there
+  Result result;                            ///< what was found; where a cycle or a pad stopped, all up to there
   std::optional<ConvergenceError> stopped;  ///< why it did
 };
 

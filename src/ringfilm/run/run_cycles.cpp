@@ -108,7 +108,6 @@ void add_inquiries(Rings& rings, int threads, Observer* observer) {
 void integrate(const Request& requested, Rings& rings, Observer* observer) {
   cycle::Case faces = cycle::with_rails(requested.input);
   const bool are_together = cycle::shares_oil(faces);
-  if (are_together) refuse_inquiries(requested);
   if (observer != nullptr) observer->begins(requested.name);
   cycle::CaseWithGas found = cycle::solve_gas_through_films(std::move(faces), observer);
   RequestedRings& of = rings.of_request.emplace_back();
@@ -121,7 +120,8 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
   const auto ring_begins = [&](std::size_t i) {
     if (observer != nullptr && of.n_rings > 0) observer->begins(requested.name + ", ring " + of.labels[i]);
   };
-  std::vector<cycle::RingOutcome> outcomes = cycle::simulate_rings(found.input, observer, ring_begins);
+  std::vector<cycle::RingOutcome> outcomes =
+      cycle::simulate_rings(found.input, observer, cycle::AtStop::kContinue, ring_begins);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     Request& ring = rings.requests.emplace_back(requested);
     ring.input = found.input.is_pack() ? std::move(found.input.rings[i]) : std::move(found.input);
@@ -150,6 +150,9 @@ CycleOutcome pack_of(const std::string& title, std::vector<CycleOutcome> rings, 
 }  // namespace
 
 std::vector<CycleOutcome> run_cycles(const std::vector<Request>& requested, int threads, Observer* observer) {
+  for (const Request& one : requested) {
+    if (cycle::shares_oil(cycle::with_rails(one.input))) refuse_inquiries(one);
+  }
   Rings rings;
   for (const Request& one : requested) integrate(one, rings, observer);
   add_inquiries(rings, threads, observer);

@@ -99,7 +99,7 @@ std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* obser
   }
 }
 
-std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer,
+std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer, AtStop at_stop,
                                         const std::function<void(std::size_t)>& begins) {
   const std::vector<Case> rings = c.is_pack() ? c.rings : std::vector{c};
   if (shares_oil(c)) {
@@ -114,6 +114,7 @@ std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer,
       outcomes.push_back({simulate(prepare(ring), observer), std::nullopt});
     } catch (const StoppedCycle& stop) {
       outcomes.push_back({stop.result, Stop{stop.what(), stop.crank_angle_deg()}});
+      if (at_stop == AtStop::kEnd) break;
     }
   }
   return outcomes;

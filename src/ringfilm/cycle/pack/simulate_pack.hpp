@@ -27,11 +27,14 @@ struct RingOutcome {
 std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer = nullptr,
                                        OilIteration iteration = OilIteration::kMixed);
 
+/// Are the rings after one that stopped integrated as well?
+enum class AtStop { kEnd, kContinue };
+
 /// Integrates all rings of a case whose pressures are known, from the chamber to the crankcase: one after another, or
 /// with `simulate_pack` where they share the oil on the liner. @returns the one ring of a case that is not a pack
 /// @param c each rail of an oil ring by itself (with_rails)
 /// @param begins called with the number of each ring, from 0, that is integrated by itself
-std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer = nullptr,
+std::vector<RingOutcome> simulate_rings(const Case& c, Observer* observer = nullptr, AtStop at_stop = AtStop::kEnd,
                                         const std::function<void(std::size_t)>& begins = {});
 
 }  // namespace ringfilm::cycle

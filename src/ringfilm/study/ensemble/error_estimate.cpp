@@ -233,12 +233,13 @@ bool has_note(const CycleResult& result, const char* topic) {
                      [&](const cycle::Note& note) { return note.topic == topic; });
 }
 
-/// Why the difference of two results is not that of their grids; empty where it is.
-std::string not_comparable(const CycleResult& one, const CycleResult& other) {
-  if (has_note(one, cycle::kCellsGraded) || has_note(other, cycle::kCellsGraded)) {
+/// Why the difference of a result to that of another grid does not measure its error; empty where it does.
+std::string not_comparable(const CycleResult& result, const Ending& other) {
+  if (has_note(result, cycle::kCellsGraded) || has_note(other.result, cycle::kCellsGraded)) {
     return "cells were graded, so that their number does not measure the error";
   }
-  if (has_note(one, cycle::kSurfacesFlattened) != has_note(other, cycle::kSurfacesFlattened)) {
+  if (!other.is_solved()) return other.reason();
+  if (has_note(result, cycle::kSurfacesFlattened) != has_note(other.result, cycle::kSurfacesFlattened)) {
     return "one of the two was computed with surfaces that flatten, the other with rigid ones";
   }
   return "";
@@ -269,11 +270,9 @@ ErrorEstimate error_estimate(const Case& stated, const CycleResult& result, std:
   errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, "", cells_y(c.solver)});
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const cycle::Solver& solver = grids[i].solver;
-    std::string reason = not_comparable(result, others[i].result);
-    const bool is_usable = others[i].is_solved() && reason.empty();
-    if (reason.empty()) reason = others[i].reason();
-    errors.runs.push_back(
-        {solver.cells, solver.crank_step_deg, solver.step_error, is_usable, is_usable ? "" : reason, cells_y(solver)});
+    const std::string reason = not_comparable(result, others[i]);
+    const bool is_usable = reason.empty();
+    errors.runs.push_back({solver.cells, solver.crank_step_deg, solver.step_error, is_usable, reason, cells_y(solver)});
   }
   const auto solved = [&](std::size_t i) { return errors.runs[i + 1].solved ? &others[i].result : nullptr; };
   const Sides in_cells{solved(0), solved(1)}, in_step{solved(2), solved(3)};
