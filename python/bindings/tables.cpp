@@ -23,7 +23,7 @@ struct FieldRow {
 std::vector<FieldRow> fields() {
   std::vector<FieldRow> rows;
   for (const cycle::Field& field : cycle::case_fields()) {
-    const auto blank = cycle::blank_case(field.problem.value_or(cycle::Problem::kCycle));
+    const auto blank = cycle::blank_case(field.uses.cycle ? cycle::Problem::kCycle : cycle::Problem::kPad);
     FieldRow row{field.key,
                  field.unit,
                  field.display_unit,

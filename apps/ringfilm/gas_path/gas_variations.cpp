@@ -144,7 +144,7 @@ void check_varied(const std::vector<Variation>& varied, const std::vector<io::Ov
 bool acts_on_gas(const std::string& key) {
   const auto of_ring = cycle::ring_key(key);
   const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : key);
-  return field == nullptr || (cycle::is_of_gas_path(*field) && !cycle::is_for_record(*field));
+  return field == nullptr || (field->uses.gas && !field->is_for_record);
 }
 
 std::vector<Variation> variations(const std::vector<std::string>& texts) {

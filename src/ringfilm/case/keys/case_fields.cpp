@@ -1,8 +1,5 @@
 #include "ringfilm/case/keys/case_fields.hpp"
 
-#include <algorithm>
-#include <set>
-
 #include "ringfilm/case/keys/case_fields_table.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 
@@ -11,115 +8,65 @@ namespace {
 
 using namespace table;
 
-/// Is it the key of a number that laws of viscosity take?
-bool is_law_parameter(const std::string& key) {
-  const auto parameters = models::law_parameters();
-  return std::any_of(parameters.begin(), parameters.end(),
-                     [&](const models::LawParameter& parameter) { return key == "lubricant." + parameter.key; });
-}
-
-/// Keys of a ring's case that a pad has as well; of the others `pad` and the pad's viscosity are its own.
-std::optional<Problem> problem_of(const std::string& key) {
-  static const std::set<std::string> shared = {"title",
-                                               "lubricant.name",
-                                               "lubricant.density",
-                                               "lubricant.viscosity_pressure",
-                                               "lubricant.compressibility",
-                                               "lubricant.dh_a",
-                                               "lubricant.dh_b",
-                                               "film.cavitation",
-                                               "lubricant.shear_thinning",
-                                               "lubricant.second_newtonian_ratio",
-                                               "lubricant.critical_shear_rate",
-                                               "lubricant.shear_exponent",
-                                               "lubricant.critical_shear_rate_temperature",
-                                               "lubricant.hths_viscosity",
-                                               "lubricant.file",
-                                               "lubricant.grade",
-                                               "lubricant.kinematic_viscosity",
-                                               "lubricant.viscosity_temperature",
-                                               "lubricant.temperature_viscosity_coefficient",
-                                               "lubricant.reference_temperature",
-                                               "lubricant.density_temperature",
-                                               "lubricant.thermal_expansivity",
-                                               "lubricant.thermal_conductivity",
-                                               "lubricant.specific_heat",
-                                               "thermal.ring",
-                                               "thermal.liner",
-                                               "thermal.film",
-                                               "contact.model",
-                                               "contact.asperity_density",
-                                               "contact.asperity_radius",
-                                               "contact.roughness",
-                                               "contact.ring_roughness_share",
-                                               "contact.roughness_measure",
-                                               "contact.boundary_shear_strength_coefficient",
-                                               "contact.eyring_shear_stress",
-                                               "contact.composite_modulus",
-                                               "contact.integrals",
-                                               "contact.lambda_ratio",
-                                               "film.flow_factors",
-                                               "film.shear_flow",
-                                               "film.stress_factors",
-                                               "film.average_gap",
-                                               "film.orientation",
-                                               "film.cavitation_pressure",
-                                               "solver.cells",
-                                               "solver.cells_y",
-                                               "solver.tolerance"};
-  if (shared.contains(key) || is_law_parameter(key)) return std::nullopt;
-  static const std::set<std::string> of_pad = {"lubricant.viscosity", "film.left_edge", "film.right_edge",
-                                               "film.supply_left", "film.supply_right"};
-  return key.rfind("pad.", 0) == 0 || of_pad.contains(key) ? Problem::kPad : Problem::kCycle;
-}
-
-/// Keys of a ring's case that its static closure uses.
-bool is_of_closure(const std::string& key) {
-  static const std::set<std::string> keys = {
-      "title",
-      "engine.bore",
-      "ring.name",
-      "ring.face_width",
-      "ring.free_gap",
-      "ring.free_shape",
-      "ring.free_shape_smoothing",
-      "ring.youngs_modulus",
-      "ring.end_gap",
-      "ring.elastic_pressure",
-      "ring.gap_position",
-      "ring.tangential_force",
-      "ring.pressure_orders",
-      "ring.pressure_points",
-      "ring.pressure_points_orders",
-      "ring.radial_thickness",
-  };
-  return keys.contains(key) || key.rfind("liner.distortion", 0) == 0 || key == "liner.thermal_distortion" ||
-         key.rfind("conform.", 0) == 0;
-}
-
 std::vector<Field> all_fields() {
   std::vector<Field> fields{
-      field("title", TextKind{member<&Case::title>}, kNoUnit, {}, Need::kRequiredInCycle, {},
-            {"what this case is, for people", "\"My engine, compression ring\""}),
-      field("conditions", choice<&Case::conditions>({"of-the-case", "as-in-the-paper", "engine"}), kNoUnit, {},
-            Need::kDefault, {},
-            {"edges, supply of oil and temperatures that the case starts from: those of its keys alone, oil at the "
-             "edges and one temperature, or gas at the edges, oil on the liner and hot walls; keys that are stated "
-             "replace them",
-             "\"engine\""}),
-      field("engine.bore", NumberKind{member<&Case::engine, &Engine::bore>}, {"m", "mm"}, above(0, 2), Need::kRequired,
-            {}, {"bore of the cylinder, B", "\"89.0 mm\""}),
-      field("engine.stroke", NumberKind{member<&Case::engine, &Engine::stroke>}, {"m", "mm"}, above(0, 5),
-            Need::kRequired, {}, {"stroke, twice the crank radius r", "\"79.5 mm\""}),
-      field("engine.connecting_rod_length", NumberKind{member<&Case::engine, &Engine::connecting_rod_length>},
-            {"m", "mm"}, above(0, 10), Need::kRequired, {},
-            {"connecting rod between the centres of its bearings, l", "\"138.1 mm\""}),
-      field("operating.speed", NumberKind{member<&Case::operating, &Operating::speed>}, {"rad/s", "rpm"},
-            above(0, 2094.39510239320), Need::kRequired, {}, {"speed of the crankshaft, omega", "\"1500 rpm\""}),
-      field("operating.oil_temperature", NumberKind{member<&Case::operating, &Operating::oil_temperature>},
-            {"K", "degC"}, strictly_between(models::kColdestOil, models::kHottestOil), Need::kRequired,
-            {[](const Case& c) { return !c.thermal.is_stated(); }, "no thermal.ring or thermal.liner is stated"},
-            {"temperature of the oil film, T; one value for the whole stroke", "\"120 degC\""}),
+      field({.key = "title",
+             .kind = TextKind{member<&Case::title>},
+             .need = Need::kRequiredInCycle,
+             .help = "what this case is, for people",
+             .example = "\"My engine, compression ring\"",
+             .uses = {.pad = true, .closure = true, .gas = true},
+             .is_for_record = true}),
+      field({.key = "conditions",
+             .kind = choice<&Case::conditions>({{"of-the-case", Conditions::kOfTheCase},
+                                                {"as-in-the-paper", Conditions::kAsInPaper},
+                                                {"engine", Conditions::kEngine}}),
+             .help =
+                 "edges, supply of oil and temperatures that the case starts from: those of its keys alone, oil at the "
+                 "edges and one temperature, or gas at the edges, oil on the liner and hot walls; keys that are stated "
+                 "replace them",
+             .example = "\"engine\""}),
+      field({.key = "engine.bore",
+             .kind = NumberKind{member<&Case::engine, &Engine::bore>},
+             .unit = {"m", "mm"},
+             .range = above(0, 2),
+             .need = Need::kRequired,
+             .help = "bore of the cylinder, B",
+             .example = "\"89.0 mm\"",
+             .uses = {.closure = true, .gas = true}}),
+      field({.key = "engine.stroke",
+             .kind = NumberKind{member<&Case::engine, &Engine::stroke>},
+             .unit = {"m", "mm"},
+             .range = above(0, 5),
+             .need = Need::kRequired,
+             .help = "stroke, twice the crank radius r",
+             .example = "\"79.5 mm\"",
+             .uses = {.gas = true}}),
+      field({.key = "engine.connecting_rod_length",
+             .kind = NumberKind{member<&Case::engine, &Engine::connecting_rod_length>},
+             .unit = {"m", "mm"},
+             .range = above(0, 10),
+             .need = Need::kRequired,
+             .help = "connecting rod between the centres of its bearings, l",
+             .example = "\"138.1 mm\"",
+             .uses = {.gas = true}}),
+      field({.key = "operating.speed",
+             .kind = NumberKind{member<&Case::operating, &Operating::speed>},
+             .unit = {"rad/s", "rpm"},
+             .range = above(0, 2094.39510239320),
+             .need = Need::kRequired,
+             .help = "speed of the crankshaft, omega",
+             .example = "\"1500 rpm\"",
+             .uses = {.gas = true}}),
+      field(
+          {.key = "operating.oil_temperature",
+           .kind = NumberKind{member<&Case::operating, &Operating::oil_temperature>},
+           .unit = {"K", "degC"},
+           .range = strictly_between(models::kColdestOil, models::kHottestOil),
+           .need = Need::kRequired,
+           .when = {[](const Case& c) { return !c.thermal.is_stated(); }, "no thermal.ring or thermal.liner is stated"},
+           .help = "temperature of the oil film, T; one value for the whole stroke",
+           .example = "\"120 degC\""}),
   };
   append_thermal_fields(fields);
   append_gas_fields(fields);
@@ -130,7 +77,6 @@ std::vector<Field> all_fields() {
   append_lubricant_fields(fields);
   append_run_fields(fields);
   append_pad_fields(fields);
-  for (Field& field : fields) field.problem = problem_of(field.key);
   return fields;
 }
 
@@ -171,49 +117,19 @@ bool is_implied_in_pack(std::size_t ring, const std::string& key) { return ring 
 bool is_of_ring(const std::string& key) { return key.rfind("ring.", 0) == 0 || key.rfind("contact.", 0) == 0; }
 
 bool belongs(const Field& field, const Case& c) {
-  if (c.problem == Problem::kClosure) return is_of_closure(field.key);
-  return !field.problem || *field.problem == c.problem;
+  switch (c.problem) {
+    case Problem::kCycle:
+      return field.uses.cycle;
+    case Problem::kPad:
+      return field.uses.pad;
+    case Problem::kClosure:
+      break;
+  }
+  return field.uses.closure;
 }
 
 bool is_active(const Field& field, const Case& c) {
   return belongs(field, c) && (field.active == nullptr || field.active(c));
-}
-
-bool is_for_record(const Field& field) {
-  static const std::set<std::string> alone = {"title", "lubricant.name", "gas.trace_origin", "ring.name"};
-  return alone.contains(field.key) || field.key.rfind("output.", 0) == 0 ||
-         field.key.find(".measured.") != std::string::npos;
-}
-
-bool is_of_gas_path(const Field& field) {
-  static const std::set<std::string> others = {"title",
-                                               "operating.speed",
-                                               "ring.kind",
-                                               "ring.gap_area",
-                                               "ring.end_gap",
-                                               "ring.volume_below",
-                                               "ring.mass",
-                                               "ring.temperature_below",
-                                               "ring.density",
-                                               "ring.groove_volume",
-                                               "ring.face_width",
-                                               "ring.groove_temperature",
-                                               "ring.free_gap",
-                                               "ring.free_shape",
-                                               "ring.free_shape_smoothing",
-                                               "ring.side_clearance",
-                                               "ring.name",
-                                               "ring.land_clearance",
-                                               "ring.pressure_above",
-                                               "ring.elastic_pressure",
-                                               "ring.pressure_below",
-                                               "ring.tangential_force",
-                                               "ring.radial_thickness",
-                                               "ring.youngs_modulus",
-                                               "ring.bore_friction_coefficient"};
-  const auto lies_in = [&](const char* section) { return field.key.rfind(section, 0) == 0; };
-  if (field.key == "gas.pressure_behind_ring" || field.key == "gas_path.film") return false;  // of gas with films
-  return lies_in("engine.") || lies_in("gas.") || lies_in("gas_path.") || others.contains(field.key);
 }
 
 bool is_required(const Field& field, const Case& c) {

@@ -45,11 +45,11 @@ struct OptionalNumberKind {
 struct CountKind {
   Ref<int> ref;
 };
-/// One of a few names; `index` and `choose` translate to the enumerator's position.
+/// One of a few names; `index` and `choose` translate between the member and the number of its name.
 struct ChoiceKind {
   std::vector<std::string> names;
-  int (*index)(const Case&);
-  void (*choose)(Case&, int);
+  std::function<int(const Case&)> index;
+  std::function<void(Case&, int)> choose;
 };
 struct TextKind {
   TextRef ref;
@@ -126,6 +126,14 @@ struct Range {
   bool high_open = false;
 };
 
+/// What computes with a key.
+struct Uses {
+  bool cycle = true;     ///< a ring over an engine cycle
+  bool pad = false;      ///< a film of stated shape
+  bool closure = false;  ///< a ring in its bore, without film
+  bool gas = false;      ///< the gas of a pack alone
+};
+
 struct Field {
   std::string key;  ///< "engine.bore"
   Kind kind;
@@ -137,7 +145,10 @@ struct Field {
   std::string active_when;                  ///< in words, e.g. "gas.model = \"trace\""
   std::string help;                         ///< one line: what it is, symbol, source if assumed
   std::string example;                      ///< the right-hand side as one would write it in TOML
-  std::optional<Problem> problem = {};      ///< the problem to which the key belongs; absent: both
+  Uses uses = {};                           ///< what computes with it
+  /// Does it only label or record, so that no model computes with it: the title, where a trace comes from, how an input
+  /// was measured, what is stored of the result?
+  bool is_for_record = false;
 };
 
 /// All keys, in the order of a case file.
@@ -166,14 +177,7 @@ bool belongs(const Field& field, const Case& c);
 /// Is the key in use with the choices that `c` makes?
 bool is_active(const Field& field, const Case& c);
 
-/// Does the key only label or record, so that no model computes with it: the title, where a trace comes from, how an
-/// input was measured, what is stored of the result?
-bool is_for_record(const Field& field);
-
 /// Must `c` state the key, if it is in use?
 bool is_required(const Field& field, const Case& c);
-
-/// Does the gas of the ring pack alone use the key?
-bool is_of_gas_path(const Field& field);
 
 }  // namespace ringfilm::cycle

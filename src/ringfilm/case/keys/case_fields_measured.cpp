@@ -8,30 +8,48 @@ constexpr Unit kMicrometre{"m", "um"};
 
 template <auto Member>
 Field text(const char* key, const char* help, const char* example) {
-  return field(std::string("contact.measured.") + key,
-               OptionalTextKind{member<&Case::contact, &Contact::measured, Member>}, kNoUnit, {}, Need::kOptional, {},
-               {help, example});
+  return field({.key = std::string("contact.measured.") + key,
+                .kind = OptionalTextKind{member<&Case::contact, &Contact::measured, Member>},
+                .need = Need::kOptional,
+                .help = help,
+                .example = example,
+                .is_for_record = true});
 }
 
 template <auto Member>
 Field number(const char* key, Unit unit, Range range, const char* help, const char* example) {
-  return field(std::string("contact.measured.") + key,
-               OptionalNumberKind{member<&Case::contact, &Contact::measured, Member>}, unit, range, Need::kOptional, {},
-               {help, example});
+  return field({.key = std::string("contact.measured.") + key,
+                .kind = OptionalNumberKind{member<&Case::contact, &Contact::measured, Member>},
+                .unit = unit,
+                .range = range,
+                .need = Need::kOptional,
+                .help = help,
+                .example = example,
+                .is_for_record = true});
 }
 
 template <auto Member>
 Field strength_text(const char* key, const char* help, const char* example) {
-  return field(std::string("contact.measured.shear_strength.") + key,
-               OptionalTextKind{member<&Case::contact, &Contact::measured, &MeasuredContact::shear_strength, Member>},
-               kNoUnit, {}, Need::kOptional, {}, {help, example});
+  return field(
+      {.key = std::string("contact.measured.shear_strength.") + key,
+       .kind = OptionalTextKind{member<&Case::contact, &Contact::measured, &MeasuredContact::shear_strength, Member>},
+       .need = Need::kOptional,
+       .help = help,
+       .example = example,
+       .is_for_record = true});
 }
 
 template <auto Member>
 Field strength_deviation(const char* key, const char* help, const char* example) {
-  return field(std::string("contact.measured.shear_strength.") + key,
-               OptionalNumberKind{member<&Case::contact, &Contact::measured, &MeasuredContact::shear_strength, Member>},
-               kPlainNumber, between(0, 5), Need::kOptional, {}, {help, example});
+  return field(
+      {.key = std::string("contact.measured.shear_strength.") + key,
+       .kind = OptionalNumberKind{member<&Case::contact, &Contact::measured, &MeasuredContact::shear_strength, Member>},
+       .unit = kPlainNumber,
+       .range = between(0, 5),
+       .need = Need::kOptional,
+       .help = help,
+       .example = example,
+       .is_for_record = true});
 }
 
 }  // namespace

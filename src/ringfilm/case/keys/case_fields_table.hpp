@@ -1,7 +1,9 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/case/keys/case_fields.hpp"
@@ -14,21 +16,31 @@ template <auto... Path>
 inline constexpr auto member = [](auto& c) -> auto& {
   return (c.*....*Path);
 };
-
 template <auto... Path>
-int choice_index(const Case& c) {
-  return static_cast<int>((c.*....*Path));
+using MemberOf = std::remove_reference_t<decltype((std::declval<Case&>().*....*Path))>;
+
+/// The choice at the end of a path of member pointers, by the names of its enumerators.
+template <auto... Path>
+ChoiceKind choice(std::vector<std::pair<std::string, MemberOf<Path...>>> named) {
+  ChoiceKind kind;
+  std::vector<MemberOf<Path...>> values;
+  for (auto& [name, value] : named) {
+    kind.names.push_back(std::move(name));
+    values.push_back(value);
+  }
+  kind.index = [values](const Case& c) {
+    return static_cast<int>(std::find(values.begin(), values.end(), (c.*....*Path)) - values.begin());
+  };
+  kind.choose = [values](Case& c, int index) { (c.*....*Path) = values[static_cast<std::size_t>(index)]; };
+  return kind;
 }
 
+/// The same of an enumeration whose values are the numbers of the names.
 template <auto... Path>
-void choose(Case& c, int index) {
-  auto& choice = (c.*....*Path);
-  choice = static_cast<std::remove_reference_t<decltype(choice)>>(index);
-}
-
-template <auto... Path>
-ChoiceKind choice(std::vector<std::string> names) {
-  return {std::move(names), choice_index<Path...>, choose<Path...>};
+ChoiceKind choice_in_order(const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, MemberOf<Path...>>> named;
+  for (const std::string& name : names) named.emplace_back(name, static_cast<MemberOf<Path...>>(named.size()));
+  return choice<Path...>(std::move(named));
 }
 
 /// SI unit and the unit in which people write it.
@@ -49,14 +61,24 @@ inline Range above(double low, double high) { return {low, high, true, false}; }
 inline Range between(double low, double high) { return {low, high, false, false}; }
 inline Range strictly_between(double low, double high) { return {low, high, true, true}; }
 
-struct Text {
+/// A key as the table has it; what is not stated is that of most keys.
+struct Row {
+  std::string key;
+  Kind kind;
+  Unit unit = kNoUnit;
+  std::optional<Range> range = std::nullopt;
+  Need need = Need::kDefault;
+  When when = {};
   std::string help;
-  const char* example;
+  std::string example;
+  Uses uses = {};
+  bool is_for_record = false;
 };
 
-inline Field field(std::string key, Kind kind, Unit unit, std::optional<Range> range, Need need, When when, Text text) {
-  return {std::move(key), std::move(kind),      unit.si,      unit.display, range, need, when.holds,
-          when.words,     std::move(text.help), text.example, std::nullopt};
+inline Field field(Row row) {
+  return {std::move(row.key), std::move(row.kind), row.unit.si,    row.unit.display,    row.range,
+          row.need,           row.when.holds,      row.when.words, std::move(row.help), std::move(row.example),
+          row.uses,           row.is_for_record};
 }
 
 /// What differs between the keys of the ring's face and of the pad's.
@@ -66,6 +88,7 @@ struct FaceText {
   const char* crown_height;  ///< what it is
   double highest;            ///< crown height [m]
   const char* extent;        ///< what x runs over
+  Uses uses;                 ///< what uses the face
 };
 
 /// The keys of a formula of the face at the end of a path of member pointers.
@@ -82,17 +105,49 @@ std::vector<Field> face_fields(const FaceText& text) {
                         crowned.c_str()};
   const Unit mm{"m", "mm"}, um{"m", "um"};
   return {
-      field(key("coefficients"), NumberListKind{member<Path..., &FaceShape::coefficients>}, kPlainNumber, {},
-            Need::kRequired, is_polynomial, {"coefficients of the height, highest power first", "[4.0, -4.8, 1.44]"}),
-      field(key("length_unit"), UnitNameKind{member<Path..., &FaceShape::length_unit>}, mm, above(0, 1),
-            Need::kRequired, is_polynomial, {"unit of x in the polynomial", "\"mm\""}),
-      field(key("height_unit"), UnitNameKind{member<Path..., &FaceShape::height_unit>}, um, above(0, 1),
-            Need::kRequired, is_polynomial, {"unit of the height in the polynomial", "\"um\""}),
-      field(key("crown_height"), NumberKind{member<Path..., &FaceShape::crown_height>}, um, above(0, text.highest),
-            Need::kRequired, is_crowned, {text.crown_height, "\"15 um\""}),
-      field(key("apex"), NumberKind{member<Path..., &FaceShape::apex>}, kPlainNumber, between(0, 1), Need::kDefault,
-            is_crowned,
-            {std::string("place of the lowest point, as a fraction of the ") + text.extent + " from x = 0", "0.5"}),
+      field({.key = key("coefficients"),
+             .kind = NumberListKind{member<Path..., &FaceShape::coefficients>},
+             .unit = kPlainNumber,
+             .need = Need::kRequired,
+             .when = is_polynomial,
+             .help = "coefficients of the height, highest power first",
+             .example = "[4.0, -4.8, 1.44]",
+             .uses = text.uses}),
+      field({.key = key("length_unit"),
+             .kind = UnitNameKind{member<Path..., &FaceShape::length_unit>},
+             .unit = mm,
+             .range = above(0, 1),
+             .need = Need::kRequired,
+             .when = is_polynomial,
+             .help = "unit of x in the polynomial",
+             .example = "\"mm\"",
+             .uses = text.uses}),
+      field({.key = key("height_unit"),
+             .kind = UnitNameKind{member<Path..., &FaceShape::height_unit>},
+             .unit = um,
+             .range = above(0, 1),
+             .need = Need::kRequired,
+             .when = is_polynomial,
+             .help = "unit of the height in the polynomial",
+             .example = "\"um\"",
+             .uses = text.uses}),
+      field({.key = key("crown_height"),
+             .kind = NumberKind{member<Path..., &FaceShape::crown_height>},
+             .unit = um,
+             .range = above(0, text.highest),
+             .need = Need::kRequired,
+             .when = is_crowned,
+             .help = text.crown_height,
+             .example = "\"15 um\"",
+             .uses = text.uses}),
+      field({.key = key("apex"),
+             .kind = NumberKind{member<Path..., &FaceShape::apex>},
+             .unit = kPlainNumber,
+             .range = between(0, 1),
+             .when = is_crowned,
+             .help = std::string("place of the lowest point, as a fraction of the ") + text.extent + " from x = 0",
+             .example = "0.5",
+             .uses = text.uses}),
   };
 }
 

@@ -15,23 +15,42 @@ void append_thermal_fields(std::vector<Field>& fields) {
   fields.insert(
       fields.end(),
       {
-          field("thermal.ring", OptionalNumberKind{member<&Case::thermal, &Thermal::ring>}, kelvin, temperature,
-                Need::kOptional, {}, {"temperature of the ring's face, or of a pad", "\"190 degC\""}),
-          field("thermal.liner", StrokeValuesKind{member<&Case::thermal, &Thermal::liner>}, kelvin, temperature,
-                Need::kOptional, {},
-                {"temperature of the liner: one, or [distance of the ring from its TDC position, temperature] at "
-                 "increasing distances, linear between them and constant beyond; of the flat surface under a pad one",
-                 "[[\"0 mm\", \"180 degC\"], [\"79.5 mm\", \"110 degC\"]]"}),
-          field("thermal.film", choice<&Case::thermal, &Thermal::film>({"mean-of-walls", "liner", "ring"}), kNoUnit, {},
-                Need::kDefault, kWallTemperatures,
-                {"whose temperature the oil film has, in place of operating.oil_temperature or a pad's "
-                 "lubricant.viscosity",
-                 "\"mean-of-walls\""}),
-          field("thermal.viscous_heating", choice<&Case::thermal, &Thermal::viscous_heating>({"none", "in-film"}),
-                kNoUnit, {}, Need::kDefault, {},
-                {"whether the oil of each step is warmer by the rise that its shear causes; the rise is reported in "
-                 "both cases",
-                 "\"in-film\""}),
+          field({.key = "thermal.ring",
+                 .kind = OptionalNumberKind{member<&Case::thermal, &Thermal::ring>},
+                 .unit = kelvin,
+                 .range = temperature,
+                 .need = Need::kOptional,
+                 .help = "temperature of the ring's face, or of a pad",
+                 .example = "\"190 degC\"",
+                 .uses = {.pad = true}}),
+          field(
+              {.key = "thermal.liner",
+               .kind = StrokeValuesKind{member<&Case::thermal, &Thermal::liner>},
+               .unit = kelvin,
+               .range = temperature,
+               .need = Need::kOptional,
+               .help =
+                   "temperature of the liner: one, or [distance of the ring from its TDC position, temperature] at "
+                   "increasing distances, linear between them and constant beyond; of the flat surface under a pad one",
+               .example = "[[\"0 mm\", \"180 degC\"], [\"79.5 mm\", \"110 degC\"]]",
+               .uses = {.pad = true}}),
+          field({.key = "thermal.film",
+                 .kind = choice<&Case::thermal, &Thermal::film>({{"mean-of-walls", FilmTemperature::kMeanOfWalls},
+                                                                 {"liner", FilmTemperature::kLiner},
+                                                                 {"ring", FilmTemperature::kRing}}),
+                 .when = kWallTemperatures,
+                 .help = "whose temperature the oil film has, in place of operating.oil_temperature or a pad's "
+                         "lubricant.viscosity",
+                 .example = "\"mean-of-walls\"",
+                 .uses = {.pad = true}}),
+          field(
+              {.key = "thermal.viscous_heating",
+               .kind = choice<&Case::thermal, &Thermal::viscous_heating>(
+                   {{"none", ViscousHeating::kNone}, {"in-film", ViscousHeating::kInFilm}}),
+               .help =
+                   "whether the oil of each step is warmer by the rise that its shear causes; the rise is reported in "
+                   "both cases",
+               .example = "\"in-film\""}),
       });
 }
 

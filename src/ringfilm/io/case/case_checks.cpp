@@ -49,7 +49,7 @@ class Checks {
   bool is_for_gas_alone() const { return case_.purpose == cycle::CasePurpose::kGasPath; }
 
   /// Is the key of no concern to what the case is read for?
-  bool is_out_of_scope(const Field& field) const { return is_for_gas_alone() && !cycle::is_of_gas_path(field); }
+  bool is_out_of_scope(const Field& field) const { return is_for_gas_alone() && !field.uses.gas; }
 
   bool is_faulty(const std::string& key) const {
     return std::any_of(stated_.faulty.begin(), stated_.faulty.end(), [&key](const std::string& faulty) {

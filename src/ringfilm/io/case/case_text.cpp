@@ -81,8 +81,8 @@ std::string default_words(const Field& field, const Units& units) {
     return field.active_when.find("wiebe") == std::string::npos ? "-"
                                                                 : shown_value(field, wiebe_case(), units) + " (wiebe)";
   const auto default_in = [&](cycle::Problem problem) { return shown_value(field, cycle::blank_case(problem), units); };
-  const std::string value = default_in(field.problem.value_or(cycle::Problem::kCycle));
-  const std::string of_pad = field.problem ? value : default_in(cycle::Problem::kPad);
+  const std::string value = default_in(field.uses.cycle ? cycle::Problem::kCycle : cycle::Problem::kPad);
+  const std::string of_pad = field.uses.cycle && field.uses.pad ? default_in(cycle::Problem::kPad) : value;
   return (value.empty() ? "-" : value) + (of_pad == value ? "" : " (pad: " + of_pad + ")");
 }
 

@@ -29,7 +29,7 @@ constexpr long kGasSchema = 1;
 bool is_gas_entry(const CaseEntry& entry, const cycle::Case& c) {
   const auto of_ring = cycle::ring_key(entry.key);
   const cycle::Field* field = cycle::find_field(of_ring ? of_ring->key : entry.key);
-  if (field == nullptr || !cycle::is_of_gas_path(*field)) return false;
+  if (field == nullptr || !field->uses.gas) return false;
   // An oil ring does not twist.
   const bool is_of_oil_ring = of_ring && of_ring->ring >= 1 && of_ring->ring <= c.rings.size() &&
                               c.rings[of_ring->ring - 1].ring.gas_path.kind == cycle::RingKind::kOil;

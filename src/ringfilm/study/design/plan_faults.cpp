@@ -105,7 +105,7 @@ class FactorCheck {
     } else {
       check_choices(*field);
     }
-    if (cycle::is_for_record(*field)) {
+    if (field->is_for_record) {
       refuse("varies " + target.key + ", which does not enter the computation: all its scenarios would be alike",
              "remove this factor; the names of bases and factors label the scenarios");
       return;
@@ -199,7 +199,7 @@ class FactorCheck {
       if (!belongs(field, base.input)) {
         refuse("moves " + target.key + ", which base \"" + base.name + "\" does not have",
                "it belongs to another kind of problem");
-      } else if (study_.compute == Compute::kGas && !cycle::is_of_gas_path(field)) {
+      } else if (study_.compute == Compute::kGas && !field.uses.gas) {
         refuse("moves " + target.key + ", which the gas alone does not use",
                "remove the factor, or compute the films too: leave compute = \"gas\" out");
       } else if (!any_choice && std::all_of(places.begin(), places.end(), is_idle)) {

@@ -311,7 +311,7 @@ bool is_file(const Field& field) {
 }
 
 bool decides_reading(const Field& field) {
-  return entry_of(field) == Entry::kText && !std::holds_alternative<ChoiceKind>(field.kind) && !is_for_record(field);
+  return entry_of(field) == Entry::kText && !std::holds_alternative<ChoiceKind>(field.kind) && !field.is_for_record;
 }
 
 bool is_inside(double value, const Range& range) {
