@@ -245,10 +245,10 @@ export function asStated(value, unit) {
   return unit === '°' ? shown + unit : `${shown}\u00a0${unit}`;
 }
 
-/** A signed change in per cent. */
-export function percent(ratio, digits = 1) {
+/** A signed change in per cent; where it makes more than 11 times a positive reference, that factor. */
+export function percent(ratio, digits = 1, ofPositive = true) {
   if (ratio === null || !Number.isFinite(ratio)) return '–';
-  if (ratio >= 10) return `×\u00a0${number(1 + ratio, 3)}`;
+  if (ratio >= 10 && ofPositive) return `×\u00a0${number(1 + ratio, 3)}`;
   const value = 100 * ratio;
   const places = Math.abs(value) >= 100 ? 0 : digits;
   const text = Math.abs(value).toFixed(places);

@@ -61,39 +61,51 @@ function shownValue(text, unit) {
   return element('span', { class: 'card-value' }, element('b', {}, text), unit ? ` ${unit}` : '');
 }
 
-/** The rings of a pack together, under those of its rings. @param stated { value, unit } */
-function packRow(model, pack, { value, unit }, detail) {
+const mark = (series) => svgElement(swatchSvg({ caseIndex: series, part: null }));
+
+/** A pack, with what its rings come to where they add up. @param sum of a pack to { value, unit, detail } */
+function packRow(model, pack, sum) {
   const isAlone = model.packs.length === 1 && pack.ring_numbers.length === model.cases.length;
+  const { value, unit, detail } = sum ? sum(pack) : {};
   return element(
     'div',
     { class: 'card-row' },
-    element('span', { class: 'card-name' }, `${isAlone ? '' : `${pack.name}: `}all ${pack.n_rings} rings`),
-    shownValue(meaningful(value, null), value === null ? '' : unit),
-    element('span', { class: 'card-detail' }, detail(pack)),
+    element(
+      'span',
+      { class: 'card-name' },
+      model.comparesPacks ? mark(model.allPacks.indexOf(pack)) : null,
+      `${isAlone ? '' : `${pack.name}: `}all ${pack.n_rings} rings`,
+    ),
+    sum ? shownValue(meaningful(value, null), value === null ? '' : unit) : null,
+    sum ? element('span', { class: 'card-detail' }, detail) : null,
   );
 }
 
-/** A row for each case. @param of a case to its { value, unit, error, band } */
-function card(model, heading, of, detail, sums = []) {
-  const rows = model.cases.map((c) => {
-    const stated = of(c);
-    return element(
-      'div',
-      { class: 'card-row' },
-      model.several
-        ? element(
-            'span',
-            { class: 'card-name' },
-            svgElement(swatchSvg({ caseIndex: c.series, part: null })),
-            c.name,
-          )
-        : null,
-      shownValue(meaningful(stated.value, stated.error), stated.value === null ? '' : stated.unit),
-      element('span', { class: 'card-detail' }, detail(c)),
-      accuracy(stated),
-    );
-  });
-  return element('section', { class: 'card' }, element('h2', {}, heading), rows, sums);
+function caseRow(model, c, of, detail) {
+  const stated = of(c);
+  const pack = model.comparesPacks ? model.allPacks[c.series] : null;
+  const name = pack ? c.name.slice(`${pack.name}, `.length) : c.name;
+  return element(
+    'div',
+    { class: 'card-row' },
+    model.several ? element('span', { class: 'card-name' }, pack ? null : mark(c.series), name) : null,
+    shownValue(meaningful(stated.value, stated.error), stated.value === null ? '' : stated.unit),
+    element('span', { class: 'card-detail' }, detail(c)),
+    accuracy(stated),
+  );
+}
+
+/** A row for each case, and one for each pack: above its rings where packs are compared. */
+function card(model, heading, of, detail, sum = null) {
+  const ofCase = (c) => caseRow(model, c, of, detail);
+  const ofPack = (pack) => packRow(model, pack, pack.complete ? sum : null);
+  const rows = model.comparesPacks
+    ? model.allPacks.flatMap((pack, p) => [
+        ofPack(pack),
+        ...model.cases.filter((c) => c.series === p).map(ofCase),
+      ])
+    : [...model.cases.map(ofCase), ...(sum ? model.packs.map(ofPack) : [])];
+  return element('section', { class: 'card' }, element('h2', {}, heading), rows);
 }
 
 /** What the words "mesh" and "model" on the cards mean, as far as they occur. */
@@ -119,13 +131,10 @@ export function cards(model) {
     element(
       'div',
       { class: 'cards' },
-      card(
-        model,
-        'Mean friction power',
-        cycleValue(model, 'mean_power_loss'),
-        fmep,
-        model.packs.map((pack) => packRow(model, pack, model.value(pack, 'mean_power_loss'), fmep)),
-      ),
+      card(model, 'Mean friction power', cycleValue(model, 'mean_power_loss'), fmep, (pack) => ({
+        ...model.value(pack, 'mean_power_loss'),
+        detail: fmep(pack),
+      })),
       card(model, 'Thinnest film', cycleValue(model, 'min_film_thickness'), (c) =>
         c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '',
       ),
@@ -134,14 +143,7 @@ export function cards(model) {
         'Boundary friction',
         boundaryShare,
         () => 'of the friction power',
-        model.packs.map((pack) =>
-          packRow(
-            model,
-            pack,
-            { value: boundaryPowerShare(pack.values), unit: '%' },
-            () => 'of the friction power',
-          ),
-        ),
+        (pack) => ({ value: boundaryPowerShare(pack.values), unit: '%', detail: 'of the friction power' }),
       ),
       model.cases.some(oilAbove)
         ? card(model, 'Oil left above the ring', oilFilm, (c) =>

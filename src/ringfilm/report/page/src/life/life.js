@@ -11,10 +11,24 @@ import { hoursText, publishedWear, whatToMeasure } from './life_words.js';
 
 const right = (text) => ({ text, attributes: { class: 'number' } });
 
+const longName = (life, name) => life.quantities.find((quantity) => quantity.name === name).long_name;
+
 function shown(life, name, state) {
   const described = life.quantities.find((quantity) => quantity.name === name);
   const { unit, convert } = display(described);
   return withUnit(convert(state[name]), unit, 4);
+}
+
+const reached = (hours) =>
+  hours === null || hours === undefined ? 'not within these hours' : hoursText(hours);
+
+/** When each stated limit is reached, as cards. */
+function limitCards(life) {
+  return (life.end_of_life ?? []).map((end) =>
+    numberCard(`Limit: ${longName(life, end.quantity)}`, reached(end.hours), {
+      detail: shown(life, end.quantity, { [end.quantity]: end.limit }),
+    }),
+  );
 }
 
 function firstScreen(life) {
@@ -43,6 +57,7 @@ function firstScreen(life) {
       numbers('Friction power', 'mean_power_loss'),
       numbers('Oil passing under the ring', 'mean_absolute_oil_flow'),
       numbers('Lambda ratio at peak pressure', 'lambda_ratio_at_peak_pressure'),
+      ...limitCards(life),
     ),
     headWarning('Read this first', claim),
   );
@@ -60,18 +75,16 @@ function valuesTable(life) {
 }
 
 function endTable(life) {
-  const when = (hours) =>
-    hours === null || hours === undefined ? 'not within these hours' : hoursText(hours);
   const others = Object.keys(life.end_of_life[0].interpolations ?? {});
   return table(
     'When the stated limits are reached',
     ['quantity', 'limit', 'reached', ...others, 'ring turned over'],
     life.end_of_life.map((end) => [
-      life.quantities.find((quantity) => quantity.name === end.quantity).long_name,
+      longName(life, end.quantity),
       right(shown(life, end.quantity, { [end.quantity]: end.limit })),
-      when(end.hours),
-      ...others.map((name) => when(end.interpolations[name])),
-      when(end.turned),
+      reached(end.hours),
+      ...others.map((name) => reached(end.interpolations[name])),
+      reached(end.turned),
     ]),
     { folds: true },
   );

@@ -143,6 +143,10 @@ export function differenceOf(model, q, g) {
   }
   const [firstMiddle, ownMiddle] = [middleOf(model, first), middleOf(model, own)];
   return firstMiddle && ownMiddle !== null
-    ? { text: percent((ownMiddle - firstMiddle) / Math.abs(firstMiddle)), interval: null, sure: null }
+    ? {
+        text: percent((ownMiddle - firstMiddle) / Math.abs(firstMiddle), 1, firstMiddle > 0),
+        interval: null,
+        sure: null,
+      }
     : null;
 }
