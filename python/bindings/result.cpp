@@ -370,18 +370,17 @@ void bind_pack(py::module_& module) {
   type.def_property_readonly(
       "values",
       [](const PackObject& self) {
-        const cycle::CycleValues& sum = self.document().result.values;
         py::dict values;
-        values["fmep"] = sum.fmep;
-        values["energy_per_cycle"] = sum.energy_per_cycle;
-        values["mean_power_loss"] = sum.mean_power_loss;
+        for (const cycle::CycleQuantity& quantity : cycle::summed_quantities()) {
+          values[py::str(quantity.name)] = self.document().result.values.*quantity.value;
+        }
         return values;
       },
-      "What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss.");
+      "What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss and its "
+      "boundary and viscous parts.");
   type.def_property_readonly(
       "by_ring", [](const PackObject& self) { return py::list(json_of(self)["by_ring"]); },
-      "The same of each ring, the rails of an oil ring added up, a list of dicts with ring, fmep, energy_per_cycle, "
-      "mean_power_loss.");
+      "The same of each ring, the rails of an oil ring added up, a list of dicts with its number as ring.");
   type.def_property_readonly(
       "gas", [](const PackObject& self) { return part_of_json(self, "gas"); },
       "The gas between the rings of one cylinder, a dict in SI as `ringfilm run --json` and `ringfilm gas --json` "

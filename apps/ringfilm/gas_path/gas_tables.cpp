@@ -28,7 +28,8 @@ std::string twist_cell(const gas_path::RingMotionValues& ring) {
 std::string blow_by_text(const gas_path::GasSums& sums) {
   const EngineeringText shown;
   return shown(cycle::gas_sum_quantity("blow_by_per_cycle"), sums.blow_by_per_cycle) + " per cycle, " +
-         shown(cycle::gas_sum_quantity("blow_by_flow"), sums.blow_by_flow) + " at 1.01325 bar and 25 degC";
+         shown(cycle::leading_gas_sum(), *cycle::number_of(cycle::leading_gas_sum(), sums)) +
+         " at 1.01325 bar and 25 degC";
 }
 
 std::string regions_table(const io::PackGas& gas) {

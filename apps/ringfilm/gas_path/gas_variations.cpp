@@ -11,6 +11,7 @@
 
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 #include "ringfilm/run/run.hpp"
 
@@ -53,11 +54,9 @@ std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io:
 
 /// What the gas of a combination is.
 struct Solution {
-  double blow_by = 0;                           ///< net mass in the cycle [kg]
-  double blow_by_flow = 0;                      ///< [m3/s]
+  gas_path::GasSums sums;
   std::vector<gas_path::RegionValues> regions;  ///< those of this combination
   std::ptrdiff_t fluttering_rings = 0;
-  int period = 0;  ///< in cycles
 };
 
 /// A combination and what was found of it.
@@ -71,11 +70,9 @@ Solution solution_of(const cycle::Case& c) {
   auto document = std::get<io::GasPathDocument>(run::run_case(c).result);
   gas_path::GasPathResult& result = document.result;
   Solution solution;
-  solution.blow_by = document.gas.sums.blow_by_per_cycle;
-  solution.blow_by_flow = document.gas.sums.blow_by_flow;
+  solution.sums = document.gas.sums;
   solution.regions = std::move(result.regions);
   solution.fluttering_rings = std::ranges::count_if(result.motion, [](const auto& ring) { return ring.flutters; });
-  solution.period = result.period;
   return solution;
 }
 
@@ -97,30 +94,35 @@ std::vector<std::string> region_names(const std::vector<Row>& rows) {
 std::string head(const std::vector<Variation>& varied, const std::vector<std::string>& regions) {
   std::string line;
   for (const Variation& one : varied) line += one.key + ",";
-  line += "blow_by_per_cycle [kg],blow_by_flow [m3/s]";
+  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
+    line += quantity.name + (quantity.unit == "1" ? "," : " [" + quantity.unit + "],");
+  }
   for (std::string name : regions) {
     std::replace(name.begin(), name.end(), ' ', '_');
-    line += ",peak_pressure_" + name + " [Pa]";
+    line += "peak_pressure_" + name + " [Pa],";
   }
-  return line + ",fluttering_rings,period_in_cycles,reason\n";
+  return line + "fluttering_rings,reason\n";
 }
 
 /// The values of a combination, in the columns of these regions.
 std::string values(const Solution& solution, const std::vector<std::string>& regions) {
-  std::string line = fmt::format("{},{}", solution.blow_by, solution.blow_by_flow);
+  std::string line;
+  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
+    line += fmt::format("{},", cycle::number_of(quantity, solution.sums).value());
+  }
   for (const std::string& name : regions) {
     const auto region = std::ranges::find(solution.regions, name, &gas_path::RegionValues::name);
-    line += region == solution.regions.end() ? "," : fmt::format(",{}", region->peak_pressure);
+    line += region == solution.regions.end() ? "," : fmt::format("{},", region->peak_pressure);
   }
-  return line + fmt::format(",{},{},", solution.fluttering_rings, solution.period);
+  return line + fmt::format("{},", solution.fluttering_rings);
 }
 
 std::string line_of(const Row& row, const std::vector<std::string>& regions) {
-  constexpr std::size_t kOtherValues = 4;  // beside the peak pressures
   std::string line;
   for (const io::Override& setting : row.settings) line += quoted_cell(setting.value) + ",";
   if (row.solution) return line + values(*row.solution, regions) + "\n";
-  return line + std::string(kOtherValues + regions.size(), ',') + quoted_cell(row.reason) + "\n";
+  return line + std::string(cycle::gas_sum_quantities().size() + regions.size() + 1, ',') + quoted_cell(row.reason) +
+         "\n";
 }
 
 /// Refuses what varies nothing, or what --set fixes.

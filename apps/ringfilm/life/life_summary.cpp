@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/gas_path/result.hpp"
+#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -40,16 +40,19 @@ std::string turned_line(const life::LifeState& state) {
 std::string worn_table(const io::LifeDocument& document) {
   const std::vector<life::LifeState>& states = document.result.states;
   if (states.empty() || !states.front().worn) return "";
-  const bool has_gas = document.result.unworn_blow_by_flow.has_value();
-  std::string text =
-      fmt::format("\n{:>8} {:>16} {:>16}{}\n", "hours", "worn area um mm", "largest depth um",
-                  has_gas ? fmt::format(" {:>14} {:>26}", "end gap + mm", "blow-by per cylinder l/min") : "");
+  const EngineeringText shown;
+  std::string text;
+  for (const life::WornQuantity& quantity : life::worn_quantities()) {
+    if (!life::value_of(quantity, *states.front().worn)) continue;
+    if (text.empty()) text = fmt::format("\n{:>8}", "hours");
+    text += fmt::format(" {:>21}", quantity.heading);
+  }
+  text += "\n";
   for (const life::LifeState& state : states) {
-    text += fmt::format("{:>8.6g} {:>16.5g} {:>16.5g}", state.time / life::kHour, state.worn->worn_area * 1e9,
-                        state.worn->largest_depth * 1e6);
-    if (has_gas) {
-      text += fmt::format(" {:>14.4g} {:>26.4g}", state.worn->end_gap_growth * 1e3,
-                          state.worn->blow_by_flow.value() / gas_path::kLitrePerMinute);
+    text += fmt::format("{:>8.6g}", state.time / life::kHour);
+    for (const life::WornQuantity& quantity : life::worn_quantities()) {
+      if (const auto value = life::value_of(quantity, *state.worn))
+        text += fmt::format(" {:>21}", shown(quantity, *value));
     }
     text += "\n";
   }

@@ -172,8 +172,9 @@ std::string oil_temperature(const cycle::Case& c) {
 std::string ring_shares(const std::vector<io::RingSums>& rings, double whole) {
   std::string text;
   for (const io::RingSums& ring : rings) {
-    text += fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring, ring.fmep * 1e-3,
-                        ring.mean_power_loss, percent(ring.mean_power_loss, whole));
+    text +=
+        fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring, ring.values.fmep * 1e-3,
+                    ring.values.mean_power_loss, percent(ring.values.mean_power_loss, whole));
   }
   return text;
 }

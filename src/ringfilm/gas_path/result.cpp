@@ -23,7 +23,7 @@ const char* event_name(FlankEvent event) {
 GasSums gas_sums(const GasPathResult& result, double gas_constant) {
   GasSums sums;
   sums.blow_by_per_cycle = result.blow_by;
-  sums.blow_by_flow = blow_by_flow(result, gas_constant);
+  sums.blow_by_flow = volume_flow(result, gas_constant);
   sums.mass_defect = result.mass_defect;
   sums.periodicity_error = result.periodicity;
   sums.cycles_integrated = result.cycles;
@@ -41,7 +41,7 @@ std::vector<PathValues> path_values(const GasPathResult& result) {
   return values;
 }
 
-double blow_by_flow(const GasPathResult& result, double gas_constant) {
+double volume_flow(const GasPathResult& result, double gas_constant) {
   return result.blow_by / result.duration * gas_constant * kBlowByTemperature / base::kAtmosphere;
 }
 

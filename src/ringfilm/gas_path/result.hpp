@@ -76,12 +76,12 @@ inline constexpr double kBlowByTemperature = 298.15;  ///< [K]
 inline constexpr double kLitrePerMinute = 1e-3 / 60;
 
 /// Blow-by as a volume flow at kBlowByTemperature and base::kAtmosphere [m3/s]. @param gas_constant [J/(kg K)]
-double blow_by_flow(const GasPathResult& result, double gas_constant);
+double volume_flow(const GasPathResult& result, double gas_constant);
 
 /// The gas of one cylinder as a whole. A file of an earlier version lacks what is optional.
 struct GasSums {
   double blow_by_per_cycle = 0;           ///< GasPathResult::blow_by [kg]
-  double blow_by_flow = 0;                ///< blow_by_flow() [m3/s]
+  double blow_by_flow = 0;                ///< volume_flow() [m3/s]
   double mass_defect = 0;                 ///< GasPathResult::mass_defect [-]
   double periodicity_error = 0;           ///< GasPathResult::periodicity [-]
   std::optional<long> cycles_integrated;  ///< GasPathResult::cycles

@@ -59,7 +59,7 @@ void Scenario::check_wedge(const WornDepths& now) {
 WornProfile Scenario::profile(const WornDepths& depths) {
   WornProfile worn = worn_profile(depths.face, wear_.area(depths.face), life_.wear.coating_thickness);
   worn.liner_depth = depths.liner;
-  worn.blow_by_flow = gas_.blow_by_flow({worn.largest_depth, depths.liner});
+  gas_.put_blow_by(worn);
   return worn;
 }
 
@@ -231,7 +231,7 @@ LifeResult Scenario::run() {
   integrate();
   DutyBatch reported(life_, gas_, Points::kAll), others(life_, gas_, Points::kOfTheDuty);
   for (LifeState& state : result_.states) {
-    state.point_blow_by_flows = gas_.blow_by_flows(state.ring.gap);
+    state.point_gas = gas_.sums(state.ring.gap);
     reported.add(state.ring, hours_text(state.time),
                  [this, &state](const auto& results) { take_duty(life_, results, state, result_.notes); });
   }

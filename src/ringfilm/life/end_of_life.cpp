@@ -5,8 +5,6 @@
 #include <functional>
 #include <limits>
 
-#include "ringfilm/cycle/pack/gas_quantities.hpp"
-
 namespace ringfilm::life {
 namespace {
 
@@ -14,10 +12,9 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 double worn_value(const std::optional<WornProfile>& worn, const std::string& name) {
   if (!worn) return kUnknown;
-  if (name == "largest_worn_depth") return worn->largest_depth;
-  if (name == "worn_area") return worn->worn_area;
-  if (name == "blow_by_flow") return worn->blow_by_flow.value_or(kUnknown);
-  return name == "coating_left" ? worn->coating_left.value_or(kUnknown) : worn->end_gap_growth;
+  const std::vector<WornQuantity>& all = worn_quantities();
+  const auto quantity = std::find_if(all.begin(), all.end(), [&](const WornQuantity& one) { return one.name == name; });
+  return value_of(*quantity, *worn).value_or(kUnknown);
 }
 
 /// A state on one of several paths; `values` are empty where the path ended before.
@@ -58,16 +55,13 @@ Series cycle_series(const LifeResult& result, const StateOnPath& on_path, std::s
 }
 
 /// What is worn of a scenario is also known at its start and where its coating ends.
-Series worn_series(const Life& life, const LifeResult& result, const StateOnPath& on_path,
-                   const std::optional<WearThrough>& end, const std::string& quantity) {
+Series worn_series(const LifeResult& result, const StateOnPath& on_path, const std::optional<WearThrough>& end,
+                   const std::string& quantity) {
   Series series;
   const bool is_computed = end || (!result.states.empty() && !on_path(result.states.front()).values.empty());
   if (!is_computed) return series;
   if (result.wear && (result.states.empty() || result.states.front().time > 0)) {
-    WornProfile unworn;
-    unworn.coating_left = life.wear.coating_thickness;
-    unworn.blow_by_flow = result.unworn_blow_by_flow;
-    series.append(0, worn_value(unworn, quantity));
+    series.append(0, worn_value(result.unworn, quantity));
   }
   for (const LifeState& state : result.states) {
     const auto& [values, worn] = on_path(state);
@@ -83,11 +77,7 @@ Series worn_series(const Life& life, const LifeResult& result, const StateOnPath
 const std::vector<cycle::Quantity>& limitable_quantities() {
   static const std::vector<cycle::Quantity> table = [] {
     std::vector<cycle::Quantity> all(life_quantities().begin(), life_quantities().end());
-    all.push_back({"worn_area", "m2", "um mm", "worn area", "A", "eq-life-volume"});
-    all.push_back({"largest_worn_depth", "m", "um", "largest worn depth", "w_max", "eq-life-archard"});
-    all.push_back({"coating_left", "m", "um", "coating left", "", ""});
-    all.push_back({"end_gap_growth", "m", "mm", "growth of the end gap", "", ""});
-    all.push_back(cycle::gas_sum_quantity("blow_by_flow"));
+    all.insert(all.end(), worn_quantities().begin(), worn_quantities().end());
     return all;
   }();
   return table;
@@ -130,7 +120,7 @@ std::vector<EndOfLife> ends_of_life(const Life& life, const LifeResult& result) 
     const auto index = life_quantity_index(rule.quantity);
     const auto when = [&](const std::optional<WearThrough>& through, const StateOnPath& on_path) {
       const Series series =
-          index ? cycle_series(result, on_path, *index) : worn_series(life, result, on_path, through, rule.quantity);
+          index ? cycle_series(result, on_path, *index) : worn_series(result, on_path, through, rule.quantity);
       return reaching_time(series.times, series.values, rule.limit);
     };
     EndOfLife end;

@@ -2,8 +2,10 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "ringfilm/gas_path/result.hpp"
 #include "ringfilm/life/life_quantities.hpp"
 #include "ringfilm/life/ring_state.hpp"
 #include "ringfilm/life/wear/wear_bounds.hpp"
@@ -21,8 +23,20 @@ struct WornProfile {
   std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
   std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
   /// Of the pack with its end gap as worn, mean over the duty [m3/s]; nothing without a pack.
-  std::optional<double> blow_by_flow;
+  std::optional<double> blow_by;
 };
+
+/// A value of a WornProfile; a life without a pack has none of its gas.
+struct WornQuantity : cycle::Quantity {
+  std::string heading;  ///< of its column in a table
+  std::variant<double WornProfile::*, std::optional<double> WornProfile::*> value;
+};
+
+/// In the order of files and tables.
+const std::vector<WornQuantity>& worn_quantities();
+
+/// Nothing where it is not known.
+std::optional<double> value_of(const WornQuantity& quantity, const WornProfile& worn);
 
 /// The profile of lost depths. @param coating its thickness, if known [m]
 WornProfile worn_profile(std::vector<double> depth, double area, std::optional<double> coating);
@@ -43,9 +57,9 @@ struct LifeState {
   std::optional<WornProfile> worn;  ///< nothing where the mode does not determine it
   /// From the measured state of this running time, of a scenario that has one.
   std::vector<FaceDistance> from_measured;
-  LifeValues values;                        ///< of the whole duty
-  std::vector<LifeValues> points;           ///< of each operating point
-  std::vector<double> point_blow_by_flows;  ///< of the pack at each of them [m3/s]; empty without a pack
+  LifeValues values;                         ///< of the whole duty
+  std::vector<LifeValues> points;            ///< of each operating point
+  std::vector<gas_path::GasSums> point_gas;  ///< of the pack at each of them; empty without a pack
   /// Of a measured state: the least wear since the first one, by how much of the edges is trusted. Lower bounds.
   std::vector<WearBound> least_wear;
   std::vector<LifeValues> other_paths;                 ///< on each of LifeResult::other_paths; empty: it ended before
@@ -119,11 +133,11 @@ struct WearSummary {
 
 /// A life, computed.
 struct LifeResult {
-  std::vector<LifeState> states;              ///< in the order of Life::times; fewer where the coating was worn through
-  std::vector<NamedPath> other_paths;         ///< whose values make the band
-  std::vector<EndOfLife> ends;                ///< of each of Life::end_rules
-  std::optional<WearSummary> wear;            ///< of a scenario of wear
-  std::optional<double> unworn_blow_by_flow;  ///< mean over the duty [m3/s]; nothing without a pack
+  std::vector<LifeState> states;       ///< in the order of Life::times; fewer where the coating was worn through
+  std::vector<NamedPath> other_paths;  ///< whose values make the band
+  std::vector<EndOfLife> ends;         ///< of each of Life::end_rules
+  std::optional<WearSummary> wear;     ///< of a scenario of wear
+  WornProfile unworn;                  ///< before anything is worn: coating and gas; no depths
   std::vector<double> liner_position;  ///< below the TDC position of the ring [m]; empty: the liner is not followed
   std::vector<cycle::Note> notes;      ///< of the cycles and of the life; their counts are cycles
   long cycles = 0;                     ///< integrated until they repeat themselves
@@ -134,5 +148,8 @@ struct Band {
   double low, high;
 };
 Band band_of(const LifeState& state, std::size_t quantity);
+
+/// The same of a value of `worn`, which must be there.
+Band band_of(const LifeState& state, const WornQuantity& quantity);
 
 }  // namespace ringfilm::life

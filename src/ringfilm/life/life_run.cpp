@@ -67,9 +67,8 @@ void put_wear(const Life& life, const std::vector<NamedPath>& other_paths, PackG
       const double area = area_under(state.x, depth);
       return worn_profile(std::move(depth), area, life.points.front().input.ring.coating.thickness);
     };
-    const auto put_gas = [&gas](WornProfile& worn) { worn.blow_by_flow = gas.blow_by_flow({worn.largest_depth, {}}); };
-    put_gas(state.worn.emplace(lost(life.path)));
-    for (const NamedPath& other : other_paths) put_gas(state.other_worn.emplace_back(lost(other.path)).value());
+    gas.put_blow_by(state.worn.emplace(lost(life.path)));
+    for (const NamedPath& other : other_paths) gas.put_blow_by(*state.other_worn.emplace_back(lost(other.path)));
     return;
   }
   const FaceHeights first = face_heights(life.states.front().input);
@@ -113,7 +112,7 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators, PackG
     state.time = life.times[i].time;
     state.standing = standing_at(life.states, state.time);
     state.ring = path_ring.at(life.path, state.time);
-    state.point_blow_by_flows = gas.blow_by_flows(state.ring.gap);
+    state.point_gas = gas.sums(state.ring.gap);
     state.other_paths.resize(result.other_paths.size());
     const std::string name = hours_text(state.time);
     reported.add(state.ring, name, [&](const auto& results) { take_duty(life, results, state, result.notes); });
@@ -163,7 +162,8 @@ LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
   PackGas gas(life);
   LifeResult result =
       life.mode == Mode::kArchard ? run_archard(life, integrators, gas) : run_path(life, integrators, gas);
-  result.unworn_blow_by_flow = gas.blow_by_flow({});
+  result.unworn.coating_left = life.wear.coating_thickness;
+  gas.put_blow_by(result.unworn);
   for (cycle::Note& note : gas.notes()) result.notes.push_back(std::move(note));
   if (!life.accuracy.empty()) result.notes.push_back({"accuracy-asked-for", life.accuracy, 1});
   append_pressure_note(life, result);

@@ -9,6 +9,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 
 namespace ringfilm::life {
@@ -94,22 +95,23 @@ cycle::Case PackGas::with_pressures(cycle::Case c, std::size_t point, const EndG
   return c;
 }
 
-std::vector<double> PackGas::blow_by_flows(const EndGapWear& gap) {
-  std::vector<double> flows;
-  if (!life_.pack) return flows;
+std::vector<gas_path::GasSums> PackGas::sums(const EndGapWear& gap) {
+  std::vector<gas_path::GasSums> of_points;
+  if (!life_.pack) return of_points;
   for (std::size_t i = 0; i < life_.points.size(); ++i) {
     const PointGas& now = gas(i, growth(i, gap));
-    flows.push_back(gas_path::blow_by_flow(now.result, now.pack.gas.gas_constant));
+    of_points.push_back(gas_path::gas_sums(now.result, now.pack.gas.gas_constant));
   }
-  return flows;
+  return of_points;
 }
 
-std::optional<double> PackGas::blow_by_flow(const EndGapWear& gap) {
-  if (!life_.pack) return std::nullopt;
-  const std::vector<double> flows = blow_by_flows(gap);
-  double mean = 0;
-  for (std::size_t i = 0; i < flows.size(); ++i) mean += life_.points[i].share * flows[i];
-  return mean;
+void PackGas::put_blow_by(WornProfile& worn) {
+  if (!life_.pack) return;
+  const std::vector<gas_path::GasSums> of_points = sums({worn.largest_depth, worn.liner_depth});
+  double& mean = worn.blow_by.emplace(0);
+  for (std::size_t i = 0; i < of_points.size(); ++i) {
+    mean += life_.points[i].share * cycle::number_of(cycle::leading_gas_sum(), of_points[i]).value();
+  }
 }
 
 std::vector<cycle::Note> PackGas::notes() const {

@@ -8,6 +8,7 @@
 #include "ringfilm/gas_path/pack.hpp"
 #include "ringfilm/gas_path/result.hpp"
 #include "ringfilm/life/life.hpp"
+#include "ringfilm/life/life_result.hpp"
 #include "ringfilm/life/ring_state.hpp"
 
 namespace ringfilm::life {
@@ -23,11 +24,12 @@ class PackGas {
   /// behind it.
   cycle::Case with_pressures(cycle::Case c, std::size_t point, const EndGapWear& gap);
 
-  /// At 25 degC and standard atmosphere, at each operating point [m3/s]; empty without a pack.
-  std::vector<double> blow_by_flows(const EndGapWear& gap);
+  /// At each operating point; empty without a pack.
+  std::vector<gas_path::GasSums> sums(const EndGapWear& gap);
 
-  /// The mean over the duty [m3/s]; nothing without a pack.
-  std::optional<double> blow_by_flow(const EndGapWear& gap);
+  /// The blow-by of a ring that has lost that, mean over the duty. @param worn its largest depth and that of the liner
+  /// open the gap
+  void put_blow_by(WornProfile& worn);
 
   std::vector<cycle::Note> notes() const;  ///< on the gas that was computed
 

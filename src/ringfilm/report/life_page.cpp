@@ -5,30 +5,18 @@
 #include "ringfilm/life/end_of_life.hpp"
 #include "ringfilm/report/html_text.hpp"
 #include "ringfilm/report/page_template.hpp"
+#include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/script_text.hpp"
 
 namespace ringfilm::report {
-namespace {
-
-using nlohmann::ordered_json;
-
-ordered_json quantities() {
-  ordered_json list = ordered_json::array();
-  const auto add = [&list](const cycle::Quantity& quantity) {
-    list.push_back({{"name", quantity.name},
-                    {"unit", quantity.unit},
-                    {"display_unit", quantity.display_unit},
-                    {"long_name", quantity.long_name}});
-  };
-  for (const cycle::Quantity& quantity : life::limitable_quantities()) add(quantity);
-  return list;
-}
-
-}  // namespace
 
 std::string life_page(const io::LifeDocument& document) {
+  using nlohmann::ordered_json;
   ordered_json payload = ordered_json::parse(io::life_json(document));
-  payload["quantities"] = quantities();
+  payload["quantities"] = described_all(life::limitable_quantities());
+  for (const life::WornQuantity& quantity : life::worn_quantities()) {
+    payload["worn_quantities"].push_back({{"name", quantity.name}, {"heading", quantity.heading}});
+  }
   const page_template::PageTemplate parts = page_template::life();
   std::string page(parts.before_title);
   page += html_text(document.file.life.title);

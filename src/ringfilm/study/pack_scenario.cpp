@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <variant>
 
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
@@ -25,21 +24,21 @@ class Row {
     row_.values.assign(values.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
-  void put(const std::string& name, double value) {
-    if (const auto index = values_.index(name)) row_.values[*index] = value;
+  void put(const std::string& name, std::optional<double> value) {
+    const auto index = values_.index(name);
+    if (index && value) row_.values[*index] = *value;
   }
 
   void put_gas(const gas_path::GasPathResult& gas, double gas_constant) {
-    put("blow_by_per_cycle", gas.blow_by);
-    put("blow_by_flow", gas_path::blow_by_flow(gas, gas_constant));
+    const gas_path::GasSums sums = gas_path::gas_sums(gas, gas_constant);
+    for (const auto& quantity : cycle::gas_sum_quantities()) put(quantity.name, cycle::number_of(quantity, sums));
     for (const gas_path::RegionValues& region : gas.regions) {
       put(region_value_name(region.name, "peak_pressure"), region.peak_pressure);
       put(region_value_name(region.name, "mean_pressure"), region.mean_pressure);
     }
     for (std::size_t ring = 0; ring < gas.motion.size(); ++ring) {
       for (const cycle::GasRingQuantity& quantity : cycle::gas_ring_quantities()) {
-        const std::string name = ring_value_name(ring + 1, quantity.name);
-        std::visit([&](auto member) { put_number(name, gas.motion[ring].*member); }, quantity.value);
+        put(ring_value_name(ring + 1, quantity.name), cycle::number_of(quantity, gas.motion[ring]));
       }
     }
   }
@@ -53,11 +52,9 @@ class Row {
 
   /// @param numbers of the rings to which the faces belong, from 1; in rising order
   void put_rings(const std::vector<CycleResult>& faces, const std::vector<std::size_t>& numbers) {
-    for (const char* name : {"fmep", "mean_power_loss", "energy_per_cycle"}) {
-      double sum = 0;
-      for (const CycleResult& face : faces) sum += value(face, name);
-      put(name, sum);
-    }
+    cycle::CycleValues pack;
+    for (const CycleResult& face : faces) cycle::add_ring(face.values, pack);
+    for (const cycle::CycleQuantity& sum : cycle::summed_quantities()) put(sum.name, pack.*sum.value);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       const bool is_next_rail = i > 0 && numbers[i] == numbers[i - 1];
       for (const RingValue& one : ring_values()) {
@@ -82,14 +79,6 @@ class Row {
   ScenarioRow row() && { return std::move(row_); }
 
  private:
-  template <class Value>
-  void put_number(const std::string& name, const Value& value) {
-    put(name, static_cast<double>(value));
-  }
-  void put_number(const std::string& name, const std::optional<double>& value) {
-    if (value) put(name, *value);
-  }
-
   static double value(const CycleResult& result, const char* name) {
     return result.values.*cycle::cycle_quantities()[*cycle::cycle_quantity_index(name)].value;
   }

@@ -142,7 +142,7 @@ CaseWithGas solve_gas_of_case(Case c) {
   std::vector<std::string>& notes = c.is_pack() ? c.rings.front().notes : c.notes;
   notes.push_back("the gas between the rings is computed: blow-by per cylinder " + number_text(result.blow_by * 1e6) +
                   " mg per cycle, " +
-                  number_text(blow_by_flow(result, pack.gas.gas_constant) / gas_path::kLitrePerMinute) +
+                  number_text(volume_flow(result, pack.gas.gas_constant) / gas_path::kLitrePerMinute) +
                   " l/min at 1.01325 bar and 25 degC");
   for (const Note& note : gas_path_notes(c, pack, result)) {
     const bool is_of_trace = note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic";

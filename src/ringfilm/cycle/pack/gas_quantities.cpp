@@ -87,4 +87,11 @@ const GasSumQuantity& gas_sum_quantity(const char* name) {
   return *found;
 }
 
+const GasSumQuantity& leading_gas_sum() { return gas_sum_quantity("blow_by_flow"); }
+
+bool is_gas_sum(const std::string& name) {
+  const auto& table = gas_sum_quantities();
+  return std::any_of(table.begin(), table.end(), [&](const GasSumQuantity& one) { return one.name == name; });
+}
+
 }  // namespace ringfilm::cycle

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -28,5 +29,24 @@ const std::vector<GasRingQuantity>& gas_ring_quantities();      ///< of each rin
 
 /// One of gas_sum_quantities() by its name.
 const GasSumQuantity& gas_sum_quantity(const char* name);
+
+/// The one of gas_sum_quantities() that texts and pages lead with: the volume flow of the blow-by.
+const GasSumQuantity& leading_gas_sum();
+
+/// Is it the name of one of gas_sum_quantities()?
+bool is_gas_sum(const std::string& name);
+
+/// The value of a row as a number, a truth as 0 or 1; nothing where a file of an earlier version lacks it.
+template <class Row, class... Values>
+std::optional<double> number_of(const GasQuantity<Row, Values...>& quantity, const Row& row) {
+  const auto number = [](const auto& value) -> std::optional<double> {
+    if constexpr (requires { value.has_value(); }) {
+      return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
+    } else {
+      return static_cast<double>(value);
+    }
+  };
+  return std::visit([&](auto member) { return number(row.*member); }, quantity.value);
+}
 
 }  // namespace ringfilm::cycle

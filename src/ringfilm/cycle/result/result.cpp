@@ -105,13 +105,20 @@ const std::vector<CurveQuantity>& curve_quantities() {
 }
 
 const std::vector<CycleQuantity>& cycle_quantities() {
+  constexpr bool kAddsUp = true;
   using V = CycleValues;
   static const std::vector<CycleQuantity> table = {
-      {{"energy_per_cycle", "J", "J", "friction energy per cycle", "E", "eq-energy-per-cycle"}, &V::energy_per_cycle},
-      {{"mean_power_loss", "W", "W", "mean friction power", "P_mean", "eq-mean"}, &V::mean_power_loss},
-      {{"fmep", "Pa", "kPa", "friction mean effective pressure", "FMEP", "eq-fmep"}, &V::fmep},
-      {{"mean_boundary_power", "W", "W", "mean boundary friction power", "P_b", "eq-mean"}, &V::mean_boundary_power},
-      {{"mean_viscous_power", "W", "W", "mean viscous friction power", "P_v", "eq-mean"}, &V::mean_viscous_power},
+      {{"energy_per_cycle", "J", "J", "friction energy per cycle", "E", "eq-energy-per-cycle"},
+       &V::energy_per_cycle,
+       kAddsUp},
+      {{"mean_power_loss", "W", "W", "mean friction power", "P_mean", "eq-mean"}, &V::mean_power_loss, kAddsUp},
+      {{"fmep", "Pa", "kPa", "friction mean effective pressure", "FMEP", "eq-fmep"}, &V::fmep, kAddsUp},
+      {{"mean_boundary_power", "W", "W", "mean boundary friction power", "P_b", "eq-mean"},
+       &V::mean_boundary_power,
+       kAddsUp},
+      {{"mean_viscous_power", "W", "W", "mean viscous friction power", "P_v", "eq-mean"},
+       &V::mean_viscous_power,
+       kAddsUp},
       {{"mean_boundary_friction", "N", "N", "mean boundary friction", "f_b,mean", "eq-mean"},
        &V::mean_boundary_friction},
       {{"peak_boundary_friction", "N", "N", "peak boundary friction", "f_b,max", "eq-boundary-friction"},
@@ -214,6 +221,21 @@ const std::vector<CycleQuantity>& cycle_quantities() {
        &V::compression_stroke_energy},
   };
   return table;
+}
+
+const std::vector<CycleQuantity>& summed_quantities() {
+  static const std::vector<CycleQuantity> table = [] {
+    std::vector<CycleQuantity> summed;
+    for (const CycleQuantity& quantity : cycle_quantities()) {
+      if (quantity.adds_over_rings) summed.push_back(quantity);
+    }
+    return summed;
+  }();
+  return table;
+}
+
+void add_ring(const CycleValues& ring, CycleValues& pack) {
+  for (const CycleQuantity& quantity : summed_quantities()) pack.*quantity.value += ring.*quantity.value;
 }
 
 std::optional<std::size_t> cycle_quantity_index(const std::string& name) {

@@ -140,9 +140,16 @@ struct CycleValues {
 
 /// A value of the cycle and where `CycleValues` has it.
 struct CycleQuantity : Quantity {
-  double CycleValues::*value;  ///< the member that holds it
+  double CycleValues::*value;    ///< the member that holds it
+  bool adds_over_rings = false;  ///< is the sum over the rings that of the pack?
 };
 const std::vector<CycleQuantity>& cycle_quantities();  ///< in the order of files and tables
+
+/// Those that add up over the rings of a pack.
+const std::vector<CycleQuantity>& summed_quantities();
+
+/// Adds the summed_quantities() of a ring.
+void add_ring(const CycleValues& ring, CycleValues& pack);
 
 /// Index of a name in cycle_quantities(); nothing where no value of a cycle has it.
 std::optional<std::size_t> cycle_quantity_index(const std::string& name);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "ringfilm/case/accuracy.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/life/duty_table.hpp"
 #include "ringfilm/io/life/wear_table.hpp"
 #include "ringfilm/io/study/document_reader.hpp"
@@ -279,7 +280,7 @@ class LifeReader : DocumentReader {
       const TomlValue* limit = table.find(quantity.name);
       if (limit == nullptr) continue;
       const std::string key = "end_of_life." + quantity.name;
-      if (quantity.name == "blow_by_flow" && root.find("pack") == nullptr) {
+      if (cycle::is_gas_sum(quantity.name) && root.find("pack") == nullptr) {
         table.refuse(limit->key_mark, key + " needs the gas of a ring pack, and the life has none",
                      "write [pack] with, for example, case = \"pack.toml\", or limit end_gap_growth");
         continue;

@@ -7,6 +7,7 @@
 
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/life/wear_json.hpp"
+#include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
@@ -34,25 +35,19 @@ ordered_json band_object(const life::LifeState& state) {
     object[life::life_quantities()[i].name] = {band.low, band.high};
   }
   if (state.other_worn.empty()) return object;
-  const auto band = [&](const auto& value) -> ordered_json {
-    life::Band ends{value(*state.worn), value(*state.worn)};
-    for (const auto& other : state.other_worn) {
-      if (other) ends = {std::min(ends.low, value(*other)), std::max(ends.high, value(*other))};
-    }
-    return {ends.low, ends.high};
-  };
-  object["worn_area"] = band([](const life::WornProfile& worn) { return worn.worn_area; });
-  object["largest_worn_depth"] = band([](const life::WornProfile& worn) { return worn.largest_depth; });
-  if (!state.worn->blow_by_flow) return object;
-  object["blow_by_flow"] = band([](const life::WornProfile& worn) { return worn.blow_by_flow.value(); });
+  for (const life::WornQuantity& quantity : life::worn_quantities()) {
+    if (!life::value_of(quantity, *state.worn)) continue;
+    const life::Band band = life::band_of(state, quantity);
+    object[quantity.name] = {band.low, band.high};
+  }
   return object;
 }
 
-/// What is lost on another path, or with the ring turned over.
+/// What is lost, and the gas that passes then.
 void put_lost(const life::WornProfile& worn, ordered_json& object) {
-  object["worn_area"] = worn.worn_area;
-  object["largest_worn_depth"] = worn.largest_depth;
-  if (worn.blow_by_flow) object["blow_by_flow"] = *worn.blow_by_flow;
+  for (const life::WornQuantity& quantity : life::worn_quantities()) {
+    if (const auto value = life::value_of(quantity, worn)) object[quantity.name] = *value;
+  }
 }
 
 ordered_json attribution_object(const life::LifeState& state) {
@@ -66,8 +61,8 @@ ordered_json attribution_object(const life::LifeState& state) {
 
 ordered_json state_object(const LifeDocument& document, const life::LifeState& state) {
   ordered_json object = {{"hours", state.time / life::kHour}, {"standing", standing_word(state.standing)}};
-  object["worn_area"] = state.worn ? ordered_json(state.worn->worn_area) : ordered_json();
-  object["largest_worn_depth"] = state.worn ? ordered_json(state.worn->largest_depth) : ordered_json();
+  for (const char* name : {"worn_area", "largest_worn_depth"}) object[name] = nullptr;
+  if (state.worn) put_lost(*state.worn, object);
   object.update(values_object(state.values));
   object["asperity_density"] = state.ring.asperity_density;
   object["asperity_radius"] = state.ring.asperity_radius;
@@ -78,9 +73,6 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
   object["face_height"] = state.face_height;
   if (state.worn) {
     object["worn_depth"] = state.worn->depth;
-    object["end_gap_growth"] = state.worn->end_gap_growth;
-    if (state.worn->blow_by_flow) object["blow_by_flow"] = *state.worn->blow_by_flow;
-    if (state.worn->coating_left) object["coating_left"] = *state.worn->coating_left;
     if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
   }
   if (!state.least_wear.empty()) object["least_wear"] = bounds_array(state.least_wear);
@@ -105,7 +97,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     const life::OperatingPoint& point = document.file.life.points[i];
     ordered_json one = {{"name", point.name}, {"share", point.share}};
     one.update(values_object(state.points[i]));
-    if (!state.point_blow_by_flows.empty()) one["blow_by_flow"] = state.point_blow_by_flows[i];
+    if (!state.point_gas.empty()) put_gas_sums(state.point_gas[i], one);
     points.push_back(std::move(one));
   }
   return object;
@@ -120,9 +112,6 @@ ordered_json units_object() {
                         {"boundary_shear_strength_coefficient", "1"},
                         {"x", "m"},
                         {"worn_depth", "m"},
-                        {"end_gap_growth", "m"},
-                        {"blow_by_flow", cycle::gas_sum_quantity("blow_by_flow").unit},
-                        {"coating_left", "m"},
                         {"liner_worn_depth", "m"},
                         {"liner_position", "m"},
                         {"face_height", "m"},
@@ -130,7 +119,12 @@ ordered_json units_object() {
                         {"face_height_crankcase_edge", "m"}};
   units.update(bound_units());
   units.update(wear_units());
-  for (const life::LifeQuantity& quantity : life::life_quantities()) units[quantity.name] = quantity.unit;
+  const auto put = [&units](const auto& table) {
+    for (const cycle::Quantity& quantity : table) units[quantity.name] = quantity.unit;
+  };
+  put(cycle::gas_sum_quantities());
+  put(life::worn_quantities());
+  put(life::life_quantities());
   return units;
 }
 
@@ -218,19 +212,10 @@ void put_wear(ResultFileWriter& file, const LifeDocument& document) {
     depths.insert(depths.end(), state.worn->depth.begin(), state.worn->depth.end());
     liner.insert(liner.end(), state.worn->liner_depth.begin(), state.worn->liner_depth.end());
   }
-  put_over_time(file, described("worn_area", "m2", "worn cross-section of the ring", "A", "eq-life-volume"), document,
-                [](const life::LifeState& state) { return state.worn->worn_area; });
-  put_over_time(file, described("largest_worn_depth", "m", "largest worn depth of the face", "w_max"), document,
-                [](const life::LifeState& state) { return state.worn->largest_depth; });
-  put_over_time(file, described("end_gap_growth", "m", "growth of the end gap by wear"), document,
-                [](const life::LifeState& state) { return state.worn->end_gap_growth; });
-  if (document.result.states.front().worn->coating_left) {
-    put_over_time(file, described("coating_left", "m", "coating left at the deepest place"), document,
-                  [](const life::LifeState& state) { return state.worn->coating_left.value(); });
-  }
-  if (document.result.unworn_blow_by_flow) {
-    put_over_time(file, cycle::gas_sum_quantity("blow_by_flow"), document,
-                  [](const life::LifeState& state) { return state.worn->blow_by_flow.value(); });
+  for (const life::WornQuantity& quantity : life::worn_quantities()) {
+    const auto value = [&](const life::LifeState& state) { return life::value_of(quantity, *state.worn); };
+    if (!value(document.result.states.front())) continue;
+    put_over_time(file, quantity, document, [&](const life::LifeState& state) { return value(state).value(); });
   }
   file.numbers({kTime, "x"}, described("worn_depth", "m", "worn depth of the face", "w", "eq-life-archard"), depths);
   if (liner.empty()) return;

@@ -40,9 +40,13 @@ void put_units(const Quantities& quantities, ordered_json& units) {
 
 }  // namespace
 
+void put_gas_sums(const gas_path::GasSums& sums, ordered_json& object) {
+  put_values(cycle::gas_sum_quantities(), sums, object);
+}
+
 ordered_json gas_object(const PackGas& gas) {
   ordered_json object = ordered_json::object(), units = ordered_json::object();
-  put_values(cycle::gas_sum_quantities(), gas.sums, object);
+  put_gas_sums(gas.sums, object);
   object["regions"] = named_rows(cycle::gas_region_quantities(), gas.regions);
   object["ring_events"] = ordered_json::array();
   for (const PackGas::Event& event : gas.events) {

@@ -23,14 +23,25 @@ std::vector<RingSums> ring_sums(const ResultDocument& pack) {
   const std::vector<std::size_t> numbers = ring_numbers(pack);
   std::vector<RingSums> all;
   for (std::size_t i = 0; i < pack.rings.size(); ++i) {
-    if (all.empty() || all.back().ring != numbers[i]) all.push_back({numbers[i]});
-    const cycle::CycleValues& values = pack.rings[i].result.values;
-    all.back().fmep += values.fmep;
-    all.back().mean_power_loss += values.mean_power_loss;
-    all.back().energy_per_cycle += values.energy_per_cycle;
-    all.back().mean_boundary_power += values.mean_boundary_power;
+    if (all.empty() || all.back().ring != numbers[i]) all.push_back({numbers[i], {}});
+    cycle::add_ring(pack.rings[i].result.values, all.back().values);
   }
   return all;
+}
+
+const std::vector<PackOilQuantity>& pack_oil_quantities() {
+  static const std::vector<PackOilQuantity> table = {
+      {{"liner_film_after_power_stroke", "m", "um", "mean film above the first ring after the power stroke", "h_1", ""},
+       &PackOil::film_after_power_stroke},
+      {{"liner_film_after_intake_stroke", "m", "um", "mean film above the first ring after the intake stroke", "h_1",
+        ""},
+       &PackOil::film_after_intake_stroke},
+      {{"oil_left_at_tdc", "kg", "mg", "oil that the first ring leaves above it at TDC, per cycle", "m_up", ""},
+       &PackOil::left_at_tdc},
+      {{"oil_to_chamber_upper_bound", "kg", "mg", "upper bound of oil to the chamber, per cycle and cylinder", "m_c",
+        ""},
+       &PackOil::to_chamber_upper_bound}};
+  return table;
 }
 
 std::optional<PackOil> pack_oil(const ResultDocument& pack) {

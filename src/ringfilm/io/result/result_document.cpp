@@ -61,10 +61,7 @@ ResultDocument pack_document(const std::string& title, std::vector<ResultDocumen
     append_new(pack.files, ring.files, [](const auto& a, const auto& b) { return a.path == b.path; });
     append_new(pack.input_notes, ring.input_notes, std::equal_to());
     pack.result.complete = pack.result.complete && ring.result.complete;
-    for (double cycle::CycleValues::*sum :
-         {&cycle::CycleValues::fmep, &cycle::CycleValues::energy_per_cycle, &cycle::CycleValues::mean_power_loss}) {
-      pack.result.values.*sum += ring.result.values.*sum;
-    }
+    cycle::add_ring(ring.result.values, pack.result.values);
   }
   pack.rings = std::move(rings);
   return pack;

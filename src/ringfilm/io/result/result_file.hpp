@@ -41,7 +41,7 @@ struct ResultDocument {
   std::optional<study::ErrorEstimate> errors;    ///< absent where they were not asked for
   cycle::ContactCurves contact;                  ///< contact law of the case and others of its surfaces
   /// Of a ring pack the result of each ring, from the chamber down, and in place of `result` the friction of all rings
-  /// (fmep, energy_per_cycle, mean_power_loss) and whether all are complete. Empty: a case of one ring.
+  /// (cycle::summed_quantities) and whether all are complete. Empty: a case of one ring.
   std::vector<ResultDocument> rings;
   std::optional<PackGas> gas;  ///< of a pack whose gas path is computed
   long rail = 0;               ///< of an oil ring of several rails this one, from 1; 0: a ring as a whole

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/result_file_layout.hpp"
 #include "ringfilm/io/result/ring_gatherer.hpp"
 
@@ -16,6 +17,21 @@ struct VariantTable {
 };
 VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger);
 
+/// What the rings of a pack add up to, `pack_fmep` and the like, and the oil above it.
+template <class File>
+void put_pack_sums(File& file, const ResultDocument& document) {
+  for (const cycle::CycleQuantity& quantity : cycle::summed_quantities()) {
+    cycle::Quantity variable = quantity;
+    variable.name.insert(0, "pack_");
+    variable.long_name.insert(0, "all rings: ");
+    file.scalar(variable, document.result.values.*quantity.value);
+  }
+  const std::optional<PackOil> oil = pack_oil(document);
+  for (const PackOilQuantity& quantity : pack_oil_quantities()) {
+    if (oil) file.scalar(quantity, *oil.*quantity.value);
+  }
+}
+
 /// A pack: what its rings have in common, then all that they have along the dimension `ring`.
 template <class File>
 void put_pack(File& file, const ResultDocument& document) {
@@ -27,6 +43,7 @@ void put_pack(File& file, const ResultDocument& document) {
     exchange(rings, ring, variants);
   }
   rings.write(file);
+  if (document.result.complete) put_pack_sums(file, document);
 }
 
 /// All of a result, its marks as a file of ours among them, to whoever takes the calls of ResultFileWriter.

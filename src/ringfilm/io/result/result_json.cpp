@@ -106,15 +106,20 @@ ordered_json result_object(const ResultDocument& document) {
 }
 
 ordered_json oil_object(const PackOil& oil) {
-  return {{"liner_film_after_power_stroke", oil.film_after_power_stroke},
-          {"liner_film_after_intake_stroke", oil.film_after_intake_stroke},
-          {"oil_left_at_tdc", oil.left_at_tdc},
-          {"oil_to_chamber_upper_bound", oil.to_chamber_upper_bound},
-          {"units",
-           {{"liner_film_after_power_stroke", "m"},
-            {"liner_film_after_intake_stroke", "m"},
-            {"oil_left_at_tdc", "kg"},
-            {"oil_to_chamber_upper_bound", "kg"}}}};
+  ordered_json object, units;
+  for (const PackOilQuantity& quantity : pack_oil_quantities()) {
+    object[quantity.name] = oil.*quantity.value;
+    units[quantity.name] = quantity.unit;
+  }
+  object["units"] = std::move(units);
+  return object;
+}
+
+ordered_json sums_object(const cycle::CycleValues& values) {
+  ordered_json object;
+  for (const cycle::CycleQuantity& quantity : cycle::summed_quantities())
+    object[quantity.name] = values.*quantity.value;
+  return object;
 }
 
 /// The rings of a pack, and what their friction adds up to.
@@ -127,17 +132,13 @@ ordered_json pack_object(const ResultDocument& document) {
     ring.update(result_object(document.rings[i]));
     object["rings"].push_back(std::move(ring));
   }
-  const cycle::CycleValues& sum = document.result.values;
-  object["all_rings"] = {
-      {"fmep", sum.fmep}, {"energy_per_cycle", sum.energy_per_cycle}, {"mean_power_loss", sum.mean_power_loss}};
+  object["all_rings"] = sums_object(document.result.values);
   object["by_ring"] = ordered_json::array();
   for (const RingSums& one : ring_sums(document)) {
-    object["by_ring"].push_back({{"ring", one.ring},
-                                 {"fmep", one.fmep},
-                                 {"energy_per_cycle", one.energy_per_cycle},
-                                 {"mean_power_loss", one.mean_power_loss}});
+    object["by_ring"].push_back({{"ring", one.ring}});
+    object["by_ring"].back().update(sums_object(one.values));
   }
-  object["units"] = {{"fmep", "Pa"}, {"energy_per_cycle", "J"}, {"mean_power_loss", "W"}};
+  for (const cycle::Quantity& quantity : cycle::summed_quantities()) object["units"][quantity.name] = quantity.unit;
   if (const std::optional<PackOil> oil = pack_oil(document)) object["oil"] = oil_object(*oil);
   if (document.gas) object["gas"] = gas_object(*document.gas);
   object["program"] = document.provenance.program;

@@ -47,37 +47,35 @@ ordered_json gas_payload(const io::PackGas& gas) {
 }
 
 ordered_json oil_payload(const io::PackOil& oil) {
-  return {{"film_after_power_stroke", exact(oil.film_after_power_stroke)},
-          {"film_after_intake_stroke", exact(oil.film_after_intake_stroke)},
-          {"left_at_tdc", exact(oil.left_at_tdc)},
-          {"to_chamber_upper_bound", exact(oil.to_chamber_upper_bound)}};
+  ordered_json object = {{"quantities", described_all(io::pack_oil_quantities())}};
+  for (const io::PackOilQuantity& quantity : io::pack_oil_quantities()) {
+    object[quantity.name] = exact(oil.*quantity.value);
+  }
+  return object;
+}
+
+ordered_json sums_payload(const cycle::CycleValues& values) {
+  ordered_json object;
+  for (const cycle::CycleQuantity& quantity : cycle::summed_quantities()) {
+    object[quantity.name] = exact(values.*quantity.value);
+  }
+  return object;
 }
 
 }  // namespace
 
 ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case) {
   ordered_json by_ring = ordered_json::array();
-  double mean_boundary_power = 0;
   for (const io::RingSums& ring : io::ring_sums(pack)) {
-    mean_boundary_power += ring.mean_boundary_power;
-    by_ring.push_back({{"ring", ring.ring},
-                       {"values",
-                        {{"fmep", exact(ring.fmep)},
-                         {"mean_power_loss", exact(ring.mean_power_loss)},
-                         {"energy_per_cycle", exact(ring.energy_per_cycle)},
-                         {"mean_boundary_power", exact(ring.mean_boundary_power)}}}});
+    by_ring.push_back({{"ring", ring.ring}, {"values", sums_payload(ring.values)}});
   }
-  const cycle::CycleValues& sum = pack.result.values;
   const std::optional<io::PackOil> oil = io::pack_oil(pack);
   return {{"title", pack.title},
           {"n_rings", by_ring.size()},
           {"complete", pack.result.complete},
           {"first_case", first_case},
           {"ring_numbers", io::ring_numbers(pack)},
-          {"values",
-           {{"fmep", exact(sum.fmep)},
-            {"mean_power_loss", exact(sum.mean_power_loss)},
-            {"mean_boundary_power", exact(mean_boundary_power)}}},
+          {"values", sums_payload(pack.result.values)},
           {"by_ring", std::move(by_ring)},
           {"oil", oil ? oil_payload(*oil) : ordered_json(nullptr)},
           {"gas", pack.gas ? gas_payload(*pack.gas) : ordered_json(nullptr)}};

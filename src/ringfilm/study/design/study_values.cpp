@@ -27,8 +27,8 @@ Quantity renamed(const std::string& value, const std::string& name, const std::s
 }
 
 void append_pack(std::size_t n_rings, StudyValues& values) {
-  for (const char* sum : {"fmep", "mean_power_loss", "energy_per_cycle"}) {
-    values.quantities.push_back(renamed(sum, sum, "all rings: "));
+  for (const cycle::Quantity& sum : cycle::summed_quantities()) {
+    values.quantities.push_back(renamed(sum.name, sum.name, "all rings: "));
   }
   values.main = {"fmep", "mean_power_loss"};
   for (std::size_t ring = 1; ring <= n_rings; ++ring) {
@@ -42,9 +42,8 @@ void append_pack(std::size_t n_rings, StudyValues& values) {
 }
 
 void append_gas(const cycle::Case& base, StudyValues& values) {
-  values.quantities.push_back(cycle::gas_sum_quantity("blow_by_per_cycle"));
-  values.quantities.push_back(cycle::gas_sum_quantity("blow_by_flow"));
-  values.main.push_back("blow_by_flow");
+  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) values.quantities.push_back(quantity);
+  values.main.push_back(cycle::leading_gas_sum().name);
   const gas_path::Pack pack = cycle::gas_pack(base);
   const gas_path::Network network(pack, cycle::given_pressures(base));
   const std::vector<gas_path::Region>& regions = network.regions();

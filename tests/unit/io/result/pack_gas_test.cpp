@@ -112,7 +112,7 @@ TEST(PackSums, RailsAreOneRing) {
   const std::vector<RingSums> sums = ring_sums(pack);
   ASSERT_EQ(sums.size(), 2U);
   EXPECT_EQ(sums[1].ring, 2U);
-  EXPECT_DOUBLE_EQ(sums[1].fmep, 5e3);
+  EXPECT_DOUBLE_EQ(sums[1].values.fmep, 5e3);
   EXPECT_EQ(pack.rings[2].title.find("pack: ring 2"), 0U);
 }
 

@@ -3,7 +3,7 @@ import { kOnlyCase } from '../model.js';
 import { display, typeset } from '../units.js';
 import { curveStanding, hoursText } from './life_words.js';
 
-/** Quantities that have a figure, the most important first. */
+/** Quantities of the cycle that have a figure, the most important first; those of wear follow. */
 const kDrawn = [
   'mean_power_loss',
   'mean_absolute_oil_flow',
@@ -13,11 +13,6 @@ const kDrawn = [
   'min_film_thickness',
   'peak_friction_coefficient_firing',
   'mean_boundary_power',
-  'worn_area',
-  'largest_worn_depth',
-  'coating_left',
-  'end_gap_growth',
-  'blow_by_flow',
 ];
 
 const kParts = [
@@ -135,7 +130,7 @@ function howKnown(life) {
 
 export function figuresOverHours(life) {
   const isKnown = (state, name) => typeof state[name] === 'number';
-  return kDrawn
+  return [...kDrawn, ...life.worn_quantities.map((quantity) => quantity.name)]
     .filter((name) => life.states.every((state) => isKnown(state, name)))
     .map((name, k) => {
       const described = life.quantities.find((quantity) => quantity.name === name);

@@ -1,44 +1,37 @@
 // Material that a ring has lost: what a scenario gives, what measured faces allow, and their lower bounds.
 import { element } from '../dom.js';
 import { figure, table } from '../tables.js';
-import { number, withUnit } from '../units.js';
+import { display, number, withUnit } from '../units.js';
 import { hoursText } from './life_words.js';
 
 const kAreaUnit = 1e-9; // um mm
 const kMicrometre = 1e-6;
 const kMillimetre = 1e-3;
-const kLitrePerMinute = 1e-3 / 60; // [m3/s]
 
 const area = (value) => figure(withUnit(value / kAreaUnit, 'µm mm', 3));
 const depth = (value) => figure(withUnit(value / kMicrometre, 'µm', 3));
-const ends = (pair, unit, name) =>
-  figure(pair ? `${number(pair[0] / unit, 3)} to ${number(pair[1] / unit, 3)} ${name}` : '–');
+const ends = (pair, unit) => figure(pair ? `${number(pair[0], 3)} to ${withUnit(pair[1], unit, 3)}` : '–');
 
 export function wornTable(life) {
-  const hasGas = 'blow_by_flow' in life.states[0];
-  const hasBand = life.states.some((state) => state.band?.worn_area);
+  const known = life.worn_quantities
+    .filter(({ name }) => name in life.states[0])
+    .map(({ name, heading }) => ({
+      name,
+      heading,
+      ...display(life.quantities.find((quantity) => quantity.name === name)),
+    }));
+  const banded = known.filter(({ name }) => life.states.some((state) => state.band?.[name]));
   return table(
     'Material lost since the start',
     [
       'running time',
-      figure('worn area'),
-      figure('largest depth'),
-      figure('growth of the end gap'),
-      ...(hasGas ? [figure('blow-by per cylinder')] : []),
-      ...(hasBand ? [figure('worn area, band'), figure('largest depth, band')] : []),
+      ...known.map(({ heading }) => figure(heading)),
+      ...banded.map(({ heading }) => figure(`${heading}, band`)),
     ],
     life.states.map((state) => [
       hoursText(state.hours),
-      area(state.worn_area),
-      depth(state.largest_worn_depth),
-      depth(state.end_gap_growth),
-      ...(hasGas ? [figure(withUnit(state.blow_by_flow / kLitrePerMinute, 'l/min', 3))] : []),
-      ...(hasBand
-        ? [
-            ends(state.band?.worn_area, kAreaUnit, 'µm mm'),
-            ends(state.band?.largest_worn_depth, kMicrometre, 'µm'),
-          ]
-        : []),
+      ...known.map(({ name, unit, convert }) => figure(withUnit(convert(state[name]), unit, 3))),
+      ...banded.map(({ name, unit, convert }) => ends(state.band?.[name]?.map(convert), unit)),
     ]),
     { folds: true },
   );

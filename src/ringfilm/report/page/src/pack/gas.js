@@ -5,7 +5,7 @@ import { shownInput } from '../model.js';
 import { headWarning, numberCard, pageHead } from '../page_head.js';
 import { CycleGroup } from '../plot/chart.js';
 import { figure as numberCell, folded, section, table } from '../tables.js';
-import { gasSum, gasValue, kStandard } from './gas_words.js';
+import { gasSum, gasValue, kBlowBy, kStandard } from './gas_words.js';
 import { angleInWords, number, sentence, shortPath, typeset, wrapped } from '../units.js';
 import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
 import { packOfGas, regionWords } from './pack_model.js';
@@ -31,7 +31,7 @@ function operatingLine(inputs) {
 
 function firstScreen(payload) {
   const { gas, notes } = payload;
-  const mass = gasSum(gas, 'blow_by_per_cycle');
+  const mass = gasSum(gas, kBlowBy.mass);
   const below = gas.regions.find((region) => /^land/.test(region.name));
   const synthetic = payload.inputs.some(
     (entry) => entry.key === 'gas.trace_origin' && entry.shown === 'synthetic',
@@ -53,7 +53,7 @@ function firstScreen(payload) {
       { class: 'cards' },
       numberCard('Blow-by of a cylinder', number(mass.value, 3), {
         of: ` ${mass.unit} per cycle`,
-        detail: `${gasValue(gas, 'blow_by_flow')} ${kStandard}`,
+        detail: `${gasValue(gas, kBlowBy.flow)} ${kStandard}`,
       }),
       below
         ? numberCard(`Peak on ${regionWords(below.name)}`, number(below.peak_pressure / kBar, 3), {

@@ -15,9 +15,12 @@ export function gasValue(gas, name) {
 /** What blow-by by volume refers to. */
 export const kStandard = 'at 1.01325 bar and 25 °C';
 
+/** Blow-by of one cylinder, by mass and by volume. */
+export const kBlowBy = { mass: 'blow_by_per_cycle', flow: 'blow_by_flow' };
+
 /** "2.23 mg per cycle, 1.41 l/min at 1.01325 bar and 25 °C", of one cylinder. */
 export function blowByWords(gas) {
-  return `${gasValue(gas, 'blow_by_per_cycle')} per cycle, ${gasValue(gas, 'blow_by_flow')} ${kStandard}`;
+  return `${gasValue(gas, kBlowBy.mass)} per cycle, ${gasValue(gas, kBlowBy.flow)} ${kStandard}`;
 }
 
 /** A mass below this share of the largest one is rounding of the quadrature along the paths. */

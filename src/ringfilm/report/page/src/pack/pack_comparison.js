@@ -2,8 +2,8 @@
 import { kCycleRange } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
 import { figure as numberCell, table } from '../tables.js';
-import { number } from '../units.js';
-import { blowByWords, gasSum, kStandard } from './gas_words.js';
+import { display, number } from '../units.js';
+import { blowByWords, gasSum, kBlowBy, kStandard } from './gas_words.js';
 import { PackModel, regionWords } from './pack_model.js';
 
 const kMilligrams = 1e6;
@@ -67,6 +67,7 @@ export function comparisonTable(model) {
     pack.complete ? pack.by_ring.find((one) => one.ring === ring)?.values : null;
   const row = (what, cell) => [what, ...packs.map(({ pack }) => numberCell(cell(pack)))];
   const someGas = packs.find(({ pack }) => pack.gas)?.pack.gas;
+  const someOil = packs.find(({ pack }) => pack.oil)?.pack.oil;
   const ofGas = (words, name) =>
     someGas
       ? [
@@ -84,15 +85,14 @@ export function comparisonTable(model) {
     row(`pack, friction mean effective pressure [${unitOf('fmep')}]`, (pack) =>
       shown(pack.complete && pack.values, 'fmep'),
     ),
-    ...ofGas((unit) => `blow-by [${unit} per cycle and cylinder]`, 'blow_by_per_cycle'),
-    ...ofGas((unit) => `blow-by [${unit} per cylinder, ${kStandard}]`, 'blow_by_flow'),
-    ...(packs.some(({ pack }) => pack.oil)
-      ? [
-          row('oil to the chamber, upper bound [mg per cycle and cylinder]', ({ oil }) =>
-            oil ? number(oil.to_chamber_upper_bound * kMilligrams, 3) : '–',
-          ),
-        ]
-      : []),
+    ...ofGas((unit) => `blow-by [${unit} per cycle and cylinder]`, kBlowBy.mass),
+    ...ofGas((unit) => `blow-by [${unit} per cylinder, ${kStandard}]`, kBlowBy.flow),
+    ...(someOil?.quantities ?? []).map((quantity) => {
+      const { unit, convert } = display(quantity);
+      return row(`${quantity.long_name} [${unit}]`, ({ oil }) =>
+        oil ? number(convert(oil[quantity.name]), 3) : '–',
+      );
+    }),
   ];
   const head = (text) => ({ text, attributes: { class: 'number' } });
   return table('Friction and blow-by of the packs', ['what', ...packs.map(({ name }) => head(name))], rows, {

@@ -106,24 +106,22 @@ export class PackDrawing {
   }
 }
 
-/** Friction of each ring and of the pack. */
+/** Friction of each ring and of the pack, with a column for each value that adds up. */
 export function ringTable({ pack, model }) {
-  const power = model.value(pack, 'mean_power_loss');
-  const fmep = model.value(pack, 'fmep');
-  const row = (name, values) => [
-    name,
-    numberCell(number(model.value({ values }, 'mean_power_loss').value, 4)),
-    numberCell(number(model.value({ values }, 'fmep').value, 4)),
+  const names = Object.keys(pack.values);
+  const row = (what, values) => [
+    what,
+    ...names.map((name) => numberCell(number(model.value({ values }, name).value, 4))),
     numberCell(`${number((100 * values.mean_power_loss) / pack.values.mean_power_loss, 3)} %`),
     numberCell(withUnit(boundaryPowerShare(values), '%', 3)),
   ];
   const head = (text) => ({ text, attributes: { class: 'number' } });
+  const heading = ({ longName, unit }) => head(`${longName} [${unit}]`);
   return table(
     'Friction by ring',
     [
       'ring',
-      head(`mean friction power [${power.unit}]`),
-      head(`friction mean effective pressure [${fmep.unit}]`),
+      ...names.map((name) => heading(model.value(pack, name))),
       head('share in the pack'),
       head('boundary friction in the power'),
     ],
@@ -177,12 +175,14 @@ export function packSentences({ pack }) {
   const { gas, oil } = pack;
   const sentences = [];
   if (gas) sentences.push(`Blow-by per cylinder: ${blowByWords(gas)}.`);
-  if (oil)
+  if (oil) {
+    const shown = oil.quantities.map((quantity) => {
+      const { unit, convert } = display(quantity);
+      return `${quantity.long_name} ${withUnit(convert(oil[quantity.name]), unit, 3)}`;
+    });
     sentences.push(
-      `Oil on the liner above the first ring: ${number(oil.film_after_power_stroke * 1e6, 3)} µm after the power ` +
-        `stroke, ${number(oil.film_after_intake_stroke * 1e6, 3)} µm after the intake stroke. Upper bound of oil to ` +
-        `the chamber: ${number(oil.to_chamber_upper_bound * 1e6, 3)} mg per cycle, all that the first ring leaves ` +
-        'there on its downstrokes.',
+      `Oil on the liner: ${shown.join('; ')}. The bound is all that the first ring leaves there on its downstrokes.`,
     );
+  }
   return [...sentences.map((words) => element('p', { class: 'how' }, words)), gasTables(gas)];
 }

@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
+#include "ringfilm/io/life/life_output.hpp"
+#include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/pack_sums.hpp"
+#include "ringfilm/io/result/result_document.hpp"
+#include "ringfilm/io/result/result_json.hpp"
+#include "ringfilm/report/html.hpp"
+#include "ringfilm/report/life_page.hpp"
+
+/// Each output has each member of the records of a pack, of its gas and of a life. Python reads the JSON.
+namespace ringfilm::report {
+namespace {
+
+using nlohmann::ordered_json;
+
+gas_path::GasPathResult gas_of_two_regions() {
+  gas_path::GasPathResult gas;
+  gas.duration = 0.08;
+  gas.regions = {{"chamber", 1e6, 10, 2e5}, {"crankcase", 1e5, 0, 1e5}};
+  gas.paths = {{gas_path::PathKind::kEndGap, 0, 0, 1}};
+  gas.transported = {1e-6};
+  gas.back = {1e-7};
+  gas.motion.resize(1);
+  gas.motion[0] = {true, 2, true, -12.5, 30, 0.25, 1e-3, 40, 0.5};
+  return gas;
+}
+
+io::ResultDocument pack_of_two_rings() {
+  io::ResultDocument ring;
+  ring.inputs.push_back({"engine.bore", "0.1", "100 mm", false, "", 0.1});
+  for (const auto& quantity : cycle::cycle_quantities()) ring.result.values.*quantity.value = 1.5;
+  ring.result.derived["oil_density"] = 800;
+  cycle::StrokeProfile& stroke = ring.result.stroke;
+  stroke.liner_position = {0.02, 0.04};
+  for (auto* films : {&stroke.film_ahead, &stroke.film_behind}) films->fill({1e-6, 2e-6});
+  io::ResultDocument pack = io::pack_document("a pack", {ring, ring});
+  pack.gas = io::pack_gas(gas_of_two_regions(), 287);
+  return pack;
+}
+
+io::LifeDocument life_of_one_state() {
+  io::LifeDocument document;
+  document.file.life.points.resize(1);
+  life::LifeState& state = document.result.states.emplace_back();
+  state.x = {0, 1e-3};
+  state.face_height = {0, 1e-6};
+  state.values.assign(life::life_quantities().size(), 1.5);
+  state.points = {state.values};
+  state.point_gas = {gas_path::gas_sums(gas_of_two_regions(), 287)};
+  state.worn = life::worn_profile({1e-6, 2e-6}, 1.5e-9, 20e-6);
+  state.worn->blow_by = 1e-5;
+  state.other_paths = {state.values};
+  state.other_worn = {state.worn};
+  document.result.other_paths.resize(1);
+  return document;
+}
+
+template <class Quantities, class Check>
+void expect_each(const Quantities& quantities, const Check& has) {
+  for (const cycle::Quantity& quantity : quantities) EXPECT_TRUE(has(quantity.name)) << quantity.name;
+}
+
+auto in_object(const ordered_json& object) {
+  return [&object](const std::string& name) { return object.contains(name) && !object[name].is_null(); };
+}
+
+/// Names of variables are plain text in NetCDF-4.
+auto in_text(const std::string& text, const std::string& before) {
+  return [&text, before](const std::string& name) { return text.find(before + name) != std::string::npos; };
+}
+
+/// A description of a quantity in the data of a page.
+auto on_page(const std::string& page) {
+  return [&page](const std::string& name) { return page.find("\"name\":\"" + name + "\"") != std::string::npos; };
+}
+
+TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
+  const io::ResultDocument pack = pack_of_two_rings();
+  const ordered_json json = ordered_json::parse(io::result_json(pack));
+  expect_each(cycle::summed_quantities(), in_object(json["all_rings"]));
+  expect_each(cycle::summed_quantities(), in_object(json["by_ring"][1]));
+  expect_each(cycle::summed_quantities(), in_object(json["units"]));
+  expect_each(io::pack_oil_quantities(), in_object(json["oil"]));
+  expect_each(cycle::gas_sum_quantities(), in_object(json["gas"]));
+  expect_each(cycle::gas_ring_quantities(), in_object(json["gas"]["ring_motion"][0]));
+  expect_each(cycle::gas_path_quantities(), in_object(json["gas"]["paths"][0]));
+  expect_each(cycle::gas_region_quantities(), in_object(json["gas"]["regions"][0]));
+
+  const std::string file = io::result_bytes(pack);
+  expect_each(cycle::summed_quantities(), in_text(file, "pack_"));
+  expect_each(io::pack_oil_quantities(), in_text(file, ""));
+  expect_each(cycle::gas_sum_quantities(), in_text(file, ""));
+  expect_each(cycle::gas_ring_quantities(), in_text(file, "gas_ring_"));
+  expect_each(cycle::gas_path_quantities(), in_text(file, "gas_path_"));
+  expect_each(cycle::gas_region_quantities(), in_text(file, "gas_region_"));
+
+  const std::string page = report_page({pack}, {});
+  expect_each(io::pack_oil_quantities(), on_page(page));
+  expect_each(cycle::gas_sum_quantities(), on_page(page));
+  expect_each(cycle::gas_ring_quantities(), on_page(page));
+  expect_each(cycle::gas_path_quantities(), on_page(page));
+  expect_each(cycle::gas_region_quantities(), on_page(page));
+  const std::size_t by_ring = page.find("\"by_ring\":[");
+  const std::string sums = page.substr(by_ring, page.find(']', by_ring) - by_ring);
+  expect_each(cycle::summed_quantities(), in_text(sums, "\""));
+}
+
+TEST(EveryMember, OfALifeIsInEachOutput) {
+  const io::LifeDocument document = life_of_one_state();
+  const ordered_json json = ordered_json::parse(io::life_json(document)), &state = json["states"][0];
+  for (const ordered_json& object : {state, state["band"], json["units"]}) {
+    expect_each(life::life_quantities(), in_object(object));
+    expect_each(life::worn_quantities(), in_object(object));
+  }
+  expect_each(life::life_quantities(), in_object(state["points"][0]));
+  expect_each(cycle::gas_sum_quantities(), in_object(state["points"][0]));
+
+  const std::string path = testing::TempDir() + "every_member_life.nc";
+  io::write_life(path, document);
+  std::ifstream stream(path, std::ios::binary);
+  const std::string file{std::istreambuf_iterator<char>(stream), {}};
+  std::remove(path.c_str());
+  expect_each(life::life_quantities(), in_text(file, ""));
+  expect_each(life::worn_quantities(), in_text(file, ""));
+
+  const std::string page = life_page(document);
+  expect_each(life::life_quantities(), on_page(page));
+  expect_each(life::worn_quantities(), on_page(page));
+}
+
+}  // namespace
+}  // namespace ringfilm::report
