@@ -35,18 +35,25 @@ class Progress : public run::Observer {
 
 }  // namespace
 
-py::object run_case(CaseObject& self, const py::object& progress, const run::Options& options) {
+py::object run_case(CaseObject& self, const py::object& progress, run::Options options) {
   self.check();
   const cycle::Case input = self.value();  // another thread may change the case meanwhile
   Progress observer(progress);
+  options.describe = options.ledger || options.error_estimate || input.solver.accuracy.has_value();
   run::Outcome done;
   {
     const py::gil_scoped_release others_go_on;
     done = run::run_case(input, options, &observer);
   }
-  py::object result = input.problem == cycle::Problem::kPad
-                          ? py::cast(std::make_unique<PadObject>(std::get<io::PadDocument>(std::move(done.result))))
-                          : result_object(std::get<io::ResultDocument>(std::move(done.result)));
+  py::object result;
+  if (input.problem == cycle::Problem::kPad) {
+    result = py::cast(std::make_unique<PadObject>(std::get<io::PadDocument>(std::move(done.result))));
+  } else {
+    auto document = std::get<io::ResultDocument>(std::move(done.result));
+    result = done.input ? py::cast(std::make_unique<ResultObject>(*std::move(done.input), std::move(document.result),
+                                                                  std::move(document.provenance)))
+                        : result_object(std::move(document));
+  }
   if (done.stopped) raise_convergence(*done.stopped, result);
   return result;
 }

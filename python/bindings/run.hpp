@@ -6,6 +6,6 @@
 namespace ringfilm::python {
 
 /// Runs a case without the interpreter lock; looks for Ctrl-C and calls `progress` now and then.
-py::object run_case(CaseObject& self, const py::object& progress, const run::Options& options);
+py::object run_case(CaseObject& self, const py::object& progress, run::Options options);
 
 }  // namespace ringfilm::python

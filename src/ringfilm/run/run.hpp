@@ -22,6 +22,9 @@ struct Options {
   bool ledger = false;          ///< the other choice for every assumption that can be lifted
   bool error_estimate = false;  ///< other grids; where solver.accuracy is stated they are computed all the same
   int threads = 0;              ///< for both; 0: as many as the machine runs at once
+  /// Does the document of one ring describe its case: inputs, contact curves, assumptions? That takes as long as a
+  /// cycle. Else Outcome::input has it, for io::result_document.
+  bool describe = true;
 };
 
 /// Receives how far a run is; may be slow; what it throws ends the work.
@@ -37,12 +40,14 @@ struct Request {
   std::string name;             ///< for the progress
   bool ledger = false;          ///< as in Options
   bool error_estimate = false;  ///< as in Options
+  bool describe = true;         ///< as in Options
 };
 
 /// One engine cycle, and why its integration stopped early if it did; the document then holds all up to there.
 struct CycleOutcome {
   io::ResultDocument document;
   std::optional<ConvergenceError> stopped;
+  std::optional<cycle::Case> input;  ///< of one ring that the document does not describe, with its gas
 };
 
 /// Integrates each case, then all that ledgers and error estimates require in one batch. A pack is computed with its
@@ -58,6 +63,7 @@ using Result = std::variant<io::ResultDocument, io::PadDocument, io::GasPathDocu
 struct Outcome {
   Result result;                            ///< what was found; where a cycle or a pad stopped, all up to there
   std::optional<ConvergenceError> stopped;  ///< why it did
+  std::optional<cycle::Case> input;         ///< as in CycleOutcome
 };
 
 /// Computes a case, whatever its problem. Same case, same bits.

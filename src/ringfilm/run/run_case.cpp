@@ -25,9 +25,9 @@ io::PadDocument pad_document(const cycle::Case& c, pad::PadResult result) {
 Outcome pad_outcome(const cycle::Case& c, Observer* observer, const std::string& name) {
   if (observer != nullptr) observer->begins(name);
   try {
-    return {pad_document(c, pad::solve_pad(c, observer)), std::nullopt};
+    return {pad_document(c, pad::solve_pad(c, observer)), std::nullopt, std::nullopt};
   } catch (const pad::StoppedPad& stop) {
-    return {pad_document(c, stop.result), stop};
+    return {pad_document(c, stop.result), stop, std::nullopt};
   }
 }
 
@@ -41,14 +41,15 @@ io::GasPathDocument gas_outcome(const cycle::Case& c) {
 Outcome run_case(const cycle::Case& c, const Options& options, Observer* observer, const std::string& name) {
   const bool is_gas = c.purpose == cycle::CasePurpose::kGasPath;
   if (c.problem == cycle::Problem::kCycle && !is_gas) {
-    CycleOutcome cycle =
-        std::move(run_cycles({{c, name, options.ledger, options.error_estimate}}, options.threads, observer).front());
-    return {std::move(cycle.document), std::move(cycle.stopped)};
+    CycleOutcome cycle = std::move(
+        run_cycles({{c, name, options.ledger, options.error_estimate, options.describe}}, options.threads, observer)
+            .front());
+    return {std::move(cycle.document), std::move(cycle.stopped), std::move(cycle.input)};
   }
   refuse_options(options);
   if (c.problem == cycle::Problem::kPad) return pad_outcome(c, observer, name);
-  if (c.problem == cycle::Problem::kClosure) return {cycle::static_closure(c), std::nullopt};
-  return {gas_outcome(c), std::nullopt};
+  if (c.problem == cycle::Problem::kClosure) return {cycle::static_closure(c), std::nullopt, std::nullopt};
+  return {gas_outcome(c), std::nullopt, std::nullopt};
 }
 
 }  // namespace ringfilm::run

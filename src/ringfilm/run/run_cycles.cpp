@@ -98,7 +98,7 @@ void add_inquiries(Rings& rings, int threads, Observer* observer) {
     if (document.ledger_computed) {
       const auto variants = taken(inquiries[i].ledger.cases.size());
       document.ledger = study::ledger(std::move(inquiries[i].ledger), variants, document.result.values);
-    } else {
+    } else if (!all[i].input) {
       document.ledger = study::assumptions(requested[i].input);
     }
   }
@@ -128,7 +128,13 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
     if (!are_together && ring.input.solver.accuracy) ring.error_estimate = true;
     CycleOutcome& done = rings.outcomes.emplace_back();
     if (outcomes[i].stop) done.stopped = ConvergenceError(outcomes[i].stop->message, outcomes[i].stop->crank_angle_deg);
-    done.document = io::result_document(ring.input, std::move(outcomes[i].result));
+    if (requested.describe || of.n_rings > 0) {
+      done.document = io::result_document(ring.input, std::move(outcomes[i].result));
+    } else {
+      done.document.result = std::move(outcomes[i].result);
+      done.document.provenance = io::this_run();
+      done.input = ring.input;
+    }
   }
 }
 
