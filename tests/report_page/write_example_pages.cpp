@@ -65,7 +65,12 @@ ringfilm::io::ResultDocument pack_with_gas() {
   motion.largest_static_twist_angle_deg = 20;
   motion.twisted_share = 0.2;
   gas.motion = {motion};
-  gas.sums = {2e-6, 2.1e-5, 1e-16, 1e-9, 4, true, 1};
+  gas.sums.blow_by_per_cycle = 2e-6;
+  gas.sums.blow_by_flow = 2.1e-5;
+  gas.sums.mass_defect = 1e-16;
+  gas.sums.cycles_integrated = 4;
+  gas.sums.periodic = true;
+  gas.sums.period_in_cycles = 1;
   for (int k = 0; k < 720; ++k) {
     const double p = samples[k].gas_pressure;
     gas.crank_angle_deg.push_back(k);

@@ -81,6 +81,9 @@ void gas(const GasOptions& options) {
   if (!options.varied.empty()) return gas_of_variations(options, input);
   check_output(options.csv, "--csv", OutputKind::kCsv, input);
   check_output(options.output, "--output", OutputKind::kNetcdf, input);
+  if (options.output && options.csv && is_same_file(*options.output, *options.csv)) {
+    throw InputError(*options.csv + ": --output and --csv name the same file", "name two files");
+  }
   const std::vector<io::OutputClaim> claimed = claims({options.csv, options.output});
   const auto document = std::get<io::GasPathDocument>(run::run_case(input).result);
   if (options.output) io::write_gas_path(*options.output, document);

@@ -129,7 +129,9 @@ std::string end_lines(const io::LifeDocument& document) {
   std::string text;
   for (std::size_t i = 0; i < document.result.ends.size(); ++i) {
     const life::EndRule& rule = document.file.life.end_rules[i];
-    text += fmt::format("end of life by {}: {}", rule.quantity, when(document.result.ends[i].time));
+    const life::EndOfLife& end = document.result.ends[i];
+    text += fmt::format("end of life by {}: {}", rule.quantity, when(end.time));
+    if (end.starts_above) text += *end.starts_above ? ", starts above the limit" : ", starts below the limit";
     for (std::size_t k = 0; k < document.result.ends[i].other_paths.size(); ++k) {
       text +=
           fmt::format("; {}: {}", document.result.other_paths[k].name, when(document.result.ends[i].other_paths[k]));

@@ -118,9 +118,13 @@ std::vector<EndOfLife> ends_of_life(const Life& life, const LifeResult& result) 
   std::vector<EndOfLife> ends;
   for (const EndRule& rule : life.end_rules) {
     const auto index = life_quantity_index(rule.quantity);
+    std::optional<bool> starts_above;  // on the path of the life, which is asked first
     const auto when = [&](const std::optional<WearThrough>& through, const StateOnPath& on_path) {
       const Series series =
           index ? cycle_series(result, on_path, *index) : worn_series(result, on_path, through, rule.quantity);
+      if (!starts_above && !series.values.empty() && !std::isnan(series.values.front())) {
+        starts_above = series.values.front() > rule.limit;
+      }
       return reaching_time(series.times, series.values, rule.limit);
     };
     EndOfLife end;
@@ -132,6 +136,7 @@ std::vector<EndOfLife> ends_of_life(const Life& life, const LifeResult& result) 
     end.turned = when(wear.turned_worn_through, [](const LifeState& state) {
       return OnPath{state.turned, state.turned_worn ? state.turned_worn : state.worn};
     });
+    end.starts_above = starts_above;
     ends.push_back(std::move(end));
   }
   return ends;

@@ -81,6 +81,7 @@ struct EndOfLife {
   std::optional<double> time;                      ///< on the life's own path, or in its scenario [s]
   std::vector<std::optional<double>> other_paths;  ///< on each of LifeResult::other_paths [s]
   std::optional<double> turned;                    ///< with the ring turned over [s]
+  std::optional<bool> starts_above;                ///< is the value above the limit at the start? Nothing: not known
 };
 
 /// Wear coefficients that measured faces allow, by their lower bounds with more and less of the edges trusted.

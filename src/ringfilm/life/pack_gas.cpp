@@ -114,11 +114,22 @@ void PackGas::put_blow_by(WornProfile& worn) {
   }
 }
 
-std::vector<cycle::Note> PackGas::notes() const {
-  if (n_not_periodic_ == 0) return {};
-  return {{"gas-path-not-periodic",
-           "the gas of the pack does not repeat from cycle to cycle at some of the operating points and end gaps",
-           n_not_periodic_}};
+std::vector<cycle::Note> PackGas::notes() {
+  std::vector<cycle::Note> notes;
+  for (std::size_t i = 0; life_.pack && i < life_.points.size(); ++i) {
+    const PointGas& unworn = gas(i, 0);
+    for (cycle::Note& note : cycle::ring_motion_notes(life_.pack->input, unworn.result)) {
+      note.message = "the gas of the pack, " + life_.points[i].name + ": " + note.message;
+      notes.push_back(std::move(note));
+    }
+  }
+  if (n_not_periodic_ > 0) {
+    notes.push_back(
+        {"gas-path-not-periodic",
+         "the gas of the pack does not repeat from cycle to cycle at some of the operating points and end gaps",
+         n_not_periodic_});
+  }
+  return notes;
 }
 
 }  // namespace ringfilm::life

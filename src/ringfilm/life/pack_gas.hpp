@@ -31,7 +31,7 @@ class PackGas {
   /// open the gap
   void put_blow_by(WornProfile& worn);
 
-  std::vector<cycle::Note> notes() const;  ///< on the gas that was computed
+  std::vector<cycle::Note> notes();  ///< on the gas that was computed, and on the rings before they are worn
 
  private:
   /// At an operating point with one end gap.

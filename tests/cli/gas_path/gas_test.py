@@ -138,6 +138,15 @@ class GasTest(program.ProgramTest):
             self.assertAlmostEqual(one["mass_per_cycle"] * 1e6, other["mass_per_cycle"] * 1e6, delta=5e-3)
         self.assertAlmostEqual(found["blow_by_per_cycle"] / computed["blow_by_per_cycle"], 1, delta=2e-3)
 
+    def test_one_file_for_two_outputs_is_refused(self):
+        done = self.run_program("gas", "pack.toml", "-o", "same", "--csv", "same")
+        self.assert_refused(done, "--output and --csv name the same file")
+
+    def test_a_trace_that_was_computed_is_noted(self):
+        shipped = str(program.SOURCES / "cases" / "ring-pack" / "two_rings.toml")
+        found = json.loads(self.run_well("gas", shipped, "--json"))
+        self.assertEqual([note["topic"] for note in found["notes"]], ["synthetic-trace", "ring-unseated"])
+
     def test_values_that_vary_are_combined(self):
         varied = ("--vary", "operating.speed=1000 rpm, 3000 rpm", "--vary", "ring.1.gap_area=0.05 mm2, 0.08 mm2")
         self.run_well("gas", "pack.toml", *varied, "--csv", "map.csv")

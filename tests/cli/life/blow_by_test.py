@@ -106,6 +106,7 @@ class BlowBy(life_test.LifeTest):
         first, last = self.gas(0.3), self.scenario(text=hours)["states"][0]["blow_by_flow"]
         limit = (0.75 * first + 0.25 * last) / kLitrePerMinute
         (end,) = self.scenario(f'[end_of_life]\nblow_by_flow = "{limit!r} l/min"\n', hours)["end_of_life"]
+        self.assertEqual(end["starts"], "below")
         self.assertAlmostEqual(end["hours"], 1, delta=1e-5)
 
     def test_operating_points_have_theirs_and_the_duty_has_the_mean(self):

@@ -449,6 +449,11 @@ void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std:
   GasNotes(c, cylinder, notes).append();
 }
 
+void append_origin_note(const Case& c, std::vector<Note>& notes) {
+  if (c.gas.model != GasModel::kTrace || c.gas.trace_origin != TraceOrigin::kSynthetic) return;
+  notes.push_back({kSyntheticTrace, "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
+}
+
 std::optional<std::string> kept_pressure(const std::vector<const Case*>& cases) {
   if (cases.empty()) return std::nullopt;
   const Case& first = *cases.front();

@@ -30,6 +30,11 @@ bool contradicts_intake(const TraceStart& start);
 /// @param cylinder the pressure of the whole cycle
 void append_gas_notes(const Case& c, const models::CyclePressure& cylinder, std::vector<Note>& notes);
 
+inline constexpr const char* kSyntheticTrace = "synthetic-trace";
+
+/// The note on a trace that was not measured.
+void append_origin_note(const Case& c, std::vector<Note>& notes);
+
 /// Where the speed of these cases changes by more than a quarter and the cylinder pressure stays the same, which is
 /// that of one speed and load: what an engine has there. Nothing where a pressure differs or shows no compression.
 /// @param cases those of operating points or scenarios, each of one ring or a pack

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/cycle/checks/gas_plausibility.hpp"
 #include "ringfilm/cycle/checks/limits.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/film/load_balance.hpp"
@@ -389,9 +390,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
                           shear_rate(*fastest), fastest->crank_angle_deg),
                      count(base, [](const Sample& s) { return shear_rate(s) > kNewtonianUpTo; })});
   }
-  if (setup.input.gas.model == GasModel::kTrace && setup.input.gas.trace_origin == TraceOrigin::kSynthetic) {
-    notes.push_back({"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1});
-  }
+  append_origin_note(setup.input, notes);
   append_limit_notes(setup, base, fmep, notes);
   append_asperity_notes(setup, base, notes);
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);

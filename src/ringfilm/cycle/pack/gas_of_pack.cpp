@@ -145,7 +145,8 @@ CaseWithGas solve_gas_of_case(Case c) {
                   number_text(volume_flow(result, pack.gas.gas_constant) / gas_path::kLitrePerMinute) +
                   " l/min at 1.01325 bar and 25 degC");
   for (const Note& note : gas_path_notes(c, pack, result)) {
-    const bool is_of_trace = note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic";
+    const bool is_of_trace =
+        note.topic == kSyntheticTrace || (note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic");
     if (!is_of_trace) notes.push_back(note.message);
   }
   return {std::move(c), std::move(result)};
@@ -156,7 +157,8 @@ Case with_gas_path(Case c) { return solve_gas_of_case(std::move(c)).input; }
 namespace {
 
 /// What acts on a ring along the bore, with its verb.
-std::string pressing(const gas_path::Ring& ring) {
+std::string pressing(const Case& c, std::size_t i) {
+  const gas_path::Ring ring = gas_pack(c).rings[i];
   const bool has_inertia = ring.mass > 0, rubs = ring.bore_friction_coefficient > 0;
   if (!has_inertia && !rubs) return "gas (ring.mass is not stated) presses it";
   return std::string(has_inertia && rubs ? "gas, inertia and friction"
@@ -167,13 +169,8 @@ std::string pressing(const gas_path::Ring& ring) {
 
 }  // namespace
 
-std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
+std::vector<Note> ring_motion_notes(const Case& c, const gas_path::GasPathResult& result) {
   std::vector<Note> notes;
-  append_gas_notes(c, pack.chamber, notes);
-  const auto is_oil_ring = [](const gas_path::Ring& ring) { return ring.kind == RingKind::kOil; };
-  if (std::none_of(pack.rings.begin(), pack.rings.end(), is_oil_ring)) {
-    notes.push_back({"oil-ring-missing", "the pack has no oil ring: the crankcase is below its last ring", 1});
-  }
   std::vector<std::size_t> fluttering;
   for (std::size_t i = 0; i < result.motion.size(); ++i) {
     if (result.motion[i].flutters) fluttering.push_back(i + 1);
@@ -187,13 +184,25 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
     const gas_path::RingMotionValues& ring = result.motion[i];
     if (!ring.has_groove || ring.least_seating_force > -kLargeLift) continue;
     notes.push_back({"ring-unseated",
-                     "ring " + std::to_string(i + 1) + " is kept on its lower flank, off which " +
-                         pressing(pack.rings[i]) + " over " + std::to_string(std::lround(100 * ring.unseated_share)) +
+                     "ring " + std::to_string(i + 1) + " is kept on its lower flank, off which " + pressing(c, i) +
+                         " over " + std::to_string(std::lround(100 * ring.unseated_share)) +
                          " % of the cycle, with up to " + number_text(std::round(-ring.least_seating_force)) +
                          " N (at " + number_text(ring.least_seating_force_angle_deg) +
                          " degree): gas_path.ring_motion = \"axial\" computes when it leaves, and the blow-by then",
                      1});
   }
+  return notes;
+}
+
+std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
+  std::vector<Note> notes;
+  append_gas_notes(c, pack.chamber, notes);
+  append_origin_note(c, notes);
+  const auto is_oil_ring = [](const gas_path::Ring& ring) { return ring.kind == RingKind::kOil; };
+  if (std::none_of(pack.rings.begin(), pack.rings.end(), is_oil_ring)) {
+    notes.push_back({"oil-ring-missing", "the pack has no oil ring: the crankcase is below its last ring", 1});
+  }
+  for (Note& note : ring_motion_notes(c, result)) notes.push_back(std::move(note));
   if (!result.repeats) {
     const std::string when =
         result.period > 0 ? "it repeats every " + std::to_string(result.period) +

@@ -33,7 +33,10 @@ CaseWithGas solve_gas_of_case(Case c);
 /// Likewise, without what the gas does.
 Case with_gas_path(Case c);
 
-/// Notes on the gas of a pack: those of its cylinder pressure, rings that flutter, cycles that do not repeat.
+/// Notes on rings that flutter, or that are kept on flanks off which they are pressed.
+std::vector<Note> ring_motion_notes(const Case& c, const gas_path::GasPathResult& result);
+
+/// Notes on the gas of a pack: those of its cylinder pressure, its rings, cycles that do not repeat.
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result);
 
 }  // namespace ringfilm::cycle

@@ -134,6 +134,7 @@ ordered_json ends_array(const LifeDocument& document) {
     const life::EndRule& rule = document.file.life.end_rules[i];
     const life::EndOfLife& end = document.result.ends[i];
     ordered_json object = {{"quantity", rule.quantity}, {"limit", rule.limit}, {"hours", hours_or_null(end.time)}};
+    if (end.starts_above) object["starts"] = *end.starts_above ? "above" : "below";
     for (std::size_t k = 0; k < end.other_paths.size(); ++k) {
       object["interpolations"][document.result.other_paths[k].name] = hours_or_null(end.other_paths[k]);
     }

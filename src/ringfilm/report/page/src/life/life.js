@@ -26,7 +26,9 @@ const reached = (hours) =>
 function limitCards(life) {
   return (life.end_of_life ?? []).map((end) =>
     numberCard(`Limit: ${longName(life, end.quantity)}`, reached(end.hours), {
-      detail: shown(life, end.quantity, { [end.quantity]: end.limit }),
+      detail: `${shown(life, end.quantity, { [end.quantity]: end.limit })}${
+        end.starts ? `, starts ${end.starts} it` : ''
+      }`,
     }),
   );
 }
