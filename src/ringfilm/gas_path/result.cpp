@@ -29,7 +29,6 @@ GasSums gas_sums(const GasPathResult& result, double gas_constant) {
   sums.cycles_integrated = result.cycles;
   sums.periodic = result.repeats;
   sums.period_in_cycles = result.period;
-  sums.flank_changes = static_cast<long>(result.events.size());
   return sums;
 }
 

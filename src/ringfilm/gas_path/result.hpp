@@ -87,7 +87,6 @@ struct GasSums {
   std::optional<long> cycles_integrated;  ///< GasPathResult::cycles
   std::optional<bool> periodic;           ///< GasPathResult::repeats
   std::optional<long> period_in_cycles;   ///< GasPathResult::period
-  std::optional<long> flank_changes;      ///< GasPathResult::events
 };
 
 /// A path over the cycle. A file of an earlier version lacks what is optional.

@@ -1,7 +1,6 @@
 #include "ringfilm/life/life_result.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
@@ -23,7 +22,6 @@ const std::vector<WornQuantity>& worn_quantities() {
       {{"end_gap_growth", "m", "mm", "growth of the end gap", "", "eq-life-gap"},
        "growth of the end gap",
        &WornProfile::end_gap_growth},
-      {{"mean_worn_depth", "m", "um", "mean worn depth of the face", "", ""}, "mean depth", &WornProfile::mean_depth},
       {cycle::leading_gas_sum(), "blow-by per cylinder", &WornProfile::blow_by}};
   return table;
 }
@@ -36,7 +34,6 @@ WornProfile worn_profile(std::vector<double> depth, double area, std::optional<d
   WornProfile worn;
   worn.worn_area = area;
   worn.largest_depth = *std::max_element(depth.begin(), depth.end());
-  worn.mean_depth = std::accumulate(depth.begin(), depth.end(), 0.0) / static_cast<double>(depth.size());
   worn.end_gap_growth = end_gap_growth(worn.largest_depth);
   if (coating) worn.coating_left = *coating - worn.largest_depth;
   worn.depth = std::move(depth);

@@ -21,7 +21,6 @@ struct WornProfile {
   double largest_depth = 0;   ///< [m]
   double end_gap_growth = 0;  ///< 2 pi times the largest depth: by how much the ends of the ring move apart [m]
   std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
-  double mean_depth = 0;               ///< over the width of the face [m]
   std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
   /// Of the pack with its end gap as worn, mean over the duty [m3/s]; nothing without a pack.
   std::optional<double> blow_by;

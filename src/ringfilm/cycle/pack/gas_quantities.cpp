@@ -23,9 +23,7 @@ const std::vector<GasSumQuantity>& gas_sum_quantities() {
        &GasSums::periodicity_error},
       {{"periodic", "1", "1", "1 where gas and rings repeat from cycle to cycle", "", ""}, &GasSums::periodic},
       {{"period_in_cycles", "1", "1", "cycles after which gas and rings repeat, 0: never", "", ""},
-       &GasSums::period_in_cycles},
-      {{"flank_changes", "1", "1", "changes of flank contact of all rings in a cycle", "", "eq-ring-acceleration"},
-       &GasSums::flank_changes}};
+       &GasSums::period_in_cycles}};
   return table;
 }
 
