@@ -15,7 +15,7 @@ namespace ringfilm::cycle {
 namespace {
 
 /// Angles closer than this are the same [degree].
-constexpr double kSameAngle = 1e-9;
+constexpr double kSameSample = 1e-9;
 
 std::vector<double> requested_angles(const Output& output) {
   if (!output.crank_angles_deg.empty()) return output.crank_angles_deg;
@@ -25,7 +25,7 @@ std::vector<double> requested_angles(const Output& output) {
   return angles;
 }
 
-bool is_multiple(double angle, double step) { return std::abs(std::remainder(angle, step)) < kSameAngle; }
+bool is_multiple(double angle, double step) { return std::abs(std::remainder(angle, step)) < kSameSample; }
 
 }  // namespace
 
@@ -49,8 +49,8 @@ Recorder::Recorder(const Setup& setup)
 }
 
 bool Recorder::is_field_angle(double crank_angle_deg) const {
-  const auto next = std::lower_bound(field_deg_.begin(), field_deg_.end(), crank_angle_deg - kSameAngle);
-  return next != field_deg_.end() && *next < crank_angle_deg + kSameAngle;
+  const auto next = std::lower_bound(field_deg_.begin(), field_deg_.end(), crank_angle_deg - kSameSample);
+  return next != field_deg_.end() && *next < crank_angle_deg + kSameSample;
 }
 
 double Recorder::keep(const TimeIntegration& integration, const Instant& instant, Sample& slot) {
@@ -89,8 +89,8 @@ double Recorder::keep(const TimeIntegration& integration, const Instant& instant
 
 void Recorder::before_step(TimeIntegration& integration, double from_deg, double to_deg) {
   const double turn = kCycleDeg * std::floor(from_deg / kCycleDeg);
-  const double end = to_deg - turn - kSameAngle;
-  for (auto it = between_.upper_bound(from_deg - turn + kSameAngle); it != between_.end() && it->first < end; ++it) {
+  const double end = to_deg - turn - kSameSample;
+  for (auto it = between_.upper_bound(from_deg - turn + kSameSample); it != between_.end() && it->first < end; ++it) {
     film::FilmState state;
     Instant instant = integration.side_step(turn + it->first, state);
     instant.crank_angle_deg = it->first;
@@ -112,8 +112,8 @@ void Recorder::after_step(const TimeIntegration& integration) {
     is_passed_[k] = true;
     return;
   }
-  const auto asked = between_.lower_bound(instant.crank_angle_deg - kSameAngle);
-  const bool is_asked_for = asked != between_.end() && asked->first <= instant.crank_angle_deg + kSameAngle;
+  const auto asked = between_.lower_bound(instant.crank_angle_deg - kSameSample);
+  const bool is_asked_for = asked != between_.end() && asked->first <= instant.crank_angle_deg + kSameSample;
   if (is_asked_for) instant.crank_angle_deg = asked->first;
   Sample& passed = on_the_way_.emplace_back();
   keep(integration, instant, passed);

@@ -8,15 +8,15 @@
 namespace ringfilm::io {
 namespace {
 
-struct Kind {
+struct KnownKind {
   DocumentKind kind;
   std::string name;               ///< with its article
   std::string use;                ///< where such a file is named; "{}" is its path
   std::vector<std::string> keys;  ///< at the top of such a file and of no other kind
 };
 
-const std::vector<Kind>& kinds() {
-  static const std::vector<Kind> all = {
+const std::vector<KnownKind>& kinds() {
+  static const std::vector<KnownKind> all = {
       {DocumentKind::kCase,
        "a case",
        "compute it with ringfilm run {}",
@@ -37,7 +37,7 @@ const std::vector<Kind>& kinds() {
   return all;
 }
 
-bool has_key_of(const TomlValue& root, const Kind& kind) {
+bool has_key_of(const TomlValue& root, const KnownKind& kind) {
   return std::ranges::any_of(root.members, [&](const TomlMember& member) {
     return std::ranges::find(kind.keys, member.key) != kind.keys.end();
   });
@@ -46,9 +46,9 @@ bool has_key_of(const TomlValue& root, const Kind& kind) {
 }  // namespace
 
 void check_document_kind(const TomlValue& root, DocumentKind expected, const std::string& path) {
-  const auto of_kind = std::ranges::find(kinds(), expected, &Kind::kind);
+  const auto of_kind = std::ranges::find(kinds(), expected, &KnownKind::kind);
   if (has_key_of(root, *of_kind)) return;
-  for (const Kind& kind : kinds()) {
+  for (const KnownKind& kind : kinds()) {
     if (!has_key_of(root, kind)) continue;
     throw InputError(
         std::vector<Fault>{{{path, 0, 0, ""},

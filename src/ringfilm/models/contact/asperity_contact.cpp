@@ -17,8 +17,8 @@ namespace ringfilm::models {
 namespace {
 
 using boost::math::double_constants::one_div_root_two_pi;
-using boost::math::double_constants::pi;
 using boost::math::double_constants::root_two;
+using std::numbers::pi;
 
 // Exact form: power series of F_n about the middle of each of kPieces equal pieces of 0 <= lambda <= kReach. Eleven
 // powers leave 6e-14 of F_n at the far end, where F_n falls by 40 % over one piece, and rounding elsewhere.
@@ -195,7 +195,7 @@ double contact_spot_radius(double beta, double sigma, double lambda) {
 }
 
 double share_below_coating(double spot_radius, double thickness, double nu) {
-  return std::min(1.0, 2 / (3 * std::numbers::pi) * (3 - 2 * nu) / (1 - nu) * spot_radius / thickness);
+  return std::min(1.0, 2 / (3 * pi) * (3 - 2 * nu) / (1 - nu) * spot_radius / thickness);
 }
 
 double composite_modulus(double E_1, double nu_1, double E_2, double nu_2) {

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeftAtReach = 1e-11;  // of the value at 0
 constexpr std::size_t kFewestRows = TabulatedContact::kFewestRows;
 constexpr int kBefore = 8, kBeyond = 24;  // places before the first row and beyond the last one
-constexpr int kPieces = 256;
+constexpr int kCubics = 256;
 constexpr double kTailWindow = 4.605170185988091;  // ln 100: rows whose slope and curvature the tail has
 
 void check_falling(const std::vector<double>& values, const std::vector<double>& h, const char* name) {
@@ -149,11 +149,11 @@ Root root_of(const std::vector<double>& h, const std::vector<double>& value, dou
 
 ContactPieces::Cubics cubics_of(const Root& root, double reach) {
   ContactPieces::Cubics cubics;
-  cubics.reserve(kPieces);
-  const double width = reach / kPieces;
+  cubics.reserve(kCubics);
+  const double width = reach / kCubics;
   std::size_t interval = 0;
   auto from = root.at(0, interval);
-  for (int k = 0; k < kPieces; ++k) {
+  for (int k = 0; k < kCubics; ++k) {
     const auto to = root.at((k + 1) * width, interval);
     const double rise = to.value - from.value;
     const double least = 3 * std::min(rise, 0.0);  // within it the cubic falls
@@ -199,7 +199,7 @@ void TabulatedContact::pressure(double h, double& p_a, double& dp_a_dh) const {
   const auto [piece, d] = pieces_.place(inside);
   const auto& c = pieces_.pressure[piece];
   const double root = ContactPieces::value(c, d), square = root * root, seventh = square * square * square * root;
-  const double slope = (c[1] + d * (2 * c[2] + 3 * d * c[3])) / pieces_.reach * static_cast<double>(kPieces);
+  const double slope = (c[1] + d * (2 * c[2] + 3 * d * c[3])) / pieces_.reach * static_cast<double>(kCubics);
   dp_a_dh = pieces_.pressure_scale * 8 * seventh * slope;
   p_a = pieces_.pressure_scale * seventh * root + dp_a_dh * (h - inside);
 }
