@@ -74,7 +74,7 @@ function packRow(model, pack, sum) {
       'span',
       { class: 'card-name' },
       model.comparesPacks ? mark(model.allPacks.indexOf(pack)) : null,
-      `${isAlone ? '' : `${pack.name}: `}all ${pack.n_rings} rings`,
+      [isAlone ? null : pack.name, sum ? `all ${pack.n_rings} rings` : null].filter(Boolean).join(': '),
     ),
     sum ? shownValue(meaningful(value, null), value === null ? '' : unit) : null,
     sum ? element('span', { class: 'card-detail' }, detail) : null,
