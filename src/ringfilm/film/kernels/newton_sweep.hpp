@@ -285,9 +285,11 @@ class NewtonSweep {
 
         const Real pivot = diagonal + in.by_left * upper;
         const Mask inside = at(b_.conductance, i) > Real(0);  // beyond its last cell a shorter film has no equation
-        // A node that neither flow nor storage determines, in balance whatever its value is, keeps it.
-        const Mask free = Real::both(Real(0) >= abs(pivot), Real(0) >= abs(residual));
-        const Real inverse = select(inside, Real(1) / select(Real::only(inside, free), pivot, Real(1)), Real(0));
+        // A node that neither flow nor storage determines keeps its value if it is in balance. Else it moves by the
+        // scale of the pressure, so that the iteration does not end there.
+        const Real forced = select(abs(residual) > Real(0), residual * Real::load(b_.inverse_scale), Real(1));
+        const Real determined = select(Real(0) >= abs(pivot), forced, pivot);
+        const Real inverse = select(inside, Real(1) / select(inside, determined, Real(1)), Real(0));
         row = select(here.is_film, share, Real(0)) - row * upper;
         upper = out.by_right * inverse;
         column = (by_h + in.by_left * column) * inverse;
