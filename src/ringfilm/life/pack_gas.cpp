@@ -118,7 +118,7 @@ std::vector<cycle::Note> PackGas::notes() {
   std::vector<cycle::Note> notes;
   for (std::size_t i = 0; life_.pack && i < life_.points.size(); ++i) {
     const PointGas& unworn = gas(i, 0);
-    for (cycle::Note& note : cycle::ring_motion_notes(life_.pack->input, unworn.result)) {
+    for (cycle::Note& note : cycle::ring_motion_notes(life_.pack->input, unworn.pack, unworn.result)) {
       note.message = "the gas of the pack, " + life_.points[i].name + ": " + note.message;
       notes.push_back(std::move(note));
     }

@@ -157,8 +157,7 @@ Case with_gas_path(Case c) { return solve_gas_of_case(std::move(c)).input; }
 namespace {
 
 /// What acts on a ring along the bore, with its verb.
-std::string pressing(const Case& c, std::size_t i) {
-  const gas_path::Ring ring = gas_pack(c).rings[i];
+std::string pressing(const gas_path::Ring& ring) {
   const bool has_inertia = ring.mass > 0, rubs = ring.bore_friction_coefficient > 0;
   if (!has_inertia && !rubs) return "gas (ring.mass is not stated) presses it";
   return std::string(has_inertia && rubs ? "gas, inertia and friction"
@@ -169,7 +168,7 @@ std::string pressing(const Case& c, std::size_t i) {
 
 }  // namespace
 
-std::vector<Note> ring_motion_notes(const Case& c, const gas_path::GasPathResult& result) {
+std::vector<Note> ring_motion_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
   std::vector<Note> notes;
   std::vector<std::size_t> fluttering;
   for (std::size_t i = 0; i < result.motion.size(); ++i) {
@@ -184,8 +183,8 @@ std::vector<Note> ring_motion_notes(const Case& c, const gas_path::GasPathResult
     const gas_path::RingMotionValues& ring = result.motion[i];
     if (!ring.has_groove || ring.least_seating_force > -kLargeLift) continue;
     notes.push_back({"ring-unseated",
-                     "ring " + std::to_string(i + 1) + " is kept on its lower flank, off which " + pressing(c, i) +
-                         " over " + std::to_string(std::lround(100 * ring.unseated_share)) +
+                     "ring " + std::to_string(i + 1) + " is kept on its lower flank, off which " +
+                         pressing(pack.rings[i]) + " over " + std::to_string(std::lround(100 * ring.unseated_share)) +
                          " % of the cycle, with up to " + number_text(std::round(-ring.least_seating_force)) +
                          " N (at " + number_text(ring.least_seating_force_angle_deg) +
                          " degree): gas_path.ring_motion = \"axial\" computes when it leaves, and the blow-by then",
@@ -202,7 +201,7 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
   if (std::none_of(pack.rings.begin(), pack.rings.end(), is_oil_ring)) {
     notes.push_back({"oil-ring-missing", "the pack has no oil ring: the crankcase is below its last ring", 1});
   }
-  for (Note& note : ring_motion_notes(c, result)) notes.push_back(std::move(note));
+  for (Note& note : ring_motion_notes(c, pack, result)) notes.push_back(std::move(note));
   if (!result.repeats) {
     const std::string when =
         result.period > 0 ? "it repeats every " + std::to_string(result.period) +

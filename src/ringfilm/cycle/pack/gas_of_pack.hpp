@@ -34,7 +34,7 @@ CaseWithGas solve_gas_of_case(Case c);
 Case with_gas_path(Case c);
 
 /// Notes on rings that flutter, or that are kept on flanks off which they are pressed.
-std::vector<Note> ring_motion_notes(const Case& c, const gas_path::GasPathResult& result);
+std::vector<Note> ring_motion_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result);
 
 /// Notes on the gas of a pack: those of its cylinder pressure, its rings, cycles that do not repeat.
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result);
