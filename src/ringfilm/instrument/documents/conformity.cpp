@@ -32,18 +32,14 @@ void append_arcs(const models::RingClosure& ring, io::Measurement& all) {
   io::MeasuredTable arcs{kContactArcs, "Contact arcs", {}, {}, {}};
   add_column(arcs, "from", "start of the arc from the middle of the gap", "phi_a", "degree", "degree");
   add_column(arcs, "to", "end of the arc", "phi_b", "degree", "degree");
-  for (const models::ContactArc& arc : ring.arcs()) {
-    add_row(arcs, "", std::vector<double>{degrees(arc.from), degrees(arc.to)});
-  }
+  for (const models::ContactArc& arc : ring.arcs()) add_row(arcs, {degrees(arc.from), degrees(arc.to)});
   io::MeasuredTable points{kContactPoints, "Contacts in a point", {}, {}, {}};
   add_column(points, "angle", "angle from the middle of the gap", "phi", "degree", "degree");
-  for (const models::ContactArc& point : ring.points()) add_row(points, "", std::vector<double>{degrees(point.from)});
+  for (const models::ContactArc& point : ring.points()) add_row(points, {degrees(point.from)});
   io::MeasuredTable forces{kPointForces, "Point forces of the wall", {}, {}, {}};
   add_column(forces, "angle", "angle from the middle of the gap", "phi", "degree", "degree");
   add_column(forces, "force", "force of the wall, inwards", "P", "N", "N");
-  for (const models::PointForce& one : ring.point_forces()) {
-    add_row(forces, "", std::vector<double>{degrees(one.phi), one.force});
-  }
+  for (const models::PointForce& one : ring.point_forces()) add_row(forces, {degrees(one.phi), one.force});
   io::MeasuredTable orders{kPressureOrders, "Orders of the target pressure", {}, {}, {}};
   add_column(orders, "order", "periods around the ring", "n", "1", "1");
   add_column(orders, "amplitude", "amplitude over the mean pressure", "alpha_n", "1", "1");
@@ -52,79 +48,68 @@ void append_arcs(const models::RingClosure& ring, io::Measurement& all) {
   for (const models::FourierOrder& one : target.orders()) {
     if (one.order < 2) continue;
     const double mean = ring.ring().beam().size().tangential_force;
-    add_row(orders, "", std::vector<double>{1.0 * one.order, one.amplitude / mean, degrees(one.phase)});
+    add_row(orders, {1.0 * one.order, one.amplitude / mean, degrees(one.phase)});
   }
-  for (io::MeasuredTable* table : {&arcs, &points, &forces, &orders}) {
-    table->row_labels.clear();
-    all.tables.push_back(std::move(*table));
-  }
+  for (io::MeasuredTable* table : {&arcs, &points, &forces, &orders}) all.tables.push_back(std::move(*table));
 }
 
-io::MeasuredCurve curve_around(const models::RingClosure& ring, const std::string& name, const std::string& title,
-                               const std::string& caption, const io::MeasuredAxis& axis) {
+struct SeriesAround {
+  const char *name, *label;
+  std::function<double(double)> value;  ///< over the angle [rad]
+};
+
+void append_curve(const models::RingClosure& ring, const char* name, const char* title, const char* caption,
+                  const io::MeasuredAxis& axis, const std::vector<SeriesAround>& all_series, io::Measurement& all) {
   io::MeasuredCurve curve;
   curve.name = name;
   curve.title = title;
   curve.caption = caption;
   curve.x_axis = {"angle", "angle from the middle of the gap", "degree", "degree"};
   curve.y_axis = axis;
-  for (const double phi : places(ring)) curve.x.push_back(degrees(phi));
-  return curve;
-}
-
-void add_series(const models::RingClosure& ring, const std::string& name, const std::string& label,
-                const std::function<double(double)>& value, io::MeasuredCurve& curve) {
-  io::MeasuredSeries series{name, label, {}};
-  for (const double phi : places(ring)) series.y.push_back(value(phi));
-  curve.series.push_back(std::move(series));
+  for (const SeriesAround& series : all_series) curve.series.push_back({series.name, series.label, {}});
+  for (const double phi : places(ring)) {
+    curve.x.push_back(degrees(phi));
+    for (std::size_t i = 0; i < all_series.size(); ++i) curve.series[i].y.push_back(all_series[i].value(phi));
+  }
+  all.curves.push_back(std::move(curve));
 }
 
 void append_curves(const models::RingClosure& ring, io::Measurement& all) {
-  auto clearance = curve_around(ring, "clearance_around", "Clearance",
-                                "clearance between ring and bore around the bore; zero in contact arcs",
-                                {"clearance", "clearance", "m", "um"});
-  add_series(
-      ring, "clearance", "ring to bore", [&](double phi) { return ring.clearance(phi); }, clearance);
-  auto shape = curve_around(ring, "bore_around", "Bore and ring",
-                            "deviation of the radius from the nominal one: the bore, and the ring that bends in it",
-                            {"deviation", "deviation of the radius", "m", "um"});
-  add_series(
-      ring, "bore", "bore", [&](double phi) { return ring.ring().bore()(phi); }, shape);
-  add_series(
-      ring, "ring", "ring", [&](double phi) { return ring.ring().bore()(phi) - ring.clearance(phi); }, shape);
-  auto force = curve_around(ring, "force_around", "Force of the wall",
-                            "force of the wall from the end of the ring on; it jumps by the point forces",
-                            {"cumulative_force", "force of the wall up to here", "N", "N"});
-  add_series(
-      ring, "cumulative_force", "wall", [&](double phi) { return ring.force_up_to(phi); }, force);
-  auto moment = curve_around(ring, "moment_around", "Bending moment",
-                             "bending moment of the ring in the bore, and in a round one; positive closes the ring",
-                             {"moment", "bending moment", "N m", "N m"});
-  add_series(
-      ring, "moment", "in this bore", [&](double phi) { return ring.moment(phi); }, moment);
-  add_series(
-      ring, "target_moment", "in a round bore", [&](double phi) { return ring.ring().beam().target_moment(phi); },
-      moment);
-  for (io::MeasuredCurve* curve : {&clearance, &shape, &force, &moment}) all.curves.push_back(std::move(*curve));
+  const auto bore = [&](double phi) { return ring.ring().bore()(phi); };
+  const auto clearance = [&](double phi) { return ring.clearance(phi); };
+  append_curve(ring, "clearance_around", "Clearance",
+               "clearance between ring and bore around the bore; zero in contact arcs",
+               {"clearance", "clearance", "m", "um"}, {{"clearance", "ring to bore", clearance}}, all);
+  append_curve(ring, "bore_around", "Bore and ring",
+               "deviation of the radius from the nominal one: the bore, and the ring that bends in it",
+               {"deviation", "deviation of the radius", "m", "um"},
+               {{"bore", "bore", bore}, {"ring", "ring", [&](double phi) { return bore(phi) - clearance(phi); }}}, all);
+  append_curve(ring, "force_around", "Force of the wall",
+               "force of the wall from the end of the ring on; it jumps by the point forces",
+               {"cumulative_force", "force of the wall up to here", "N", "N"},
+               {{"cumulative_force", "wall", [&](double phi) { return ring.force_up_to(phi); }}}, all);
+  append_curve(
+      ring, "moment_around", "Bending moment",
+      "bending moment of the ring in the bore, and in a round one; positive closes the ring",
+      {"moment", "bending moment", "N m", "N m"},
+      {{"moment", "in this bore", [&](double phi) { return ring.moment(phi); }},
+       {"target_moment", "in a round bore", [&](double phi) { return ring.ring().beam().target_moment(phi); }}},
+      all);
 }
 
 /// What was removed of a measured free shape, and how sure the pressure of the rest is.
 io::MeasuredGroup free_shape_group(const cycle::Case& c, const models::FreeShapeFit& fit) {
-  io::MeasuredGroup group{"Free shape", {}};
-  const auto add = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
-                       const char* display_unit, double value) {
-    group.values.push_back(value_of(name, long_name, symbol, unit, display_unit, value, ""));
-  };
-  add("free_shape_smoothing", "shortest wave around the ring that is kept", "lambda_s", "m", "mm",
-      c.ring.free_shape_smoothing);
-  add("free_shape_orders", "highest order of the target pressure", "N", "1", "1",
-      1.0 * fit.pressure_orders.orders().back().order);
-  add("free_shape_residual", "rms distance of the measured points from the smoothed shape", "d", "m", "um",
-      fit.residual);
-  add("force_deviation", "standard deviation of the tangential force by that scatter, over it", "s_F", "1", "%",
-      fit.force_deviation);
-  add("pressure_deviation", "the same of the target pressure, rms around the ring, over its mean", "s_w", "1", "%",
-      fit.pressure_deviation);
+  Group group("Free shape");
+  group.add("free_shape_smoothing", "shortest wave around the ring that is kept", "lambda_s", "m", "mm",
+            c.ring.free_shape_smoothing);
+  group.add("free_shape_orders", "highest order of the target pressure", "N", "1", "1",
+            1.0 * fit.pressure_orders.orders().back().order);
+  group.add("free_shape_residual", "rms distance of the measured points from the smoothed shape", "d", "m", "um",
+            fit.residual);
+  group.add("force_deviation", "standard deviation of the tangential force by that scatter, over it", "s_F", "1", "%",
+            fit.force_deviation);
+  group.add("pressure_deviation", "the same of the target pressure, rms around the ring, over its mean", "s_w", "1",
+            "%", fit.pressure_deviation);
   return group;
 }
 
@@ -149,10 +134,9 @@ io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::Static
   all.notes = closure.notes;
   all.notes.insert(all.notes.begin(), c.notes.begin(), c.notes.end());
   if (!whole.rings.empty()) all.notes.push_back("of the pack the first ring is computed");
-  io::MeasuredGroup group{"Closure", {}};
+  Group group("Closure");
   for (const cycle::ClosureQuantity& one : cycle::closure_quantities()) {
-    group.values.push_back(
-        value_of(one.name, one.long_name, one.symbol, one.unit, one.display_unit, closure.values.*one.value, ""));
+    group.add(one.name, one.long_name, one.symbol, one.unit, one.display_unit, closure.values.*one.value);
   }
   all.groups.push_back(std::move(group));
   if (closure.free_shape) all.groups.push_back(free_shape_group(c, *closure.free_shape));

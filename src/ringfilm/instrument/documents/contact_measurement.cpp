@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
@@ -34,13 +35,15 @@ PreparedSurface prepared(const SurfaceFile& file, const ContactAnalysis& analysi
   return prepare_surface(part, alone);
 }
 
-/// The columns of the law, in their order.
+using Point = surface::ContactLawPoint;
+
+/// A column of the law.
 struct Column {
   const char *name, *long_name, *symbol, *unit, *display_unit;
-  double (*value)(const surface::ContactLawPoint&);
+  double (*value)(const Point&);
 };
 
-using Point = surface::ContactLawPoint;
+/// The columns of the law, in their order.
 constexpr Column kColumns[] = {
     {"separation", "distance of the mean planes of the undeformed surfaces", "h", "m", "um",
      [](const Point& of) { return of.mean.separation_m; }},
@@ -85,36 +88,36 @@ constexpr Column kRegionColumns[] = {
 };
 
 io::MeasuredTable law_table(const surface::ContactLaw& law, const ContactAnalysis& analysis) {
-  io::MeasuredTable table;
-  table.name = io::kContactLawTable;
-  table.title = "Contact law";
-  const auto add = [&](const Column& column) {
-    add_column(table, column.name, column.long_name, column.symbol, column.unit, column.display_unit);
-    for (const Point& point : law.points) table.values.back().push_back(column.value(point));
+  io::MeasuredTable table{io::kContactLawTable, "Contact law", {}, {}, {}};
+  const auto add = [&](std::span<const Column> columns) {
+    for (const Column& column : columns) {
+      std::vector<double>& rows =
+          add_column(table, column.name, column.long_name, column.symbol, column.unit, column.display_unit);
+      for (const Point& point : law.points) rows.push_back(column.value(point));
+    }
   };
-  for (const Column& column : kColumns) add(column);
-  if (analysis.shifts > 1) {
-    for (const Column& column : kShiftColumns) add(column);
-  }
-  if (analysis.regions_across * analysis.regions_down > 1) {
-    for (const Column& column : kRegionColumns) add(column);
-  }
-  if (analysis.has_flow) {
-    for (const Column& column : kFlowColumns) add(column);
-  }
+  add(kColumns);
+  if (analysis.shifts > 1) add(kShiftColumns);
+  if (analysis.regions_across * analysis.regions_down > 1) add(kRegionColumns);
+  if (analysis.has_flow) add(kFlowColumns);
   return table;
 }
 
 double pressure_band(const Point& of) { return std::hypot(of.pressure_deviation, of.pressure_deviation_of_regions); }
 double area_band(const Point& of) { return std::hypot(of.area_deviation, of.area_deviation_of_regions); }
 
+std::vector<Point> rising_points(const surface::ContactLaw& law) {
+  std::vector<Point> points = law.points;
+  std::stable_sort(points.begin(), points.end(),
+                   [](const Point& a, const Point& b) { return a.mean.separation_m < b.mean.separation_m; });
+  return points;
+}
+
 /// A column of the law over the separation, smallest first.
 /// @param deviation of a point, drawn as a band; nullptr: none
 io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column, const std::string& name,
                             double (*deviation)(const Point&) = nullptr) {
-  std::vector<Point> points = law.points;
-  std::stable_sort(points.begin(), points.end(),
-                   [](const Point& a, const Point& b) { return a.mean.separation_m < b.mean.separation_m; });
+  const std::vector<Point> points = rising_points(law);
   io::MeasuredCurve curve;
   curve.name = name;
   curve.title = std::string(1, static_cast<char>(std::toupper(column.long_name[0]))) + (column.long_name + 1);
@@ -181,45 +184,38 @@ io::MeasuredMap pressure_map(const surface::ContactLaw& law) {
 }
 
 io::MeasuredGroup law_group(const surface::ContactLaw& law, const ContactAnalysis& analysis) {
-  io::MeasuredGroup group{"The pair in contact", {}};
-  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
-                       double value) {
-    group.values.push_back(value_of(name, words, symbol, unit, display, value, ""));
-  };
+  Group group("The pair in contact");
   double residual = 0, iterations = 0;
   for (const Point& point : law.points) {
     residual = std::max(residual, point.mean.residual);
     iterations += point.mean.iterations;
   }
-  add("composite_roughness", "rms height of the sum of both surfaces", "Sq", "m", "um", law.Sq_m);
-  add("highest_point", "highest point of the sum above its mean plane", "", "m", "um", law.highest_m);
-  add("composite_modulus", "composite modulus", "E'", "Pa", "GPa", 2 * analysis.material.E_star);
+  group.add("composite_roughness", "rms height of the sum of both surfaces", "Sq", "m", "um", law.Sq_m);
+  group.add("highest_point", "highest point of the sum above its mean plane", "", "m", "um", law.highest_m);
+  group.add("composite_modulus", "composite modulus", "E'", "Pa", "GPa", 2 * analysis.material.E_star);
   if (analysis.material.hardness) {
-    add("hardness", "hardness of the softer face", "H", "Pa", "GPa", *analysis.material.hardness);
+    group.add("hardness", "hardness of the softer face", "H", "Pa", "GPa", *analysis.material.hardness);
   }
-  add("relative_positions", "relative positions of both surfaces", "", "1", "1", static_cast<double>(analysis.shifts));
-  add("missing_share", "share of the points without a height", "", "1", "%", law.missing_share);
-  add(io::kLastSupportedSeparation, "largest separation at which five spots of a map or more carry", "", "m", "um",
-      law.last_supported_m);
-  add("complementarity_residual", "largest rms violation of the complementarity over Sq", "", "1", "1", residual);
-  add("iterations", "iterations of the conjugate gradients", "", "1", "1", iterations);
+  group.add("relative_positions", "relative positions of both surfaces", "", "1", "1",
+            static_cast<double>(analysis.shifts));
+  group.add("missing_share", "share of the points without a height", "", "1", "%", law.missing_share);
+  group.add(io::kLastSupportedSeparation, "largest separation at which five spots of a map or more carry", "", "m",
+            "um", law.last_supported_m);
+  group.add("complementarity_residual", "largest rms violation of the complementarity over Sq", "", "1", "1", residual);
+  group.add("iterations", "iterations of the conjugate gradients", "", "1", "1", iterations);
   return group;
 }
 
 /// ln p of a sample: ln p(h - dh) + ds.
 io::MeasuredGroup law_scatter_group(const surface::LawScatter& scatter) {
-  io::MeasuredGroup group{"Scatter of one relative position and one region", {}};
-  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
-                       double value) {
-    group.values.push_back(value_of(name, words, symbol, unit, display, value, ""));
-  };
-  add("law_samples", "relative positions and regions beyond the first", "", "1", "1",
-      static_cast<double>(scatter.samples));
-  add(io::kShiftDeviation, "standard deviation of the shift of the separation", "s(dh)", "m", "nm",
-      scatter.shift_deviation());
-  add(io::kLogPressureDeviation, "standard deviation of the logarithm of the pressure", "s(ln p)", "1", "%",
-      scatter.log_deviation());
-  add(io::kShiftPressureCorrelation, "correlation of both", "", "1", "1", scatter.correlation());
+  Group group("Scatter of one relative position and one region");
+  group.add("law_samples", "relative positions and regions beyond the first", "", "1", "1",
+            static_cast<double>(scatter.samples));
+  group.add(io::kShiftDeviation, "standard deviation of the shift of the separation", "s(dh)", "m", "nm",
+            scatter.shift_deviation());
+  group.add(io::kLogPressureDeviation, "standard deviation of the logarithm of the pressure", "s(ln p)", "1", "%",
+            scatter.log_deviation());
+  group.add(io::kShiftPressureCorrelation, "correlation of both", "", "1", "1", scatter.correlation());
   return group;
 }
 
@@ -256,9 +252,7 @@ double pair_slope(const surface::SurfacePair& pair) {
 
 /// The area after Persson at the pressures of the law, eq-persson-area, smallest separation first.
 io::MeasuredSeries persson_series(const surface::SurfacePair& pair, const surface::ContactLaw& law) {
-  std::vector<Point> points = law.points;
-  std::stable_sort(points.begin(), points.end(),
-                   [](const Point& a, const Point& b) { return a.mean.separation_m < b.mean.separation_m; });
+  const std::vector<Point> points = rising_points(law);
   const double modulus = pair.material.E_star * pair_slope(pair);
   io::MeasuredSeries series{"persson", "Persson's area at the same pressure", {}, false};
   for (const Point& point : points) {
@@ -378,8 +372,7 @@ void add_other_cutoffs(const SurfaceFile& first, const SurfaceFile* second, cons
       notes.push_back(fmt::format("the law with {:g} times the short cut-off is not computed: {}", other.factor,
                                   refusal.faults().front().message));
     }
-    add_column(table, other.name, other.long_name, "", "1", "1");
-    table.values.back() = std::move(ratio);
+    add_column(table, other.name, other.long_name, "", "1", "1") = std::move(ratio);
   }
 }
 

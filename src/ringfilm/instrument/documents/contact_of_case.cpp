@@ -42,37 +42,33 @@ double hardness_of(const cycle::Case& c) {
 }
 
 io::MeasuredGroup validity_group(const cycle::Case& c) {
-  io::MeasuredGroup group{"Validity", {}};
-  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
-                       double value) {
-    group.values.push_back(value_of(name, words, symbol, unit, display, value, ""));
-  };
-  add("roughness", "composite roughness as the contact model uses it", "sigma", "m", "um", roughness(c));
-  add("composite_modulus", "composite modulus", "E'", "Pa", "GPa", composite_modulus(c));
+  Group group("Validity");
+  group.add("roughness", "composite roughness as the contact model uses it", "sigma", "m", "um", roughness(c));
+  group.add("composite_modulus", "composite modulus", "E'", "Pa", "GPa", composite_modulus(c));
   const double hardness = hardness_of(c);
-  add("hardness", "hardness of the softer face", "H", "Pa", "GPa", hardness);
+  group.add("hardness", "hardness of the softer face", "H", "Pa", "GPa", hardness);
   if (!c.contact.hardness && c.contact.model != ContactLaw::kTable) {
     group.values.back().remark = "assumed: grey iron; contact.hardness states it";
   }
-  add("boundary_friction_coefficient", "boundary shear strength over contact pressure", "zeta", "1", "1",
-      c.contact.boundary_shear_strength_coefficient);
-  add("friction_at_hardness", "friction coefficient of asperities that flow, zeta + tau_0/H", "mu", "1", "1",
-      c.contact.boundary_shear_strength_coefficient + c.contact.eyring_shear_stress / hardness);
+  group.add("boundary_friction_coefficient", "boundary shear strength over contact pressure", "zeta", "1", "1",
+            c.contact.boundary_shear_strength_coefficient);
+  group.add("friction_at_hardness", "friction coefficient of asperities that flow, zeta + tau_0/H", "mu", "1", "1",
+            c.contact.boundary_shear_strength_coefficient + c.contact.eyring_shear_stress / hardness);
   const auto pair = asperities(c);
   const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
   if (!summits) return group;
-  add("asperity_bandwidth", "bandwidth parameter", "alpha", "1", "1", summits->bandwidth);
-  add("asperity_slope", "rms slope", "h'", "1", "1", summits->rms_slope);
-  add("summit_plane_offset", "plane of the summits above that of the surface", "z_s", "m", "um",
-      summits->summit_offset);
-  add("summit_offset_ratio", "the same over the roughness", "z_s/sigma", "1", "1",
-      summits->summit_offset / pair->sigma);
-  add("summit_spread_ratio", "standard deviation of the summit heights over the roughness", "sigma_s/sigma", "1", "1",
-      summits->summit_spread / pair->sigma);
-  add("plasticity_index", "above 1 asperities deform plastically", "psi", "1", "1",
-      plasticity_index(*pair, summits->summit_spread, hardness));
-  add("slope_index", "E* h'/H; above 1 real pressure of elastic contact exceeds about a third of the hardness",
-      "E* h'/H", "1", "1", 0.5 * pair->E_prime * summits->rms_slope / hardness);
+  group.add("asperity_bandwidth", "bandwidth parameter", "alpha", "1", "1", summits->bandwidth);
+  group.add("asperity_slope", "rms slope", "h'", "1", "1", summits->rms_slope);
+  group.add("summit_plane_offset", "plane of the summits above that of the surface", "z_s", "m", "um",
+            summits->summit_offset);
+  group.add("summit_offset_ratio", "the same over the roughness", "z_s/sigma", "1", "1",
+            summits->summit_offset / pair->sigma);
+  group.add("summit_spread_ratio", "standard deviation of the summit heights over the roughness", "sigma_s/sigma", "1",
+            "1", summits->summit_spread / pair->sigma);
+  group.add("plasticity_index", "above 1 asperities deform plastically", "psi", "1", "1",
+            plasticity_index(*pair, summits->summit_spread, hardness));
+  group.add("slope_index", "E* h'/H; above 1 real pressure of elastic contact exceeds about a third of the hardness",
+            "E* h'/H", "1", "1", 0.5 * pair->E_prime * summits->rms_slope / hardness);
   return group;
 }
 
@@ -145,9 +141,7 @@ io::Measurement contact_of_case(const cycle::Case& whole, const std::vector<doub
 
   const auto law = asperity_contact(c);
   const double sigma = roughness(c);
-  io::MeasuredTable table;
-  table.name = io::kContactLawTable;
-  table.title = "Contact law";
+  io::MeasuredTable table{io::kContactLawTable, "Contact law", {}, {}, {}};
   add_column(table, "separation", "distance of the mean planes", "h", "m", "um");
   add_column(table, "lambda_ratio", "separation over roughness", "lambda", "1", "1");
   add_column(table, "contact_pressure", "contact pressure on the nominal area", "p", "Pa", "MPa");
@@ -156,8 +150,7 @@ io::Measurement contact_of_case(const cycle::Case& whole, const std::vector<doub
   for (const double ratio : lambda) {
     const auto at = law->contact(ratio * sigma);
     const double real = at.area_share > 0 ? at.pressure / at.area_share : std::numeric_limits<double>::quiet_NaN();
-    const double row[] = {ratio * sigma, ratio, at.pressure, at.area_share, real};
-    for (std::size_t k = 0; k < table.values.size(); ++k) table.values[k].push_back(row[k]);
+    add_row(table, {ratio * sigma, ratio, at.pressure, at.area_share, real});
   }
   for (std::string& note : validity_notes(c, table)) all.notes.push_back(std::move(note));
   all.groups.push_back(validity_group(c));

@@ -54,13 +54,8 @@ std::string levelling_text(const FaceRule& rule, const FaceFit& fit) {
 
 std::vector<std::string> source_lines(const TraceFile& file) {
   const SurfaceOrigin& origin = file.origin;
-  std::string first = origin.path + ": " + origin.format;
-  if (origin.channels.size() > 1) first += fmt::format(", channel {} ({})", origin.channel_number, origin.channel);
-  if (!origin.instrument.empty()) first += ", " + origin.instrument;
-  if (!origin.date.empty()) first += ", " + origin.date;
-  std::vector<std::string> lines = {first, file.plausibility_line, "SHA-256 " + origin.sha256};
-  lines.insert(lines.end(), origin.notes.begin(), origin.notes.end());
-  return lines;
+  return origin_lines(origin, fmt::format(", channel {} ({})", origin.channel_number, origin.channel),
+                      file.plausibility_line);
 }
 
 std::vector<std::string> statement_lines(const FaceRule& rule, const FaceFit& fit) {
@@ -85,21 +80,6 @@ std::vector<std::string> statement_lines(const FaceRule& rule, const FaceFit& fi
                   rule.degree, micrometres(fit.spline_cutoff_m)));
   return lines;
 }
-
-/// Values of one kind each, added one by one.
-class Group {
- public:
-  explicit Group(const std::string& title) : group_{title, {}} {}
-
-  void add(const std::string& name, const std::string& words, const char* symbol, const char* unit, const char* display,
-           double value, const std::string& remark = "") {
-    group_.values.push_back(value_of(name, words, symbol, unit, display, value, remark));
-  }
-  io::MeasuredGroup&& done() { return std::move(group_); }
-
- private:
-  io::MeasuredGroup group_;
-};
 
 /// The tilt that comes off with a running surface of half and of twice the height: a flat running surface gives the
 /// same. NaN where such a running surface cannot be made level.
@@ -167,37 +147,33 @@ io::MeasuredGroup face_group(const FaceRule& rule, const FaceFit& fit, const std
   group.add("points", "points of the trace in the face", "", "1", "1", static_cast<double>(fit.x_m.size()));
   if (rule.pore_depth_m) group.add("pore_share", "points omitted as pores", "", "1", "%", fit.pore_share);
   group.add("noise", "rms of what neither polynomial nor spline follows", "", "m", "um", fit.noise_m);
-  return group.done();
+  return group;
+}
+
+/// Minimum, edges and residual of a fit, whose names begin with `name`.
+void add_fit(const std::string& name, double minimum_m, double minimum_at_m, const double (&end_m)[2],
+             const surface::FaceResidual& residual, Group& group) {
+  group.add(name + "_minimum", "least gap", "minimum", "m", "um", minimum_m);
+  group.add(name + "_minimum_at", "where", "at", "m", "mm", minimum_at_m);
+  group.add(name + "_end_0", "height of the edge x = 0", "edge x = 0", "m", "um", end_m[0], "above the least");
+  group.add(name + "_end_b", "height of the edge x = b", "edge x = b", "m", "um", end_m[1], "above the least");
+  group.add(name + "_residual_rms", "rms of trace less " + name, "residual rms", "m", "um", residual.rms_m);
+  group.add(name + "_residual_largest", "largest of them", "largest", "m", "um", residual.largest_m,
+            "at x = " + millimetres(residual.largest_at_m));
 }
 
 io::MeasuredGroup polynomial_group(const FaceRule& rule, const FaceFit& fit) {
   Group group(fmt::format("Polynomial of degree {}", rule.degree));
-  group.add("polynomial_minimum", "least gap", "minimum", "m", "um", fit.polynomial_minimum_m);
-  group.add("polynomial_minimum_at", "where", "at", "m", "mm", fit.polynomial_minimum_at_m);
-  group.add("polynomial_end_0", "height of the edge x = 0", "edge x = 0", "m", "um", fit.polynomial_end_m[0],
-            "above the least");
-  group.add("polynomial_end_b", "height of the edge x = b", "edge x = b", "m", "um", fit.polynomial_end_m[1],
-            "above the least");
-  group.add("polynomial_residual_rms", "rms of trace less polynomial", "residual rms", "m", "um",
-            fit.polynomial_residual.rms_m);
-  group.add("polynomial_residual_largest", "largest of them", "largest", "m", "um", fit.polynomial_residual.largest_m,
-            "at x = " + millimetres(fit.polynomial_residual.largest_at_m));
-  return group.done();
+  add_fit("polynomial", fit.polynomial_minimum_m, fit.polynomial_minimum_at_m, fit.polynomial_end_m,
+          fit.polynomial_residual, group);
+  return group;
 }
 
 io::MeasuredGroup spline_group(const FaceFit& fit) {
   Group group("Smoothing spline");
   group.add("spline_cutoff", "wave of which half passes", "cut-off", "m", "um", fit.spline_cutoff_m);
-  group.add("spline_minimum", "least gap", "minimum", "m", "um", fit.spline_minimum_m);
-  group.add("spline_minimum_at", "where", "at", "m", "mm", fit.spline_minimum_at_m);
-  group.add("spline_end_0", "height of the edge x = 0", "edge x = 0", "m", "um", fit.spline_end_m[0],
-            "above the least");
-  group.add("spline_end_b", "height of the edge x = b", "edge x = b", "m", "um", fit.spline_end_m[1],
-            "above the least");
-  group.add("spline_residual_rms", "rms of trace less spline", "residual rms", "m", "um", fit.spline_residual.rms_m);
-  group.add("spline_residual_largest", "largest of them", "largest", "m", "um", fit.spline_residual.largest_m,
-            "at x = " + millimetres(fit.spline_residual.largest_at_m));
-  return group.done();
+  add_fit("spline", fit.spline_minimum_m, fit.spline_minimum_at_m, fit.spline_end_m, fit.spline_residual, group);
+  return group;
 }
 
 /// In the units of Table 4 of styles2014: x in mm, heights in um.
@@ -214,32 +190,18 @@ io::MeasuredGroup coefficient_group(const FaceFit& fit) {
     group.add("coefficient_" + letter, fmt::format("of x^{}", power), letter.c_str(), unit.c_str(), display.c_str(),
               in_si);
   }
-  return group.done();
+  return group;
 }
 
 io::MeasuredTable invention_table(const FaceFit& fit) {
-  io::MeasuredTable table;
-  table.name = "fit_artifact";
-  table.title = "Where the polynomial invents shape";
-  table.columns = {value_of("invented_from", "from", "from", "m", "mm", 0, ""),
-                   value_of("invented_to", "to", "to", "m", "mm", 0, ""),
-                   value_of("invented_size", "largest distance, or fall", "size", "m", "um", 0, "")};
-  table.values.resize(table.columns.size());
+  io::MeasuredTable table{"fit_artifact", "Where the polynomial invents shape", {}, {}, {}};
+  add_column(table, "invented_from", "from", "from", "m", "mm");
+  add_column(table, "invented_to", "to", "to", "m", "mm");
+  add_column(table, "invented_size", "largest distance, or fall", "size", "m", "um");
   for (const surface::FitArtifact& shape : fit.invented) {
-    table.values[0].push_back(shape.from_m);
-    table.values[1].push_back(shape.to_m);
-    table.values[2].push_back(shape.size_m);
-    table.row_labels.push_back(reason_text(shape.reason));
+    add_row(table, reason_text(shape.reason), {shape.from_m, shape.to_m, shape.size_m});
   }
   return table;
-}
-
-io::MeasuredSeries series(const char* name, const char* label, std::vector<double> y) {
-  io::MeasuredSeries of;
-  of.name = name;
-  of.label = label;
-  of.y = std::move(y);
-  return of;
 }
 
 std::vector<double> polynomial_at_points(const FaceFit& fit) {
@@ -258,9 +220,9 @@ io::MeasuredCurve face_curve(const FaceFit& fit) {
   curve.x_axis = {"x", "distance along the face", "m", "mm"};
   curve.y_axis = {"gap", "gap to a straight liner", "m", "um"};
   curve.x = fit.x_m;
-  curve.series = {series("trace", "trace (measured)", fit.gap_m),
-                  series("polynomial", "polynomial", polynomial_at_points(fit)),
-                  series("spline", "smoothing spline", fit.spline_m)};
+  curve.series = {{"trace", "trace (measured)", fit.gap_m},
+                  {"polynomial", "polynomial", polynomial_at_points(fit)},
+                  {"spline", "smoothing spline", fit.spline_m}};
   curve.marks = {{fit.running_surface_from_m, "running surface from"},
                  {fit.running_surface_to_m, "running surface to"}};
   return curve;
@@ -282,8 +244,8 @@ io::MeasuredCurve residual_curve(const FaceFit& fit) {
     of_polynomial.push_back(fit.gap_m[i] - polynomial[i]);
     of_spline.push_back(fit.gap_m[i] - fit.spline_m[i]);
   }
-  curve.series = {series("polynomial_residual", "trace less polynomial", std::move(of_polynomial)),
-                  series("spline_residual", "trace less spline", std::move(of_spline))};
+  curve.series = {{"polynomial_residual", "trace less polynomial", std::move(of_polynomial)},
+                  {"spline_residual", "trace less spline", std::move(of_spline)}};
   for (const surface::FitArtifact& shape : fit.invented) {
     curve.marks.push_back({shape.from_m, "invented from"});
     curve.marks.push_back({shape.to_m, "to"});

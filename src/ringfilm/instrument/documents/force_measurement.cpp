@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/instrument/documents/force_figures.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 #include "ringfilm/io/case/contact_fragment.hpp"
@@ -29,14 +30,6 @@ std::string uncertain_text(const surface::Uncertain& u, double scale = 1) {
   return fmt::format("{:.6g} +- {:.3g}", u.value / scale, u.deviation / scale);
 }
 
-io::MeasuredValue with_error(const std::string& name, const std::string& words, const std::string& symbol,
-                             const std::string& unit, const std::string& display, double value, double error,
-                             const std::string& remark = "") {
-  io::MeasuredValue of = value_of(name, words, symbol, unit, display, value, remark);
-  of.standard_error = error;
-  return of;
-}
-
 /// Units of a slope of the friction signal over load, and of psi.
 struct LineUnits {
   explicit LineUnits(LoadUnit load) : volts(load == LoadUnit::kVolt) {}
@@ -50,59 +43,46 @@ struct LineUnits {
 /// One table of the friction signal load by load.
 io::MeasuredTable load_table(const ForceSample& sample, const std::string& word, const std::string& title) {
   const std::string unit = load_unit_of(sample.load_unit), display = load_display_of(sample.load_unit);
-  io::MeasuredTable table;
-  table.name = "loads_" + word;
-  table.title = title;
-  table.columns = {value_of("load", "normal load", "load", unit, display, 0, ""),
-                   value_of("loops", "loops at this load", "loops", "1", "1", 0, ""),
-                   value_of("tmr", "half the difference of trace and retrace, mean", "TMR", "V", "mV", 0, ""),
-                   value_of("tmr_scatter", "standard deviation between loops", "scatter", "V", "mV", 0, ""),
-                   value_of("tmr_error", "standard error of the mean", "error", "V", "mV", 0, ""),
-                   value_of("line_distance", "TMR less line", "distance", "V", "mV", 0, "")};
-  if (!sample.loops.empty()) {
-    table.columns.push_back(value_of("offset", "half the sum of both ways", "offset", "V", "mV", 0, ""));
-  }
-  table.values.resize(table.columns.size());
+  io::MeasuredTable table{"loads_" + word, title, {}, {}, {}};
+  add_column(table, "load", "normal load", "load", unit, display);
+  add_column(table, "loops", "loops at this load", "loops", "1", "1");
+  add_column(table, "tmr", "half the difference of trace and retrace, mean", "TMR", "V", "mV");
+  add_column(table, "tmr_scatter", "standard deviation between loops", "scatter", "V", "mV");
+  add_column(table, "tmr_error", "standard error of the mean", "error", "V", "mV");
+  add_column(table, "line_distance", "TMR less line", "distance", "V", "mV");
+  if (!sample.loops.empty()) add_column(table, "offset", "half the sum of both ways", "offset", "V", "mV");
   for (const surface::LoadFriction& load : sample.loads) {
     const bool scatter = !sample.loops.empty() && load.loops > 1;
     const double nothing = std::nan("");
-    const double row[] = {load.load,
-                          static_cast<double>(load.loops),
-                          load.tmr_V,
-                          scatter ? load.tmr_scatter_V : nothing,
-                          load.tmr_deviation_V > 0 ? load.tmr_deviation_V : nothing,
-                          load.tmr_V - sample.line.offset - sample.line.slope * load.load,
-                          load.offset_V};
-    for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(row[c]);
+    add_row(table, {load.load, static_cast<double>(load.loops), load.tmr_V, scatter ? load.tmr_scatter_V : nothing,
+                    load.tmr_deviation_V > 0 ? load.tmr_deviation_V : nothing,
+                    load.tmr_V - sample.line.offset - sample.line.slope * load.load, load.offset_V});
   }
   return table;
 }
 
 /// Slope and offset of one line; names begin with `head` and end with `tail`.
-void add_line(const ForceSample& sample, const std::string& head, const std::string& tail,
-              std::vector<io::MeasuredValue>& to) {
+void add_line(const ForceSample& sample, const std::string& head, const std::string& tail, Group& to) {
   const LineUnits units(sample.load_unit);
   const surface::LineFit& line = sample.line;
-  to.push_back(with_error(head + "friction_slope" + tail, "slope of friction signal over load", "m", units.slope(),
-                          units.slope_display(), line.slope, line.slope_deviation,
-                          fmt::format("{} loads", line.points)));
-  to.push_back(with_error(head + "friction_offset" + tail, "friction signal at load zero (adhesion)", "a", "V", "mV",
-                          line.offset, line.offset_deviation));
+  to.add(head + "friction_slope" + tail, "slope of friction signal over load", "m", units.slope(),
+         units.slope_display(), line.slope, fmt::format("{} loads", line.points), line.slope_deviation);
+  to.add(head + "friction_offset" + tail, "friction signal at load zero (adhesion)", "a", "V", "mV", line.offset, "",
+         line.offset_deviation);
   if (line.scale == surface::DeviationScale::kStated) {
-    to.push_back(value_of(head + "chi_squared_probability" + tail, "chance of so much scatter about the line", "", "1",
-                          "%", line.chi_squared_probability, "with the stated deviations"));
+    to.add(head + "chi_squared_probability" + tail, "chance of so much scatter about the line", "", "1", "%",
+           line.chi_squared_probability, "with the stated deviations");
   }
 }
 
 io::MeasuredGroup strength_group(const ForceSample& sample, const surface::ShearStrength& strength,
                                  const std::string& tail) {
-  io::MeasuredGroup group{"Coefficient of boundary shear strength, " + sample.name, {}};
+  Group group("Coefficient of boundary shear strength, " + sample.name);
+  group.add("boundary_shear_strength_coefficient" + tail, "coefficient of boundary shear strength, " + sample.name,
+            "zeta", "1", "1", strength.zeta, "all shares together", strength.deviation());
   const auto add = [&](const char* name, const char* symbol, const char* words, double value, const char* remark) {
-    group.values.push_back(value_of(name + tail, words, symbol, "1", "1", value, remark));
+    group.add(name + tail, words, symbol, "1", "1", value, remark);
   };
-  group.values.push_back(with_error("boundary_shear_strength_coefficient" + tail,
-                                    "coefficient of boundary shear strength, " + sample.name, "zeta", "1", "1",
-                                    strength.zeta, strength.deviation(), "all shares together"));
   add("slope_deviation", "by slope", "share of the slope", strength.slope_deviation, "this sample's own");
   add("calibration_deviation", "by calibration", "share of the calibration's measurement",
       strength.calibration_deviation, "common to all samples");
@@ -110,60 +90,54 @@ io::MeasuredGroup strength_group(const ForceSample& sample, const surface::Shear
       "common to all samples");
   add("low", "low", "95 % interval from", strength.low, "");
   add("high", "high", "to", strength.high, "");
-  add_line(sample, "", tail, group.values);
+  add_line(sample, "", tail, group);
   return group;
 }
 
-void add_lever(const ForceCalibration& of, std::vector<io::MeasuredValue>& to) {
-  if (!(of.lever->youngs_modulus_Pa.value > 0) || !(of.lever->width_m.value > 0) ||
-      !(of.lever->thickness_m.value > 0)) {
-    return;
-  }
-  to.push_back(value_of("normal_stiffness", "normal stiffness of the lever", "k_N", "N/m", "N/m",
-                        surface::normal_stiffness(*of.lever), ""));
-  to.push_back(value_of("torsional_stiffness", "torsional stiffness of the lever at the tip", "k_T", "N/m", "N/m",
-                        surface::torsional_stiffness(*of.lever), ""));
+void add_lever(const surface::Lever& lever, Group& to) {
+  if (!(lever.youngs_modulus_Pa.value > 0) || !(lever.width_m.value > 0) || !(lever.thickness_m.value > 0)) return;
+  to.add("normal_stiffness", "normal stiffness of the lever", "k_N", "N/m", "N/m", surface::normal_stiffness(lever));
+  to.add("torsional_stiffness", "torsional stiffness of the lever at the tip", "k_T", "N/m", "N/m",
+         surface::torsional_stiffness(lever));
 }
 
 io::MeasuredGroup calibration_group(const ForceCalibration& of) {
   const surface::Calibration& calibration = of.calibration;
   const LineUnits units(calibration.load_unit);
-  io::MeasuredGroup group{"Calibration: " + of.name, {}};
-  const auto add = [&](io::MeasuredValue value) { group.values.push_back(std::move(value)); };
-  add(with_error("psi", "calibration factor", "psi", units.psi(), units.psi_display(), calibration.psi,
-                 calibration.deviation(), "zeta = psi m; common to all samples"));
-  add(value_of("psi_measurement_deviation", "share of its measurement", "by measurement", units.psi(),
-               units.psi_display(), calibration.measurement_deviation, ""));
-  add(value_of("psi_reference_deviation", "share of what was taken over", "by reference", units.psi(),
-               units.psi_display(), calibration.reference_deviation, ""));
+  Group group("Calibration: " + of.name);
+  group.add("psi", "calibration factor", "psi", units.psi(), units.psi_display(), calibration.psi,
+            "zeta = psi m; common to all samples", calibration.deviation());
+  group.add("psi_measurement_deviation", "share of its measurement", "by measurement", units.psi(), units.psi_display(),
+            calibration.measurement_deviation);
+  group.add("psi_reference_deviation", "share of what was taken over", "by reference", units.psi(), units.psi_display(),
+            calibration.reference_deviation);
   if (of.silicon) {
-    add(with_error("silicon_coefficient", "coefficient of friction of silicon, taken over", "mu_Si", "1", "1",
-                   of.silicon_coefficient.value, of.silicon_coefficient.deviation));
-    add_line(*of.silicon, "silicon_", "", group.values);
+    group.add("silicon_coefficient", "coefficient of friction of silicon, taken over", "mu_Si", "1", "1",
+              of.silicon_coefficient.value, "", of.silicon_coefficient.deviation);
+    add_line(*of.silicon, "silicon_", "", group);
   }
-  if (of.lever) add_lever(of, group.values);
+  if (of.lever) add_lever(*of.lever, group);
   if (of.wedge) {
     for (std::size_t k = 0; k < of.facets.size(); ++k) {
       const std::string head = fmt::format("facet_{}_", k + 1);
-      add(with_error(head + "angle", "angle of " + of.facets[k].name + " to the base", "theta", "rad", "degree",
-                     of.angles[k].value, of.angles[k].deviation));
-      add_line(of.facets[k], head, "", group.values);
+      group.add(head + "angle", "angle of " + of.facets[k].name + " to the base", "theta", "rad", "degree",
+                of.angles[k].value, "", of.angles[k].deviation);
+      add_line(of.facets[k], head, "", group);
     }
-    add(with_error("grating_friction", "coefficient of friction of tip and grating", "mu", "1", "1",
-                   of.wedge->friction_coefficient.value, of.wedge->friction_coefficient.deviation));
-    add(value_of("width_mismatch", "width on the second facet off what it should be", "", "1", "%",
-                 of.wedge->width_mismatch, "not used, a check"));
+    const surface::Uncertain& friction = of.wedge->friction_coefficient;
+    group.add("grating_friction", "coefficient of friction of tip and grating", "mu", "1", "1", friction.value, "",
+              friction.deviation);
+    group.add("width_mismatch", "width on the second facet off what it should be", "", "1", "%",
+              of.wedge->width_mismatch, "not used, a check");
   }
   return group;
 }
 
 /// Coefficients beside each other.
 io::MeasuredTable sample_table(const std::vector<ForceSample>& samples, const surface::ShearStrengths& strengths) {
-  io::MeasuredTable table;
-  table.name = "samples";
-  table.title = "Coefficients of boundary shear strength";
+  io::MeasuredTable table{"samples", "Coefficients of boundary shear strength", {}, {}, {}};
   const auto column = [&](const char* name, const char* words, const char* symbol) {
-    table.columns.push_back(value_of(name, words, symbol, "1", "1", 0, ""));
+    add_column(table, name, words, symbol, "1", "1");
   };
   column("coefficient", "coefficient", "zeta");
   column("deviation", "its standard deviation", "deviation");
@@ -172,26 +146,20 @@ io::MeasuredTable sample_table(const std::vector<ForceSample>& samples, const su
   column("by_reference", "share of what was taken over", "reference");
   column("interval_low", "95 % interval from", "low");
   column("interval_high", "to", "high");
-  table.values.resize(table.columns.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const surface::ShearStrength& s = strengths.samples[i];
-    const double row[] = {s.zeta, s.deviation(), s.slope_deviation, s.calibration_deviation, s.reference_deviation,
-                          s.low,  s.high};
-    for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(row[c]);
-    table.row_labels.push_back(samples[i].name);
+    add_row(table, samples[i].name,
+            {s.zeta, s.deviation(), s.slope_deviation, s.calibration_deviation, s.reference_deviation, s.low, s.high});
   }
   return table;
 }
 
 io::MeasuredTable correlation_table(const std::vector<ForceSample>& samples, const std::vector<std::string>& words,
                                     const surface::ShearStrengths& strengths) {
-  io::MeasuredTable table;
-  table.name = "correlations";
-  table.title = "Correlation of the coefficients, by the common calibration";
+  io::MeasuredTable table{"correlations", "Correlation of the coefficients, by the common calibration", {}, {}, {}};
   for (std::size_t j = 0; j < samples.size(); ++j) {
-    table.columns.push_back(value_of("with_" + words[j], samples[j].name, samples[j].name, "1", "1", 0, ""));
-    table.values.emplace_back();
-    for (std::size_t i = 0; i < samples.size(); ++i) table.values[j].push_back(strengths.correlation(i, j));
+    std::vector<double>& rows = add_column(table, "with_" + words[j], samples[j].name, samples[j].name, "1", "1");
+    for (std::size_t i = 0; i < samples.size(); ++i) rows.push_back(strengths.correlation(i, j));
     table.row_labels.push_back(samples[j].name);
   }
   return table;
@@ -251,12 +219,13 @@ std::vector<std::string> note_lines(std::size_t n_samples, const SampleList& eve
                       "of the load right?");
     }
   }
-  std::string at_zero;
+  std::vector<std::string> at_zero;
   for (const surface::ShearStrength& s : strengths.samples) {
-    if (s.low == 0) at_zero += (at_zero.empty() ? std::string() : std::string(", ")) + s.sample;
+    if (s.low == 0) at_zero.push_back(s.sample);
   }
   if (!at_zero.empty()) {
-    notes.push_back(at_zero + ": the 95 % interval reaches zero and was cut off there, since friction is not negative");
+    notes.push_back(joined(at_zero, ", ") +
+                    ": the 95 % interval reaches zero and was cut off there, since friction is not negative");
   }
   if (of.wedge && std::abs(of.wedge->width_mismatch) > kWideMismatch) {
     notes.push_back(
@@ -284,12 +253,6 @@ std::string fragment_of(const ForceSample& sample, const surface::ShearStrength&
   return io::shear_strength_fragment(strength, file_names(sample), of.calibration.method, of.name, heading);
 }
 
-std::string paths_of(const ForceSample& sample) {
-  std::string paths;
-  for (const std::string& path : sample.paths) paths += (paths.empty() ? "" : ", ") + path;
-  return paths;
-}
-
 /// Do both hold a loop with the same numbers, or without loops the same table of loads?
 bool have_common_numbers(const ForceSample& a, const ForceSample& b) {
   const auto is_loop_of_b = [&b](const surface::FrictionLoop& loop) {
@@ -303,10 +266,10 @@ bool have_common_numbers(const ForceSample& a, const ForceSample& b) {
 /// Loops cannot be their own reference, under whatever name their file comes.
 void check_apart(const ForceSample& sample, const ForceSample& reference, const std::string& reference_is) {
   if (!have_common_numbers(sample, reference)) return;
-  throw InputError(
-      fmt::format("the sample {} ({}) and the calibration on {} ({}) have the same {}", sample.name, paths_of(sample),
-                  reference_is, paths_of(reference), sample.loops.empty() ? "loads and friction signals" : "loops"),
-      "name another file for one of them");
+  throw InputError(fmt::format("the sample {} ({}) and the calibration on {} ({}) have the same {}", sample.name,
+                               joined(sample.paths, ", "), reference_is, joined(reference.paths, ", "),
+                               sample.loops.empty() ? "loads and friction signals" : "loops"),
+                   "name another file for one of them");
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string measured_with(const Side& ring, const Side& liner) {
 }
 
 /// Deviations and correlations of the parameters themselves, from those of their logarithms.
-void add_scatter(const surface::PairScatter& scatter, io::PairOfSurfaces& pair) {
+void set_scatter(const surface::PairScatter& scatter, io::PairOfSurfaces& pair) {
   const auto& covariance = scatter.covariance_log;
   const auto deviation = [&](std::size_t k) { return std::sqrt(covariance[k][k]); };
   cycle::MeasuredContact& to = pair.measured;
@@ -54,7 +54,7 @@ io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const Surf
   pair.measured.step = first.map.step_x_m;
   pair.measured.roughness_rule = sigma_text(analysis.sigma_rule);
   pair.measured.difference_scheme = moment_text(first, analysis);
-  add_scatter(scatter, pair);
+  set_scatter(scatter, pair);
   return pair;
 }
 
@@ -65,29 +65,21 @@ std::optional<models::SummitStatistics> summits_of(const surface::PairScatter& s
 }
 
 io::MeasuredGroup summit_plane_group(const models::SummitStatistics& summits, const std::string& rule) {
-  io::MeasuredGroup group{"Summits of a Gaussian surface with this N, beta and sigma", {}};
-  group.values = {value_of("asperity_bandwidth", "bandwidth parameter", "alpha", "1", "1", summits.bandwidth, rule),
-                  value_of("asperity_slope", "rms slope", "h'", "1", "1", summits.rms_slope, rule),
-                  value_of("summit_plane_offset", "plane of the summits above that of the surface", "z_s", "m", "um",
-                           summits.summit_offset, rule),
-                  value_of("summit_spread", "standard deviation of the summit heights", "sigma_s", "m", "um",
-                           summits.summit_spread, rule)};
+  Group group("Summits of a Gaussian surface with this N, beta and sigma", rule);
+  group.add("asperity_bandwidth", "bandwidth parameter", "alpha", "1", "1", summits.bandwidth);
+  group.add("asperity_slope", "rms slope", "h'", "1", "1", summits.rms_slope);
+  group.add("summit_plane_offset", "plane of the summits above that of the surface", "z_s", "m", "um",
+            summits.summit_offset);
+  group.add("summit_spread", "standard deviation of the summit heights", "sigma_s", "m", "um", summits.summit_spread);
   return group;
 }
 
 io::MeasuredGroup pair_group(const surface::PairScatter& scatter, const std::string& rule, const std::string& sigma) {
-  io::MeasuredGroup group = asperity_group("The pair in contact", scatter.central, rule, sigma);
-  const double central[] = {scatter.central.density_per_m2, scatter.central.beta_m, scatter.central.sigma_m};
-  const char* symbols[] = {"N", "beta", "sigma"};
-  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
+  Group group = asperity_group("The pair in contact", scatter.central, rule, sigma);
   if (scatter.without_scatter == "both") return group;
-  for (std::size_t k = 0; k < 3; ++k) {
-    group.values[k].standard_error = central[k] * std::sqrt(scatter.mean_covariance_log[k][k]);
-    group.values.push_back(
-        value_of(std::string(names[k]) + "_relative_deviation", "standard deviation of one region of each, relative",
-                 std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), rule));
-  }
-  add_correlations(scatter.covariance_log, rule, group);
+  std::array<double, 3> errors = {scatter.central.density_per_m2, scatter.central.beta_m, scatter.central.sigma_m};
+  for (std::size_t k = 0; k < 3; ++k) errors[k] *= std::sqrt(scatter.mean_covariance_log[k][k]);
+  add_scatter("standard deviation of one region of each, relative", errors, scatter.covariance_log, group);
   return group;
 }
 

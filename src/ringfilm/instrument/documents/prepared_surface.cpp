@@ -5,6 +5,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/surface_measurement.hpp"
+#include "ringfilm/instrument/documents/surface_values.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -15,16 +16,15 @@ std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const
     regions.push_back(surface::region_in_metres(map, x, y, width, height));
   }
   if (choice.across > 0) {
-    for (const surface::Region& part : surface::grid_regions(map, choice.across, choice.down)) regions.push_back(part);
+    const auto parts = surface::grid_regions(map, choice.across, choice.down);
+    regions.insert(regions.end(), parts.begin(), parts.end());
   }
   if (choice.prominent > 0) {
     const auto points = [&](double step) {
       return static_cast<std::size_t>(std::llround(std::min(choice.size_m / step, static_cast<double>(kMostPoints))));
     };
-    for (const surface::Region& part :
-         surface::prominent_regions(map, choice.prominent, points(map.step_x_m), points(map.step_y_m))) {
-      regions.push_back(part);
-    }
+    const auto parts = surface::prominent_regions(map, choice.prominent, points(map.step_x_m), points(map.step_y_m));
+    regions.insert(regions.end(), parts.begin(), parts.end());
   }
   return regions;
 }
@@ -83,16 +83,9 @@ surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSu
 
 std::vector<std::string> source_lines(const PreparedSurface& surface) {
   const SurfaceOrigin& origin = surface.origin;
-  std::string file = origin.path + ": " + origin.format;
-  if (origin.channels.size() > 1) {
-    file += ", channel " + std::to_string(origin.channel_number) + " of " + std::to_string(origin.channels.size());
-    if (!origin.channel.empty()) file += " (" + origin.channel + ")";
-  }
-  if (!origin.instrument.empty()) file += ", " + origin.instrument;
-  if (!origin.date.empty()) file += ", " + origin.date;
-  std::vector<std::string> lines = {file, surface.plausibility_line, "SHA-256 " + origin.sha256};
-  lines.insert(lines.end(), origin.notes.begin(), origin.notes.end());
-  return lines;
+  const std::string name = origin.channel.empty() ? "" : " (" + origin.channel + ")";
+  return origin_lines(origin, fmt::format(", channel {} of {}{}", origin.channel_number, origin.channels.size(), name),
+                      surface.plausibility_line);
 }
 
 std::string measured_with(const PreparedSurface& surface) {

@@ -116,10 +116,8 @@ io::MeasuredCurve spectrum_curve(const PreparedSurface& surface) {
 }
 
 io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnalysis& analysis) {
-  io::MeasuredTable table;
-  table.name = "scale";
   const surface::HeightMap& part = surface.middle;
-  table.title = "Against the short cut-off, this surface against a smooth one";
+  io::MeasuredTable table{"scale", "Against the short cut-off, this surface against a smooth one", {}, {}, {}};
   if (part.points() < surface.map.points()) {
     table.title += fmt::format(", the middle {} x {} points", part.points_x, part.points_y);
   }
@@ -133,9 +131,9 @@ io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnaly
   if (!surface.map.is_profile()) add_column(table, "summit_density", "summits counted", "", "m-2", "mm-2");
   for (const surface::ScaleRow& row :
        surface::scale_table(part, short_cutoffs(part), analysis.direction, analysis.scheme)) {
-    const double values[] = {row.short_cutoff_m,    row.Sq_m,           row.Sdq,    row.moments.m2,
-                             row.moments.m4_per_m2, row.density_per_m2, row.beta_m, row.summit_density_per_m2};
-    add_row(table, row.short_cutoff_m > 0 ? "" : "none, the step alone", values);
+    add_row(table, row.short_cutoff_m > 0 ? "" : "none, the step alone",
+            {row.short_cutoff_m, row.Sq_m, row.Sdq, row.moments.m2, row.moments.m4_per_m2, row.density_per_m2,
+             row.beta_m, row.summit_density_per_m2});
   }
   return table;
 }

@@ -24,11 +24,10 @@ constexpr std::size_t kEnoughForMaterialRatio = 100;  // points of the probabili
 io::MeasuredGroup height_group(const PreparedSurface& surface) {
   const surface::HeightStatistics heights = height_statistics(surface.map);
   const bool profile = surface.map.is_profile();
-  const auto name = [&](const char* tail) { return std::string(profile ? "R" : "S") + tail; };
-  const std::string with = measured_with(surface);
-  io::MeasuredGroup group{"Heights", {}};
+  Group group("Heights", measured_with(surface));
   const auto add = [&](const char* tail, const char* words, double value, const char* unit, const char* display) {
-    group.values.push_back(value_of(name(tail), words, name(tail), unit, display, value, with));
+    const std::string name = std::string(profile ? "R" : "S") + tail;
+    group.add(name, words, name, unit, display, value);
   };
   add("a", "mean absolute deviation of heights", heights.Sa_m, "m", "um");
   add("q", "rms height", heights.Sq_m, "m", "um");
@@ -44,30 +43,25 @@ io::MeasuredGroup sampled_height_group(const PreparedSurface& surface, const Sur
   const std::optional<double>& cutoff = analysis.preparation.long_cutoff_m;
   const surface::SampledHeights heights = sampled_heights(surface.map, cutoff);
   const std::string length = surface::length_text(heights.sampling_length_m);
-  const std::string with =
-      measured_with(surface) + "; " +
-      (heights.count == 1 ? "one sampling length of " + length
-                          : fmt::format("mean of {} sampling lengths of {}", heights.count, length));
-  const std::string rule = cutoff ? "the long cut-off" : "a fifth of the profile, without a long cut-off";
-  io::MeasuredGroup group{"Heights, means over sampling lengths", {}};
-  const auto add = [&](const char* name, const char* words, const char* symbol, const char* unit, const char* display,
-                       double value, const std::string& remark) {
-    group.values.push_back(value_of(name, words, symbol, unit, display, value, remark));
-  };
-  add("Rp", "highest peak above the mean, of each sampling length", "Rp", "m", "um", heights.Rp_m, with);
-  add("Rv", "deepest pit below the mean, of each sampling length", "Rv", "m", "um", heights.Rv_m, with);
-  add("Rz", "peak to pit of each sampling length", "Rz", "m", "um", heights.Rz_m, with);
-  add("sampling_length", "sampling length", "", "m", "mm", heights.sampling_length_m, rule);
-  add("sampling_lengths", "how many are in the profile", "", "1", "1", static_cast<double>(heights.count),
-      "those that fit, in its middle");
+  Group group("Heights, means over sampling lengths",
+              measured_with(surface) + "; " +
+                  (heights.count == 1 ? "one sampling length of " + length
+                                      : fmt::format("mean of {} sampling lengths of {}", heights.count, length)));
+  group.add("Rp", "highest peak above the mean, of each sampling length", "Rp", "m", "um", heights.Rp_m);
+  group.add("Rv", "deepest pit below the mean, of each sampling length", "Rv", "m", "um", heights.Rv_m);
+  group.add("Rz", "peak to pit of each sampling length", "Rz", "m", "um", heights.Rz_m);
+  group.add("sampling_length", "sampling length", "", "m", "mm", heights.sampling_length_m,
+            cutoff ? "the long cut-off" : "a fifth of the profile, without a long cut-off");
+  group.add("sampling_lengths", "how many are in the profile", "", "1", "1", static_cast<double>(heights.count),
+            "those that fit, in its middle");
   return group;
 }
 
 io::MeasuredGroup material_ratio_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
                                        const std::string& with) {
-  io::MeasuredGroup group{"Material ratio curve", {}};
+  Group group("Material ratio curve", with);
   const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
-    group.values.push_back(value_of(name, words, name, unit, display, value, with));
+    group.add(name, words, name, unit, display, value);
   };
   const surface::CoreRoughness core = surface::core_roughness(falling);
   add("Rk", "core roughness", core.Rk_m, "m", "um");
@@ -83,25 +77,20 @@ io::MeasuredGroup material_ratio_group(const std::vector<double>& falling, const
   const surface::Cavities pores = cavity_depth_m
                                       ? surface::cavities(falling, surface::CavityRule::below_depth, *cavity_depth_m)
                                       : surface::cavities(falling, surface::CavityRule::below_plateau);
-  const std::string rule = cavity_depth_m ? "deeper than " + surface::length_text(*cavity_depth_m) + " below the median"
-                                          : "deeper than 3 standard deviations of the plateau below the median";
-  group.values.push_back(
-      value_of("cavity_area_share", "area share of cavities (porosity)", "", "1", "%", pores.area_share, rule));
-  group.values.push_back(
-      value_of("cavity_mean_depth", "their mean depth below the median", "", "m", "um", pores.mean_depth_m, rule));
-  group.values.push_back(value_of("cavity_volume", "their volume for each area", "", "m", "um", pores.volume_m, rule));
+  group.remark = cavity_depth_m ? "deeper than " + surface::length_text(*cavity_depth_m) + " below the median"
+                                : "deeper than 3 standard deviations of the plateau below the median";
+  group.add("cavity_area_share", "area share of cavities (porosity)", "", "1", "%", pores.area_share);
+  group.add("cavity_mean_depth", "their mean depth below the median", "", "m", "um", pores.mean_depth_m);
+  group.add("cavity_volume", "their volume for each area", "", "m", "um", pores.volume_m);
   return group;
 }
 
 io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
                                const surface::SpectralMoments* noise) {
   const surface::MomentTable table = moment_table(surface.map, analysis.scheme);
-  const std::string with = measured_with(surface) + "; " + scheme_text(analysis.scheme);
-  io::MeasuredGroup group{"Slopes and curvatures", {}};
+  Group group("Slopes and curvatures", measured_with(surface) + "; " + scheme_text(analysis.scheme));
   const auto add = [&](const std::string& name, const std::string& words, const char* unit, const char* display,
-                       double value) {
-    group.values.push_back(value_of(name, words, name, unit, display, value, with));
-  };
+                       double value) { group.add(name, words, name, unit, display, value); };
   add(surface.map.is_profile() ? "Rdq" : "Sdq", "rms slope", "1", "1", rms_slope(table));
   add("m0", "variance of heights", "m2", "um2", table.m0_m2);
   if (!surface.map.is_profile()) {
@@ -110,44 +99,36 @@ io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnal
     add("m4_x", "variance of curvatures along x", "m-2", "mm-2", table.m4_x_per_m2);
     add("m4_y", "variance of curvatures along y", "m-2", "mm-2", table.m4_y_per_m2);
   }
+  const auto add_both = [&](const char* tail, const std::string& words, const surface::SpectralMoments& of) {
+    add(std::string("m2") + tail, "variance of slopes" + words, "1", "1", of.m2);
+    add(std::string("m4") + tail, "variance of curvatures" + words, "m-2", "mm-2", of.m4_per_m2);
+  };
   if (analysis.angle_rad) {
-    const surface::SpectralMoments at = moments_at_angle(table, *analysis.angle_rad);
-    const std::string words = fmt::format(", profiles at {:.4g} degree to x", *analysis.angle_rad * kDegreesPerRadian);
-    add("m2_at_angle", "variance of slopes" + words, "1", "1", at.m2);
-    add("m4_at_angle", "variance of curvatures" + words, "m-2", "mm-2", at.m4_per_m2);
+    add_both("_at_angle", fmt::format(", profiles at {:.4g} degree to x", *analysis.angle_rad * kDegreesPerRadian),
+             moments_at_angle(table, *analysis.angle_rad));
   }
-  surface::SpectralMoments used = moments(table, analysis.direction);
-  if (noise != nullptr) used = without_noise(used, *noise);
-  const std::string use = noise == nullptr ? ", in use" : ", in use, less the noise of the flat";
-  add("m2", "variance of slopes" + use, "1", "1", used.m2);
-  add("m4", "variance of curvatures" + use, "m-2", "mm-2", used.m4_per_m2);
+  const surface::SpectralMoments used = moments(table, analysis.direction);
+  if (noise == nullptr) {
+    add_both("", ", in use", used);
+  } else {
+    add_both("", ", in use, less the noise of the flat", without_noise(used, *noise));
+  }
   return group;
+}
+
+std::vector<surface::AsperityParameters> parameters_of(const std::vector<surface::SurfaceMeasures>& measures,
+                                                       const SurfaceAnalysis& analysis) {
+  std::vector<surface::AsperityParameters> parameters;
+  for (const surface::SurfaceMeasures& one : measures) {
+    parameters.push_back(single_parameters(one, analysis.sigma_rule));
+  }
+  return parameters;
 }
 
 void add_asperities(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
                     const surface::SpectralMoments* noise, io::Measurement& to) {
   const std::vector<surface::SurfaceMeasures> measures = measures_of_regions(surface, analysis, noise);
-  std::vector<surface::AsperityParameters> parameters;
-  for (const surface::SurfaceMeasures& one : measures) {
-    parameters.push_back(single_parameters(one, analysis.sigma_rule));
-  }
-  const std::string with = measured_with(surface), sigma = with + "; " + surface_sigma_text(analysis.sigma_rule);
-  if (parameters.size() < 2) {
-    to.groups.push_back(
-        asperity_group("Asperities, this surface against a smooth one", parameters.front(), with, sigma));
-  } else {
-    const surface::ParameterScatter scatter = surface::scatter_of(parameters);
-    to.groups.push_back(scatter_group(scatter, with, sigma));
-    to.tables.push_back(covariance_table(scatter.covariance_log));
-    if (parameters.size() < kEnoughForScatter) to.notes.push_back(few_samples_note(parameters.size()));
-  }
-  if (!surface.regions.empty()) to.tables.push_back(region_table(surface, measures, parameters));
-}
-
-}  // namespace
-
-io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat) {
-  const PreparedSurface surface = prepare_surface(file, analysis);
+  const std::vector<surface::AsperityParameters> parameters = parameters_of(measures, analysis);
   const std::string with = measured_with(surface);
   io::Measurement all;
   all.kind = "surface";
@@ -213,10 +194,7 @@ io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, cons
   io::Measurement all;
   all.kind = "surface";
   all.title = "Surface " + names_of(side);
-  std::vector<surface::AsperityParameters> parameters;
-  for (const surface::SurfaceMeasures& one : side.measures) {
-    parameters.push_back(single_parameters(one, analysis.sigma_rule));
-  }
+  const std::vector<surface::AsperityParameters> parameters = parameters_of(side.measures, analysis);
   bool unlike = false;
   for (std::size_t k = 0; k < files.size(); ++k) {
     const PreparedSurface& surface = side.surfaces[k];

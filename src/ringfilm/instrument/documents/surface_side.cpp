@@ -53,9 +53,7 @@ std::vector<std::string> digest_lines(const Side& side) {
 }
 
 io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis, const std::string& title) {
-  io::MeasuredTable table;
-  table.name = side.name + "_measures";
-  table.title = title;
+  io::MeasuredTable table{side.name + "_measures", title, {}, {}, {}};
   const auto column = [&](const char* tail, const char* words, const char* symbol, const char* unit,
                           const char* display) {
     add_column(table, side.name + "_" + tail, words, symbol, unit, display);
@@ -83,9 +81,9 @@ io::MeasuredTable side_table(const Side& side, const SurfaceAnalysis& analysis, 
           surface.regions.empty() ? surface::Region{0, 0, map.points_x, map.points_y, 0} : surface.regions[k];
       const io::MeasuredFrame place =
           frame_of(part, map, surface.regions.empty() ? std::string() : fmt::format(", region {}", k + 1));
-      const double values[] = {of.Sa_m,      of.Sq_m, of.moments.m2, of.moments.m4_per_m2, alone.density_per_m2,
-                               alone.beta_m, place.x, place.y,       place.width,          place.height};
-      add_row(table, file_name(surface.origin.path) + place.label, values);
+      add_row(table, file_name(surface.origin.path) + place.label,
+              {of.Sa_m, of.Sq_m, of.moments.m2, of.moments.m4_per_m2, alone.density_per_m2, alone.beta_m, place.x,
+               place.y, place.width, place.height});
     }
   }
   return table;

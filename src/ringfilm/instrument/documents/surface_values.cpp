@@ -18,6 +18,10 @@ constexpr double kMuchTilt = 0.05;     // of Sq that a plane removes
 constexpr double kManyMissing = 0.05;  // of all points
 constexpr double kSameStep = 1e-6;     // relative
 
+/// N, beta and sigma.
+constexpr const char* kParameterNames[] = {"asperity_density", "asperity_radius", "roughness"};
+constexpr const char* kParameterSymbols[] = {"N", "beta", "sigma"};
+
 /// Reports how much a tilt that was left in adds, if it adds much.
 std::optional<std::string> tilt_note(surface::HeightMap map) {
   try {
@@ -63,29 +67,30 @@ bool regions_overlap(const std::vector<surface::Region>& regions) {
 
 }  // namespace
 
-io::MeasuredValue value_of(const std::string& name, const std::string& long_name, const std::string& symbol,
-                           const std::string& unit, const std::string& display_unit, double value,
-                           const std::string& remark) {
-  io::MeasuredValue of;
-  of.name = name;
-  of.long_name = long_name;
-  of.symbol = symbol;
-  of.unit = unit;
-  of.display_unit = display_unit;
-  of.value = value;
-  of.remark = remark;
-  return of;
+std::vector<double>& add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
+                                const std::string& symbol, const std::string& unit, const std::string& display_unit) {
+  table.columns.push_back({name, long_name, symbol, unit, display_unit, 0, std::nan(""), ""});
+  return table.values.emplace_back();
 }
 
-void add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
-                const std::string& symbol, const std::string& unit, const std::string& display_unit) {
-  table.columns.push_back(value_of(name, long_name, symbol, unit, display_unit, 0, ""));
-  table.values.emplace_back();
-}
-
-void add_row(io::MeasuredTable& table, const std::string& label, std::span<const double> values) {
+void add_row(io::MeasuredTable& table, const std::vector<double>& values) {
   for (std::size_t c = 0; c < table.values.size(); ++c) table.values[c].push_back(values[c]);
+}
+
+void add_row(io::MeasuredTable& table, const std::string& label, const std::vector<double>& values) {
+  add_row(table, values);
   table.row_labels.push_back(label);
+}
+
+std::vector<std::string> origin_lines(const SurfaceOrigin& origin, const std::string& channel,
+                                      const std::string& plausibility_line) {
+  std::string file = origin.path + ": " + origin.format;
+  if (origin.channels.size() > 1) file += channel;
+  if (!origin.instrument.empty()) file += ", " + origin.instrument;
+  if (!origin.date.empty()) file += ", " + origin.date;
+  std::vector<std::string> lines = {file, plausibility_line, "SHA-256 " + origin.sha256};
+  lines.insert(lines.end(), origin.notes.begin(), origin.notes.end());
+  return lines;
 }
 
 io::MeasuredFrame frame_of(const surface::Region& region, const surface::HeightMap& map, const std::string& label) {
@@ -154,44 +159,40 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
   return notes;
 }
 
-io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
-                                 const std::string& remark, const std::string& sigma_text) {
-  io::MeasuredGroup group{title, {}};
-  group.values.push_back(
-      value_of("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2, remark));
-  group.values.push_back(value_of("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m, remark));
-  group.values.push_back(value_of("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, sigma_text));
-  group.values.push_back(value_of("roughness_parameter", "0.03 to 0.05 after Greenwood and Tripp", "N beta sigma", "1",
-                                  "1", of.roughness_parameter(), remark));
-  group.values.push_back(value_of("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope(), remark));
+Group asperity_group(const std::string& title, const surface::AsperityParameters& of, const std::string& remark,
+                     const std::string& sigma_text) {
+  Group group(title, remark);
+  group.add("asperity_density", "density of asperity peaks", "N", "m-2", "mm-2", of.density_per_m2);
+  group.add("asperity_radius", "mean summit radius", "beta", "m", "um", of.beta_m);
+  group.add("roughness", "roughness in contact", "sigma", "m", "um", of.sigma_m, sigma_text);
+  group.add("roughness_parameter", "0.03 to 0.05 after Greenwood and Tripp", "N beta sigma", "1", "1",
+            of.roughness_parameter());
+  group.add("slope_ratio", "roughness over radius", "sigma/beta", "1", "1", of.slope());
   return group;
 }
 
 io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark,
                                 const std::string& sigma_text) {
-  surface::AsperityParameters mean{scatter.mean[0], scatter.mean[1], scatter.mean[2]};
-  io::MeasuredGroup group = asperity_group(
-      fmt::format("Asperities, mean of {} samples with its standard error", scatter.count), mean, remark, sigma_text);
-  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
-  const char* symbols[] = {"N", "beta", "sigma"};
-  for (std::size_t k = 0; k < 3; ++k) {
-    group.values[k].standard_error = scatter.mean[k] * scatter.relative_standard_error(k);
-    group.values.push_back(
-        value_of(std::string(names[k]) + "_relative_deviation", "standard deviation between regions, relative",
-                 std::string("s(ln ") + symbols[k] + ")", "1", "%", std::sqrt(scatter.covariance_log[k][k]), remark));
-  }
-  add_correlations(scatter.covariance_log, remark, group);
+  const surface::AsperityParameters mean{scatter.mean[0], scatter.mean[1], scatter.mean[2]};
+  Group group = asperity_group(fmt::format("Asperities, mean of {} samples with its standard error", scatter.count),
+                               mean, remark, sigma_text);
+  std::array<double, 3> errors{};
+  for (std::size_t k = 0; k < 3; ++k) errors[k] = scatter.mean[k] * scatter.relative_standard_error(k);
+  add_scatter("standard deviation between regions, relative", errors, scatter.covariance_log, group);
   return group;
 }
 
-void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, const std::string& remark,
-                      io::MeasuredGroup& group) {
-  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
-  const char* symbols[] = {"N", "beta", "sigma"};
+void add_scatter(const std::string& words, const std::array<double, 3>& standard_error,
+                 const surface::ParameterScatter::Matrix& covariance_log, Group& group) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    group.values[k].standard_error = standard_error[k];
+    group.add(std::string(kParameterNames[k]) + "_relative_deviation", words,
+              fmt::format("s(ln {})", kParameterSymbols[k]), "1", "%", std::sqrt(covariance_log[k][k]));
+  }
   for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {0, 2}}) {
-    group.values.push_back(value_of(std::string("correlation_") + names[a] + "_" + names[b],
-                                    "correlation between regions", fmt::format("r({}, {})", symbols[a], symbols[b]),
-                                    "1", "1", surface::correlation(covariance_log, a, b), remark));
+    group.add(fmt::format("correlation_{}_{}", kParameterNames[a], kParameterNames[b]), "correlation between regions",
+              fmt::format("r({}, {})", kParameterSymbols[a], kParameterSymbols[b]), "1", "1",
+              surface::correlation(covariance_log, a, b));
   }
 }
 
@@ -201,66 +202,51 @@ std::string few_samples_note(std::size_t samples) {
 }
 
 io::MeasuredTable covariance_table(const surface::ParameterScatter::Matrix& covariance_log) {
-  io::MeasuredTable table;
-  table.name = "covariance";
-  table.title = "Covariance of the logarithms of N, beta and sigma, of one sample of each surface";
-  const char* names[] = {"asperity_density", "asperity_radius", "roughness"};
-  const char* symbols[] = {"ln N", "ln beta", "ln sigma"};
+  io::MeasuredTable table{
+      "covariance", "Covariance of the logarithms of N, beta and sigma, of one sample of each surface", {}, {}, {}};
   for (std::size_t c = 0; c < 3; ++c) {
-    table.columns.push_back(value_of(std::string("covariance_with_") + names[c], std::string("with ") + symbols[c],
-                                     symbols[c], "1", "1", 0, ""));
-    table.values.push_back({covariance_log[0][c], covariance_log[1][c], covariance_log[2][c]});
-    table.row_labels.push_back(symbols[c]);
+    const std::string symbol = std::string("ln ") + kParameterSymbols[c];
+    add_column(table, std::string("covariance_with_") + kParameterNames[c], "with " + symbol, symbol, "1", "1") = {
+        covariance_log[0][c], covariance_log[1][c], covariance_log[2][c]};
+    table.row_labels.push_back(symbol);
   }
   return table;
 }
 
 io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits,
                                const surface::AsperityParameters& of_moments, const std::string& remark) {
-  io::MeasuredGroup group{title, {}};
-  const auto add = [&](const char* name, const char* words, const char* unit, const char* display, double value) {
-    group.values.push_back(value_of(name, words, "", unit, display, value, remark));
-  };
-  add("summit_count", "summits", "1", "1", static_cast<double>(summits.count));
-  add("summit_density", "density of summits", "m-2", "mm-2", summits.density_per_m2);
+  Group group(title, remark);
+  group.add("summit_count", "summits", "", "1", "1", static_cast<double>(summits.count));
+  group.add("summit_density", "density of summits", "", "m-2", "mm-2", summits.density_per_m2);
   if (summits.count == 0) return group;
-  add("summit_radius", "radius of their mean curvature", "m", "um", summits.mean_radius_m);
-  add("summit_rms_height", "rms of their heights", "m", "um", summits.rms_height_m);
-  add("summit_density_ratio", "counted density over N of the moments", "1", "1",
-      summits.density_per_m2 / of_moments.density_per_m2);
-  add("summit_radius_ratio", "counted radius over beta of the moments", "1", "1",
-      summits.mean_radius_m / of_moments.beta_m);
+  group.add("summit_radius", "radius of their mean curvature", "", "m", "um", summits.mean_radius_m);
+  group.add("summit_rms_height", "rms of their heights", "", "m", "um", summits.rms_height_m);
+  group.add("summit_density_ratio", "counted density over N of the moments", "", "1", "1",
+            summits.density_per_m2 / of_moments.density_per_m2);
+  group.add("summit_radius_ratio", "counted radius over beta of the moments", "", "1", "1",
+            summits.mean_radius_m / of_moments.beta_m);
   return group;
 }
 
 io::MeasuredTable region_table(const PreparedSurface& surface, const std::vector<surface::SurfaceMeasures>& measures,
                                const std::vector<surface::AsperityParameters>& parameters) {
-  io::MeasuredTable table;
-  table.name = "regions";
-  table.title = "Regions";
+  io::MeasuredTable table{"regions", "Regions", {}, {}, {}};
   add_column(table, "region_x", "left edge", "x", "m", "um");
   add_column(table, "region_y", "upper edge", "y", "m", "um");
   add_column(table, "region_width", "width", "", "m", "um");
   add_column(table, "region_height", "height", "", "m", "um");
-  const bool proposed = std::any_of(surface.regions.begin(), surface.regions.end(),
-                                    [](const surface::Region& region) { return region.prominence_m != 0; });
   add_column(table, "region_Sa", "mean absolute deviation", "Sa", "m", "um");
   add_column(table, "region_Sq", "rms height", "Sq", "m", "um");
   add_column(table, "region_asperity_density", "density of asperity peaks", "N", "m-2", "mm-2");
   add_column(table, "region_asperity_radius", "mean summit radius", "beta", "m", "um");
+  const bool proposed = std::any_of(surface.regions.begin(), surface.regions.end(),
+                                    [](const surface::Region& region) { return region.prominence_m != 0; });
   if (proposed) add_column(table, "region_prominence", "prominence", "", "m", "um");
   for (std::size_t k = 0; k < surface.regions.size(); ++k) {
     const io::MeasuredFrame place = frame_of(surface.regions[k], surface.map, std::to_string(k + 1));
-    const double values[] = {place.x,
-                             place.y,
-                             place.width,
-                             place.height,
-                             measures[k].Sa_m,
-                             measures[k].Sq_m,
-                             parameters[k].density_per_m2,
-                             parameters[k].beta_m,
-                             surface.regions[k].prominence_m};
-    add_row(table, place.label, values);
+    add_row(table, place.label,
+            {place.x, place.y, place.width, place.height, measures[k].Sa_m, measures[k].Sq_m,
+             parameters[k].density_per_m2, parameters[k].beta_m, surface.regions[k].prominence_m});
   }
   return table;
 }

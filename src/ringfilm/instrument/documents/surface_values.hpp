@@ -1,25 +1,52 @@
 #pragma once
-#include <span>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/instrument/documents/surface_measurement.hpp"
 #include "ringfilm/surface/asperity/scatter.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
 
-/// Rows and lines that measurements of one surface and of a pair share.
+/// Groups, tables and lines that the documents share.
 namespace ringfilm::instrument {
 
-io::MeasuredValue value_of(const std::string& name, const std::string& long_name, const std::string& symbol,
-                           const std::string& unit, const std::string& display_unit, double value,
-                           const std::string& remark);
+/// A group of values that are added one by one.
+struct Group : io::MeasuredGroup {
+  /// @param usual_remark of all values that have none of their own
+  explicit Group(std::string heading, std::string usual_remark = "")
+      : io::MeasuredGroup{std::move(heading), {}}, remark(std::move(usual_remark)) {}
 
-/// Another column of a table, empty.
-void add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
-                const std::string& symbol, const std::string& unit, const std::string& display_unit);
+  /// A value with the usual remark and without a standard error.
+  void add(const std::string& name, const std::string& long_name, const std::string& symbol, const std::string& unit,
+           const std::string& display_unit, double value) {
+    add(name, long_name, symbol, unit, display_unit, value, remark);
+  }
+  /// A value with a remark of its own. @param error its standard error; NaN: none
+  void add(const std::string& name, const std::string& long_name, const std::string& symbol, const std::string& unit,
+           const std::string& display_unit, double value, const std::string& own_remark, double error = std::nan("")) {
+    values.push_back({name, long_name, symbol, unit, display_unit, value, error, own_remark});
+  }
 
-/// Another row. @param values as many as there are columns, or more, of which the rest is omitted
-void add_row(io::MeasuredTable& table, const std::string& label, std::span<const double> values);
+  std::string remark;  ///< filter, pixel size and rule of the values
+};
+
+/// Another column of a table. @returns its values, for its rows
+std::vector<double>& add_column(io::MeasuredTable& table, const std::string& name, const std::string& long_name,
+                                const std::string& symbol, const std::string& unit, const std::string& display_unit);
+
+/// Another row of a table without labels.
+/// @param values as many as there are columns, or more, of which the rest is omitted
+void add_row(io::MeasuredTable& table, const std::vector<double>& values);
+/// Another row with its label.
+void add_row(io::MeasuredTable& table, const std::string& label, const std::vector<double>& values);
+
+/// Lines on the origin of a file: format, channel, instrument, date, plausibility, digest and statements of the user.
+/// @param channel text on the channel among several
+std::vector<std::string> origin_lines(const SurfaceOrigin& origin, const std::string& channel,
+                                      const std::string& plausibility_line);
 
 /// Where a region lies on its map.
 io::MeasuredFrame frame_of(const surface::Region& region, const surface::HeightMap& map, const std::string& label);
@@ -51,16 +78,19 @@ std::vector<std::string> surface_notes(const SurfaceFile& file, const PreparedSu
 std::string surface_sigma_text(surface::SigmaRule rule);
 
 /// N, beta, sigma, N beta sigma and sigma/beta. @param sigma_text how sigma came about
-io::MeasuredGroup asperity_group(const std::string& title, const surface::AsperityParameters& of,
-                                 const std::string& remark, const std::string& sigma_text);
+Group asperity_group(const std::string& title, const surface::AsperityParameters& of, const std::string& remark,
+                     const std::string& sigma_text);
 
 /// Means of N, beta and sigma over regions with their standard errors, standard deviations and correlations.
 io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const std::string& remark,
                                 const std::string& sigma_text);
 
-/// The three correlations of N, beta and sigma. @param covariance_log of their logarithms
-void add_correlations(const surface::ParameterScatter::Matrix& covariance_log, const std::string& remark,
-                      io::MeasuredGroup& group);
+/// Adds to N, beta and sigma, the first values of a group, their scatter.
+/// @param words meaning of the relative deviations
+/// @param standard_error of each of the three values
+/// @param covariance_log of their logarithms
+void add_scatter(const std::string& words, const std::array<double, 3>& standard_error,
+                 const surface::ParameterScatter::Matrix& covariance_log, Group& group);
 
 /// Number and density of summits; their radius and heights where there are any.
 io::MeasuredGroup summit_group(const std::string& title, const surface::Summits& summits,
