@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -18,6 +17,7 @@
 #include "ringfilm/instrument/formats/x3p_file.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/instrument/grid/height_checks.hpp"
+#include "ringfilm/instrument/grid/number_from.hpp"
 #include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/storage/digest.hpp"
@@ -62,20 +62,12 @@ bool is_length(const std::string& unit, const io::Units& units) { return !unit.e
 
 std::size_t channel_by_text(const InstrumentFile& file, const std::string& path, const SurfaceOptions& options) {
   const std::string& text = *options.channel;
-  std::vector<std::size_t> named;
-  for (std::size_t i = 0; i < file.channels.size(); ++i) {
-    if (file.channels[i].name == text) named.push_back(i);
-  }
-  if (named.size() == 1) return named[0];
-  if (named.size() > 1) {
-    refuse(path, fmt::format("{} channels are named \"{}\":\n{}", named.size(), text, channel_list(file.channels)),
+  const ChannelFound found = find_channel(file.channels, text);
+  if (found.n_named > 1) {
+    refuse(path, fmt::format("{} channels are named \"{}\":\n{}", found.n_named, text, channel_list(file.channels)),
            "choose one by its number: " + options.names.channel);
   }
-  std::size_t number = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc{} && rest == text.data() + text.size() && number >= 1 && number <= file.channels.size()) {
-    return number - 1;
-  }
+  if (found.index) return *found.index;
   refuse(path, fmt::format("there is no channel {} among:\n{}", text, channel_list(file.channels)),
          "choose one of them: " + options.names.channel);
 }
@@ -116,7 +108,7 @@ io::Scale length_scale(const std::string& path, const std::string& unit, const s
 /// The user's unit in place of that of the file. Where both are lengths of one size the file is not contradicted.
 Doubt against_unit(const std::string& what, const std::string& stated, const std::string& taken) {
   return {fmt::format("the file states {} in {}, and {} is used in its place, as the user states", what, stated, taken),
-          "omit the unit where the file is right", Doubt::Weight::kNote};
+          "omit the unit where the file is right"};
 }
 
 bool same_unit(const std::string& a, const std::string& b, const io::Units& units) {
@@ -176,8 +168,7 @@ io::Scale lateral_scale(const std::string& path, const ChannelValues& values, co
     } else if (values.step_unit.empty() && count_points(values.x)) {
       record.doubts.push_back({fmt::format("x counts {:g}, {:g}, {:g} ... and was taken as places in {}", values.x[0],
                                            values.x[1], values.x[2], *options.lateral_unit),
-                               "if it numbers the points, state their step, for example " + options.names.step_x,
-                               Doubt::Weight::kNote});
+                               "if it numbers the points, state their step, for example " + options.names.step_x});
     }
     return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
                         "give a length, for example " + options.names.lateral_unit, units);
@@ -199,7 +190,7 @@ void set_step_of_places(ChannelValues& values, const SurfaceOptions& options, Re
       {fmt::format("the places of the file are not even, and steps of {} are used in their place, as "
                    "the user states",
                    *options.step_x),
-       "omit the step where the file is right", Doubt::Weight::kNote});
+       "omit the step where the file is right"});
 }
 
 struct Steps {
@@ -220,7 +211,7 @@ double stated_step(const std::string& path, const std::string& text, const char*
         {fmt::format("the file states a step along {} of {:.6g} {}, and {} is used in its place, as "
                      "the user states",
                      axis, of_file, values.step_unit, text),
-         "omit the step where the file is right", Doubt::Weight::kNote});
+         "omit the step where the file is right"});
   }
   return step_m;
 }
@@ -271,7 +262,7 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
   double largest = 0;
   std::optional<std::size_t> highest;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
-    if (!values.missing.empty() && values.missing[i] != 0) continue;
+    if (values.is_missing(i)) continue;
     values.value[i] = scale.to_si(values.value[i]);
     if (!std::isfinite(values.value[i])) {
       refuse(path, fmt::format("point {}: a height is not a finite number", i + 1),
@@ -423,7 +414,7 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
   }
   surface::HeightMap map;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
-    if (!values.missing.empty() && values.missing[i] != 0) continue;
+    if (values.is_missing(i)) continue;
     result.trace.x_m.push_back(step_m > 0 ? step_m * static_cast<double>(i) : scale.to_si(values.x[i]));
     result.trace.height_m.push_back(values.value[i]);
   }
@@ -444,6 +435,18 @@ std::vector<ChannelValues> read_channels(const std::string& path) {
   std::vector<ChannelValues> channels;
   for (std::size_t i = 0; i < file.channels.size(); ++i) channels.push_back(file.values(i));
   return channels;
+}
+
+ChannelFound find_channel(const std::vector<Channel>& channels, const std::string& requested) {
+  ChannelFound found;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (channels[i].name == requested && ++found.n_named == 1) found.index = i;
+  }
+  if (found.n_named == 1) return found;
+  const std::size_t number = number_from<std::size_t>(requested).value_or(0);
+  found.index.reset();
+  if (number >= 1 && number <= channels.size()) found.index = number - 1;
+  return found;
 }
 
 std::string channel_list(const std::vector<Channel>& channels) {

@@ -78,6 +78,13 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
 /// All channels of a file with their own units: lateral signals of an AFM, voltages, light. Throws InputError.
 std::vector<ChannelValues> read_channels(const std::string& path);
 
+/// A channel by its name or its number.
+struct ChannelFound {
+  std::optional<std::size_t> index;  ///< that of the only one of the name, else of the number from 1; nothing: no such
+  std::size_t n_named = 0;           ///< how many have the name
+};
+ChannelFound find_channel(const std::vector<Channel>& channels, const std::string& requested);
+
 /// A table of the channels for a person: number, name, unit, points.
 std::string channel_list(const std::vector<Channel>& channels);
 

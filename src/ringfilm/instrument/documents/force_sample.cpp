@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -93,18 +92,12 @@ std::string size_text(const io::ForceFile& file) {
 std::size_t channel_of(const std::vector<ChannelValues>& all, const std::string& path, const std::string& requested) {
   std::vector<Channel> channels;
   for (const ChannelValues& one : all) channels.push_back(one.channel);
-  std::vector<std::size_t> named;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (channels[i].name == requested) named.push_back(i);
-  }
-  if (named.size() == 1) return named.front();
-  std::size_t number = 0;
-  const char* end = requested.data() + requested.size();
-  const auto [rest, error] = std::from_chars(requested.data(), end, number);
-  if (error == std::errc{} && rest == end && number >= 1 && number <= channels.size()) return number - 1;
+  const ChannelFound found = find_channel(channels, requested);
+  if (found.index) return *found.index;
   refuse(path,
-         named.empty() ? fmt::format("there is no channel {} among:\n{}", requested, channel_list(channels))
-                       : fmt::format("{} channels are named {}:\n{}", named.size(), requested, channel_list(channels)),
+         (found.n_named == 0
+              ? fmt::format("there is no channel {} among:\n{}", requested, channel_list(channels))
+              : fmt::format("{} channels are named {}:\n{}", found.n_named, requested, channel_list(channels))),
          "name the lateral signals of trace and retrace: --channels TRACE,RETRACE");
 }
 
@@ -121,8 +114,7 @@ std::vector<double> volts(const ChannelValues& signal, const std::string& path, 
   const io::Scale scale = units.scale(unit, "V");
   std::vector<double> values = signal.value;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool missing = !signal.missing.empty() && signal.missing[i] != 0;
-    values[i] = missing ? std::numeric_limits<double>::quiet_NaN() : scale.to_si(values[i]);
+    values[i] = signal.is_missing(i) ? std::numeric_limits<double>::quiet_NaN() : scale.to_si(values[i]);
   }
   return values;
 }

@@ -170,15 +170,14 @@ void apply_mirror(Mirror mirror, ChannelValues& values) {
   if (mirror == Mirror::kNone) return;
   double sum = 0;
   std::size_t measured = 0;
-  const auto is_missing = [&values](std::size_t i) { return !values.missing.empty() && values.missing[i] != 0; };
   for (std::size_t i = 0; i < values.value.size(); ++i) {
-    if (is_missing(i)) continue;
+    if (values.is_missing(i)) continue;
     sum += values.value[i];
     ++measured;
   }
   const double twice_mean = measured > 0 ? 2 * (sum / static_cast<double>(measured)) : 0;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
-    if (!is_missing(i)) values.value[i] = twice_mean - values.value[i];
+    if (!values.is_missing(i)) values.value[i] = twice_mean - values.value[i];
   }
   const auto n_x = static_cast<std::ptrdiff_t>(values.channel.points_x);
   const auto n_y = static_cast<std::ptrdiff_t>(values.channel.points_y);
@@ -221,7 +220,7 @@ void doubt_unreported(const Header& header, const Whole& whole, ChannelValues& v
                    "the mark of missing points, which the header does not report",
                    count == 1 ? "1 point" : fmt::format("{} points", count), count == 1 ? "s" : "",
                    header.missing_value, first / header.points_x + 1, first % header.points_x + 1),
-       "they were read as heights; mask them in the program that wrote the file", Doubt::Weight::kNote});
+       "they were read as heights; mask them in the program that wrote the file"});
 }
 
 template <class Whole>
@@ -232,18 +231,14 @@ void read_heights(const BinaryReader& in, const Header& header, ChannelValues& v
     return number_at<Whole>(raw + i * sizeof(Whole), order);
   };
   values.value.resize(points);
-  if (header.has_missing) values.missing.assign(points, 0);
-  bool any_missing = false;
   for (std::size_t i = 0; i < points; ++i) {
     const Whole height = whole(i);
     if (header.has_missing && height == header.missing_value) {
-      values.missing[i] = 1;
-      any_missing = true;
+      values.set_missing(i);
     } else {
       values.value[i] = height * header.step_z + header.offset_z;
     }
   }
-  if (!any_missing) values.missing.clear();
   if (!header.has_missing) doubt_unreported(header, whole, values);
 }
 

@@ -29,12 +29,22 @@ class GwyReader {
  public:
   explicit GwyReader(const BinaryReader& in) : in_(in) {}
 
+  /// The component of that name and type; nullptr where there is none.
+  static const Component* find(const Object& parent, const std::string& key, char type) {
+    const auto found = parent.find(key);
+    return found == parent.end() || found->second.type != type ? nullptr : &found->second;
+  }
+
+  /// The components of an object in another one, which is of the kind `name`.
+  Object object(const Component& component, const std::string& name) const {
+    return object(component.offset, component.offset + component.count, name);
+  }
+
   /// The components of the object at `offset`, which is of the kind `name`.
   Object object(std::size_t offset, std::size_t end, const std::string& name) const {
     const std::string found = name_at(offset, end);
     if (found != name) {
-      in_.refuse_at(offset, fmt::format("a {} is required here, not a {}", name, utf8_from(found)),
-                    "the file is damaged: save it again");
+      refuse_damaged(offset, fmt::format("a {} is required here, not a {}", name, utf8_from(found)));
     }
     offset += found.size() + 1;
     const std::size_t size = in_.number<std::uint32_t>(offset, "the size of an object");
@@ -56,26 +66,27 @@ class GwyReader {
   }
 
   std::string text(const Object& parent, const std::string& key) const {
-    const auto component = parent.find(key);
-    if (component == parent.end() || component->second.type != 's') return "";
-    return trimmed(utf8_from(in_.at(component->second.offset, component->second.count, "a text")));
+    const Component* const component = find(parent, key, 's');
+    return component ? trimmed(utf8_from(in_.at(component->offset, component->count, "a text"))) : "";
   }
 
   /// The first text of a list of texts; empty if there is none.
   std::string first_text(const Object& parent, const std::string& key) const {
-    const auto component = parent.find(key);
-    if (component == parent.end() || component->second.type != 'S' || component->second.count == 0) return "";
-    const std::size_t start = component->second.offset;
+    const Component* const component = find(parent, key, 'S');
+    if (!component || component->count == 0) return "";
+    const std::size_t start = component->offset;
     return utf8_from(in_.at(start, in_.size() - start, "a text").substr(0, 1000)).substr(0, 1000);
   }
 
   template <class Number>
   Number number(const Object& parent, const std::string& key, char type) const {
-    const auto component = parent.find(key);
-    if (component == parent.end() || component->second.type != type) {
-      in_.refuse_at(0, fmt::format("an image has no {}", key), "the file is damaged: save it again");
-    }
-    return in_.number<Number>(component->second.offset, key);
+    const Component* const component = find(parent, key, type);
+    if (!component) refuse_damaged(0, fmt::format("an image has no {}", key));
+    return in_.number<Number>(component->offset, key);
+  }
+
+  [[noreturn]] void refuse_damaged(std::size_t offset, const std::string& message) const {
+    in_.refuse_at(offset, message, "the file is damaged: save it again");
   }
 
   const BinaryReader& in() const { return in_; }
@@ -84,15 +95,13 @@ class GwyReader {
   std::string name_at(std::size_t offset, std::size_t end) const {
     const std::string_view rest = in_.at(offset, end - offset, "a name");
     const std::size_t length = rest.substr(0, 4096).find('\0');
-    if (length == std::string_view::npos)
-      in_.refuse_at(offset, "a name has no end", "the file is damaged: save it again");
+    if (length == std::string_view::npos) refuse_damaged(offset, "a name has no end");
     return std::string(rest.substr(0, length));
   }
 
   void check_end(std::size_t offset, std::size_t size, std::size_t end) const {
     if (offset > end || size > end - offset) {
-      in_.refuse_at(offset, fmt::format("{} bytes reach past the end of what holds them", size),
-                    "the file is damaged: save it again");
+      refuse_damaged(offset, fmt::format("{} bytes reach past the end of what holds them", size));
     }
   }
 
@@ -128,16 +137,14 @@ class GwyReader {
       case 'O':
         return skip_list(component, offset, end, depth);
       default:
-        in_.refuse_at(offset, fmt::format("a value of the unknown type {}", static_cast<int>(component.type)),
-                      "the file is damaged: save it again");
+        refuse_damaged(offset, fmt::format("a value of the unknown type {}", static_cast<int>(component.type)));
     }
   }
 
   std::size_t skip_text(Component& component, std::size_t offset, std::size_t end) const {
     check_end(offset, 0, end);
     const std::size_t length = in_.at(offset, end - offset, "a text").find('\0');
-    if (length == std::string_view::npos)
-      in_.refuse_at(offset, "a text has no end", "the file is damaged: save it again");
+    if (length == std::string_view::npos) refuse_damaged(offset, "a text has no end");
     component.offset = offset;
     component.count = length;
     return offset + length + 1;
@@ -187,27 +194,22 @@ struct Image {
 };
 
 std::string unit_of(const GwyReader& reader, const Object& field, const std::string& key) {
-  const auto unit = field.find(key);
-  if (unit == field.end() || unit->second.type != 'o') return "";
-  const std::size_t end = unit->second.offset + unit->second.count;
-  return reader.text(reader.object(unit->second.offset, end, "GwySIUnit"), "unitstr");
+  const Component* const unit = GwyReader::find(field, key, 'o');
+  return unit ? reader.text(reader.object(*unit, "GwySIUnit"), "unitstr") : "";
 }
 
 Image read_image(const GwyReader& reader, const Component& component) {
-  const Object field = reader.object(component.offset, component.offset + component.count, "GwyDataField");
+  const Object field = reader.object(component, "GwyDataField");
   const auto points_x = reader.number<std::int32_t>(field, "xres", 'i');
   const auto points_y = reader.number<std::int32_t>(field, "yres", 'i');
   if (points_x < 1 || points_y < 1) {
-    reader.in().refuse_at(component.offset, fmt::format("an image of {} x {} points", points_x, points_y),
-                          "the file is damaged: save it again");
+    reader.refuse_damaged(component.offset, fmt::format("an image of {} x {} points", points_x, points_y));
   }
   const std::size_t points = checked_points(reader.in().file(), points_x, points_y);
   const auto data = field.find("data");
   if (data == field.end() || data->second.type != 'D' || data->second.count != points) {
-    reader.in().refuse_at(component.offset,
-                          fmt::format("an image of {} x {} points has {} values", points_x, points_y,
-                                      data == field.end() ? 0 : data->second.count),
-                          "the file is damaged: save it again");
+    reader.refuse_damaged(component.offset, fmt::format("an image of {} x {} points has {} values", points_x, points_y,
+                                                        data == field.end() ? 0 : data->second.count));
   }
   Image image;
   image.channel.points_x = static_cast<std::size_t>(points_x);
@@ -217,7 +219,7 @@ Image read_image(const GwyReader& reader, const Component& component) {
   image.step_y = reader.number<double>(field, "yreal", 'd') / points_y;
   image.step_unit = unit_of(reader, field, "si_unit_xy");
   if (!(image.step_x > 0) || !(image.step_y > 0) || !std::isfinite(image.step_x) || !std::isfinite(image.step_y)) {
-    reader.in().refuse_at(component.offset, "an image has no size above zero", "the file is damaged: save it again");
+    reader.refuse_damaged(component.offset, "an image has no size above zero");
   }
   image.data = data->second.offset;
   return image;
@@ -238,9 +240,8 @@ std::map<int, Image> read_images(const GwyReader& reader, const Object& all) {
     if (component.type != 'o' || !image_number(key, number)) continue;
     Image image = read_image(reader, component);
     image.channel.name = reader.text(all, key + "/title");
-    const auto mask = all.find(fmt::format("/{}/mask", number));
-    if (mask != all.end() && mask->second.type == 'o') {
-      const Image covered = read_image(reader, mask->second);
+    if (const Component* const mask = GwyReader::find(all, fmt::format("/{}/mask", number), 'o')) {
+      const Image covered = read_image(reader, *mask);
       if (covered.channel.points_x == image.channel.points_x && covered.channel.points_y == image.channel.points_y) {
         image.mask = covered.data;
       }
@@ -252,10 +253,9 @@ std::map<int, Image> read_images(const GwyReader& reader, const Object& all) {
 
 /// The kind of file that gwyddion read an image from, by its log: "file::nanoscope(...)" gives "nanoscope".
 std::string source_of(const GwyReader& reader, const Object& all, int number) {
-  const auto log = all.find(fmt::format("/{}/data/log", number));
-  if (log == all.end() || log->second.type != 'o') return "";
-  const std::size_t end = log->second.offset + log->second.count;
-  const std::string first = reader.first_text(reader.object(log->second.offset, end, "GwyStringList"), "strings");
+  const Component* const log = GwyReader::find(all, fmt::format("/{}/data/log", number), 'o');
+  if (!log) return "";
+  const std::string first = reader.first_text(reader.object(*log, "GwyStringList"), "strings");
   const std::size_t bracket = first.find('(');
   if (first.rfind("file::", 0) != 0 || bracket == std::string::npos || bracket > 60) return "";
   return first.substr(6, bracket - 6);
@@ -270,15 +270,10 @@ ChannelValues values_of(const std::string& bytes, const Image& image) {
   const std::size_t points = image.channel.points_x * image.channel.points_y;
   values.value.resize(points);
   for (std::size_t i = 0; i < points; ++i) {
-    const double value = number_at<double>(bytes.data() + image.data + 8 * i, ByteOrder::kLittle);
+    values.value[i] = number_at<double>(bytes.data() + image.data + 8 * i, ByteOrder::kLittle);
     const bool masked =
         image.mask != 0 && !(number_at<double>(bytes.data() + image.mask + 8 * i, ByteOrder::kLittle) < 0.5);
-    if (!masked && !std::isnan(value)) {
-      values.value[i] = value;
-      continue;
-    }
-    if (values.missing.empty()) values.missing.assign(points, 0);
-    values.missing[i] = 1;
+    if (masked || std::isnan(values.value[i])) values.set_missing(i);
   }
   return values;
 }
@@ -299,10 +294,8 @@ InstrumentFile read_gwy(const std::string& file, std::shared_ptr<const std::stri
     if (images.empty()) {
       const std::string source = source_of(reader, all, number);
       if (!source.empty()) result.format += ", read by gwyddion from " + source;
-      const auto meta = all.find(fmt::format("/{}/meta", number));
-      if (meta != all.end() && meta->second.type == 'o') {
-        const Object about =
-            reader.object(meta->second.offset, meta->second.offset + meta->second.count, "GwyContainer");
+      if (const Component* const meta = GwyReader::find(all, fmt::format("/{}/meta", number), 'o')) {
+        const Object about = reader.object(*meta, "GwyContainer");
         result.date = reader.text(about, "Date");
         for (const char* key :
              {"Instrument", "Instrument name", "Description", "CreatingApplication", "Software type"}) {

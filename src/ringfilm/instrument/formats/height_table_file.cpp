@@ -256,7 +256,7 @@ class TableReader {
     values.channel.points_x = n_columns_;
     values.channel.unit = stated_.unit;
     check_places_in_columns(values);
-    take_missing(values);
+    values.set_missing_where_nan();
     for (double& height : values.value) height *= stated_.height_factor;
     values.notes = stated_.notes;
     values.doubts = stated_.doubts;
@@ -284,8 +284,7 @@ class TableReader {
                      "give steps of {:.6g} and {:.6g} {}",
                      values.channel.points_x, width.value, width.unit, values.channel.points_y, height.value,
                      height.unit, values.step_x, values.step_y, values.step_unit),
-         "if they should be equal, the file lacks rows or columns, or has those of several maps",
-         Doubt::Weight::kNote});
+         "if they should be equal, the file lacks rows or columns, or has those of several maps"});
   }
 
   void doubt_size(ChannelValues& values) const {
@@ -295,12 +294,11 @@ class TableReader {
       values.doubts.push_back({fmt::format("the comments state {} x {} points, and the file has {} x {}",
                                            stated_.points_x.value_or(found.points_x),
                                            stated_.points_y.value_or(found.points_y), found.points_x, found.points_y),
-                               "copy or export the file again", Doubt::Weight::kNote});
+                               "copy or export the file again"});
     }
     if (parted_at_ > 0 && 2 * n_parted_ < found.points_y) {  // else they part all rows
       values.doubts.push_back({fmt::format("the blank line {} parts rows that were read as one map", parted_at_),
-                               "if several maps follow each other, write each to a file of its own",
-                               Doubt::Weight::kNote});
+                               "if several maps follow each other, write each to a file of its own"});
     }
   }
 
@@ -326,15 +324,6 @@ class TableReader {
   /// Before the heights are scaled, since counts are whole numbers in the file.
   static void add_count_doubts(ChannelValues& values) {
     for (Doubt& doubt : count_doubts(values.value)) values.doubts.push_back(std::move(doubt));
-  }
-
-  static void take_missing(ChannelValues& values) {
-    for (std::size_t i = 0; i < values.value.size(); ++i) {
-      if (!std::isnan(values.value[i])) continue;
-      if (values.missing.empty()) values.missing.assign(values.value.size(), 0);
-      values.missing[i] = 1;
-      values.value[i] = 0;
-    }
   }
 
   /// The column of that name, or the one of that place where the file names none.
@@ -430,7 +419,7 @@ class TableReader {
     values.channel.points_y = 1;
     values.channel.unit = unit_of(z);
     values.step_unit = has_places ? unit_of(x) : "";
-    take_missing(values);
+    values.set_missing_where_nan();
     if (!has_places && header_.empty()) add_count_doubts(values);
     return values;
   }

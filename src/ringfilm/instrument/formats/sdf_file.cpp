@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/number_from.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -25,7 +27,41 @@ struct SdfHeader {
   std::size_t data = 0;  ///< offset of the first height [byte]
 };
 
-constexpr std::size_t kTypeBytes[] = {1, 2, 4, 4, 1, 2, 4, 8};
+template <class Number>
+bool is_missing(Number value) {
+  using Limits = std::numeric_limits<Number>;
+  if constexpr (std::is_floating_point_v<Number>) {
+    return std::isnan(value) || value == Limits::lowest();
+  } else if constexpr (std::is_signed_v<Number>) {
+    return value == Limits::lowest();
+  } else {
+    return sizeof(Number) > 1 && value == Limits::max();
+  }
+}
+
+template <class Number>
+void read_binary(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
+  const char* const raw = in.at(header.data, values.value.size() * sizeof(Number), "the map").data();
+  for (std::size_t i = 0; i < values.value.size(); ++i) {
+    const Number number = number_at<Number>(raw + i * sizeof(Number), ByteOrder::kLittle);
+    if (is_missing(number)) {
+      values.set_missing(i);
+    } else {
+      values.value[i] = static_cast<double>(number) * header.scale_z;
+    }
+  }
+}
+
+/// The kinds of numbers, in the order of DataType.
+struct NumberType {
+  std::size_t bytes;
+  void (*read)(const BinaryReader&, const SdfHeader&, ChannelValues&);
+};
+template <class Number>
+constexpr NumberType kTypeOf = {sizeof(Number), read_binary<Number>};
+constexpr NumberType kTypes[] = {kTypeOf<std::uint8_t>, kTypeOf<std::uint16_t>, kTypeOf<std::uint32_t>,
+                                 kTypeOf<float>,        kTypeOf<std::int8_t>,   kTypeOf<std::int16_t>,
+                                 kTypeOf<std::int32_t>, kTypeOf<double>};
 
 void check_header(const BinaryReader& in, const SdfHeader& header) {
   if (header.compression != 0) {
@@ -81,7 +117,7 @@ SdfHeader read_binary_header(const BinaryReader& in) {
   header.check = in.number<std::uint8_t>(scales + 34, "CheckType");
   header.data = scales + 35;
   check_header(in, header);
-  const std::size_t needed = header.points_x * header.points_y * kTypeBytes[header.type];
+  const std::size_t needed = header.points_x * header.points_y * kTypes[header.type].bytes;
   const std::string map = fmt::format("the map of {} x {} points", header.points_x, header.points_y);
   in.at(header.data, needed, map);
   // Instruments of one maker put two numbers of 4 bytes behind the header that no standard defines.
@@ -132,14 +168,12 @@ class TextHeader {
       in_.refuse_at(0, fmt::format("the header has no {}", key), "the file is damaged or no SDF");
     }
     const std::string& text = entry->second.first;
-    Number value{};
-    const char* const first = text.data() + (text[0] == '+' ? 1 : 0);
-    const auto [rest, error] = std::from_chars(first, text.data() + text.size(), value);
-    if (error != std::errc{} || rest != text.data() + text.size()) {
+    const std::optional<Number> value = signed_number_from<Number>(text);
+    if (!value) {
       in_.refuse_at(entry->second.second, fmt::format("{} = {} is not a number of its kind", key, text),
                     "a number is required");
     }
-    return value;
+    return *value;
   }
 
  private:
@@ -173,11 +207,6 @@ SdfHeader read_text_header(const BinaryReader& in) {
   return header;
 }
 
-void mark_missing(ChannelValues& values, std::size_t point) {
-  if (values.missing.empty()) values.missing.assign(values.value.size(), 0);
-  values.missing[point] = 1;
-}
-
 void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
   const std::string_view all = in.at(0, in.size(), "the heights");
   const char* place = all.data() + header.data;
@@ -193,7 +222,7 @@ void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& v
                    "the file was cut short or its header is damaged: copy it again");
     }
     if (end - place >= 3 && std::string_view(place, 3) == "BAD") {
-      mark_missing(values, i);
+      values.set_missing(i);
       place += 3;
       continue;
     }
@@ -204,7 +233,7 @@ void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& v
       in.refuse_at(offset, fmt::format("height {} is not a number", i + 1), "a number or BAD is required here");
     }
     if (std::isnan(height)) {
-      mark_missing(values, i);
+      values.set_missing(i);
     } else {
       values.value[i] = height * header.scale_z;
     }
@@ -221,52 +250,6 @@ void read_text(const BinaryReader& in, const SdfHeader& header, ChannelValues& v
         static_cast<std::size_t>(place - all.data()),
         fmt::format("the map of {} x {} points ends here, and more follows", header.points_x, header.points_y),
         "after the last height a line \"*\" is required; else the size in the header is smaller than the data");
-  }
-}
-
-template <class Number>
-bool is_missing(Number value) {
-  using Limits = std::numeric_limits<Number>;
-  if constexpr (std::is_floating_point_v<Number>) {
-    return std::isnan(value) || value == Limits::lowest();
-  } else if constexpr (std::is_signed_v<Number>) {
-    return value == Limits::lowest();
-  } else {
-    return sizeof(Number) > 1 && value == Limits::max();
-  }
-}
-
-template <class Number>
-void read_binary(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
-  const char* const raw = in.at(header.data, values.value.size() * sizeof(Number), "the map").data();
-  for (std::size_t i = 0; i < values.value.size(); ++i) {
-    const Number number = number_at<Number>(raw + i * sizeof(Number), ByteOrder::kLittle);
-    if (is_missing(number)) {
-      mark_missing(values, i);
-    } else {
-      values.value[i] = static_cast<double>(number) * header.scale_z;
-    }
-  }
-}
-
-void read_any(const BinaryReader& in, const SdfHeader& header, ChannelValues& values) {
-  switch (header.type) {
-    case 0:
-      return read_binary<std::uint8_t>(in, header, values);
-    case 1:
-      return read_binary<std::uint16_t>(in, header, values);
-    case 2:
-      return read_binary<std::uint32_t>(in, header, values);
-    case 3:
-      return read_binary<float>(in, header, values);
-    case 4:
-      return read_binary<std::int8_t>(in, header, values);
-    case 5:
-      return read_binary<std::int16_t>(in, header, values);
-    case 6:
-      return read_binary<std::int32_t>(in, header, values);
-    default:
-      return read_binary<double>(in, header, values);
   }
 }
 
@@ -301,7 +284,7 @@ InstrumentFile read_sdf(const std::string& file, std::shared_ptr<const std::stri
     if (is_text) {
       read_text(data, header, values);
     } else {
-      read_any(data, header, values);
+      kTypes[header.type].read(data, header, values);
     }
     return values;
   };

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -11,6 +10,7 @@
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/formats/binary_writer.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/number_from.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::instrument {
@@ -75,13 +75,11 @@ class SimpleFieldHeader {
  private:
   template <class Number>
   Number number(const std::string& key, const Entry& entry) const {
-    Number value{};
-    const char* const last = entry.value.data() + entry.value.size();
-    const auto [rest, error] = std::from_chars(entry.value.data(), last, value);
-    if (error != std::errc{} || rest != last) {
+    const std::optional<Number> value = number_from<Number>(entry.value);
+    if (!value) {
       in_.refuse_at(entry.offset, fmt::format("{} = {} is not a number", key, entry.value), "a number is required");
     }
-    return value;
+    return *value;
   }
 
   const BinaryReader& in_;
@@ -117,14 +115,9 @@ InstrumentFile read_simple_field(const std::string& file, std::shared_ptr<const 
     ChannelValues values = described;
     values.value.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
-      const float height = number_at<float>(bytes->data() + data + i * sizeof(float), ByteOrder::kLittle);
-      if (!std::isnan(height)) {
-        values.value[i] = height;
-        continue;
-      }
-      if (values.missing.empty()) values.missing.assign(points, 0);
-      values.missing[i] = 1;
+      values.value[i] = number_at<float>(bytes->data() + data + i * sizeof(float), ByteOrder::kLittle);
     }
+    values.set_missing_where_nan();
     return values;
   };
   return result;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/formats/zip_archive.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/number_from.hpp"
 #include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 
@@ -77,14 +77,12 @@ struct Description {
 
 double number_in(const Description& about, const std::string& element, const std::string& written) {
   const std::string text = trimmed(written);
-  double value = 0;
-  const char* const first = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
-  const auto [rest, error] = std::from_chars(first, text.data() + text.size(), value);
-  if (error != std::errc{} || rest != text.data() + text.size() || !std::isfinite(value)) {
+  const std::optional<double> value = signed_number_from<double>(text);
+  if (!value || !std::isfinite(*value)) {
     refuse_element(about, element, fmt::format("\"{}\" is not a finite number", utf8_from(text.substr(0, 40))),
                    "a number is required");
   }
-  return value;
+  return *value;
 }
 
 pugi::xml_node child_of(const Description& about, const pugi::xml_node& parent, const std::string& name) {
@@ -117,6 +115,12 @@ std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::
   return document;
 }
 
+/// Hexadecimal digits without capitals.
+std::string lower_case(std::string digits) {
+  for (char& c : digits) c = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
+  return digits;
+}
+
 /// The check sum of main.xml is stored in an entry of its own. An archive without it is let through with a note.
 void check_main(const Description& about, const ZipArchive& archive, const std::string& xml,
                 std::vector<std::string>& notes) {
@@ -133,9 +137,7 @@ void check_main(const Description& about, const ZipArchive& archive, const std::
     return;
   }
   const std::string line = archive.read("md5checksum.hex", 4096);
-  std::string stated = trimmed(line).substr(0, 32);
-  std::transform(stated.begin(), stated.end(), stated.begin(),
-                 [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string stated = lower_case(trimmed(line).substr(0, 32));
   io::RunningDigest digest(io::RunningDigest::Kind::kMd5);
   digest.add(xml);
   const std::string found = digest.digits();
@@ -246,8 +248,7 @@ std::size_t point_bytes(const Description& about) {
 
 void compare_digest(const Description& about, const std::string& entry, std::string stated, io::RunningDigest& digest) {
   if (stated.empty()) return;
-  std::transform(stated.begin(), stated.end(), stated.begin(),
-                 [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c; });
+  stated = lower_case(std::move(stated));
   const std::string found = digest.digits();
   if (found != stated) {
     refuse(about.path, fmt::format("{} has the check sum {}, and main.xml states {}", entry, found, stated),
@@ -305,12 +306,7 @@ class Collector {
     if (!x_.empty() || !y_.empty() || about_.is_list) return scattered();
     ChannelValues values;
     values.value = std::move(value_);
-    for (std::size_t i = 0; i < values.value.size(); ++i) {
-      if (!std::isnan(values.value[i])) continue;
-      if (values.missing.empty()) values.missing.assign(values.value.size(), 0);
-      values.missing[i] = 1;
-      values.value[i] = 0;
-    }
+    values.set_missing_where_nan();
     values.step_x = about_.x.increment;
     values.step_y = about_.points_y > 1 ? about_.y.increment : 0;
     return values;
@@ -493,7 +489,7 @@ InstrumentFile read_x3p(const std::string& path) {
                "main.xml, CZ/Increment: heights of type {} are floating-point numbers, which are in metres as a "
                "rule, and were multiplied by the increment {:g}",
                about.z.type, about.z.increment),
-           "if the heights come out too small, export the file with an increment of 1", Doubt::Weight::kNote});
+           "if the heights come out too small, export the file with an increment of 1"});
     }
     return values;
   };

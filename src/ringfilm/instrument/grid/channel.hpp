@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -43,6 +44,21 @@ struct ChannelValues {
   std::vector<std::uint8_t> missing;  ///< 1 where nothing was measured; empty if every point was
   std::vector<std::string> notes;     ///< for the record: how the values were read
   std::vector<Doubt> doubts;          ///< what may be wrong with them, as far as the reader can judge
+
+  bool is_missing(std::size_t point) const { return !missing.empty() && missing[point] != 0; }
+
+  /// Marks a point as missing.
+  void set_missing(std::size_t point) {
+    if (missing.empty()) missing.assign(value.size(), 0);
+    missing[point] = 1;
+    value[point] = 0;
+  }
+  /// Marks the points whose value is not a number (NaN) as missing.
+  void set_missing_where_nan() {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (std::isnan(value[i])) set_missing(i);
+    }
+  }
 };
 
 /// A file whose header was read and found valid. The values come when asked for, one channel at a time.

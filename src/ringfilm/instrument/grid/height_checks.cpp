@@ -174,7 +174,7 @@ void find_odd_lines(const HeightMap& map, bool is_row, const HeightUnit& unit, O
                               ? fmt::format("{} {} holds one value throughout, {}", word, first + 1, value)
                               : fmt::format("{} {}s hold one value throughout, the first of them {} {}: {}",
                                             constants.size(), word, word, first + 1, value),
-                          std::string("if it was not measured, remove it or ") + kMask, Weight::kNote});
+                          std::string("if it was not measured, remove it or ") + kMask});
   }
   if (!few) return;
   const auto from_edge = [&](bool from_start) {
@@ -216,8 +216,7 @@ void find_repeated_lines(const HeightMap& map, bool is_row, std::vector<Doubt>& 
   if (repeated.empty() || static_cast<double>(repeated.size()) > kFewRepeats * static_cast<double>(count)) return;
   doubts.push_back({fmt::format("{} {} repeats the one before it, point for point{}", word, repeated.front() + 1,
                                 repeated.size() == 1 ? "" : fmt::format(", and so do {} more", repeated.size() - 1)),
-                    fmt::format("a {} that was lost or written twice: measure again, or remove it", word),
-                    Weight::kNote});
+                    fmt::format("a {} that was lost or written twice: measure again, or remove it", word)});
 }
 
 OddLines odd_lines(const HeightMap& map, const HeightUnit& unit) {
@@ -230,8 +229,7 @@ OddLines odd_lines(const HeightMap& map, const HeightUnit& unit) {
   } else if (const auto places = sequence_of(Line(map, true, 0))) {
     odd.doubts.push_back({fmt::format("all heights go in even steps from {} to {}, as numbers or places do",
                                       shown(places->first, unit), shown(places->last, unit)),
-                          "name the columns of places and heights in the first line, for example: x [um],z [um]",
-                          Weight::kNote});
+                          "name the columns of places and heights in the first line, for example: x [um],z [um]"});
   }
   return odd;
 }
@@ -340,13 +338,13 @@ void add_far_heights(const HeightMap& map, const OddLines& odd, const Bulk& bulk
   if (most > 1) {
     doubts.push_back({fmt::format("{} points far from the rest repeat one value, {}, the first of them {}; {}", most,
                                   shown(repeated, unit), where, others),
-                      std::string("if the value marks points without a height, ") + kMask, Weight::kNote});
+                      std::string("if the value marks points without a height, ") + kMask});
   } else {
     doubts.push_back(
         {fmt::format("{} far from the rest, for example {} in {}; {}",
                      far.size() == 1 ? std::string("1 height lies") : fmt::format("{} heights lie", far.size()),
                      shown(repeated, unit), where, others),
-         std::string("if they are not part of the surface, ") + kMask, Weight::kNote});
+         std::string("if they are not part of the surface, ") + kMask});
   }
 }
 
@@ -378,7 +376,7 @@ void add_frequent_values(const HeightMap& map, const OddLines& odd, const Bulk& 
                      "times rarer",
                      100 * share, shown(values[i].value, unit), end, place(map, first_with(map, odd, values[i].value)),
                      static_cast<double>(values[i].times) / times_of_neighbours(values, i)),
-         std::string("if the value marks points without a height or the end of the range, ") + kMask, Weight::kNote});
+         std::string("if the value marks points without a height or the end of the range, ") + kMask});
   }
 }
 
@@ -444,7 +442,7 @@ void add_size_doubts(const Extent& of, const HeightMap& map, std::vector<Doubt>&
                                   kHighShare, surface::length_text(longer_side(map))),
                       units, weight});
   } else if (of.Sq_m == 0) {
-    doubts.push_back({"all heights are equal", "is it the right file or channel?", Weight::kNote});
+    doubts.push_back({"all heights are equal", "is it the right file or channel?"});
   } else if (of.Sq_m < kAtom_m) {
     doubts.push_back({fmt::format("{} is {:.3g} nm: such heights are below the size of an atom ({} nm is the smoothest "
                                   "surface)",
@@ -453,8 +451,7 @@ void add_size_doubts(const Extent& of, const HeightMap& map, std::vector<Doubt>&
                       of.Sq_m < kNothing_m ? Weight::kRefusal : Weight::kNote});
   } else if (const double ratio = of.Sq_m * of.curvature_per_m * 8 / (3 * std::sqrt(std::numbers::pi));
              ratio > kSharp) {  // beta = 3 sqrt(pi) / (8 sqrt(m4)), eq-asperity-radius
-    doubts.push_back({fmt::format("sigma/beta is {:.4g} as read; no surface has more than {}", ratio, kSharp), units,
-                      Weight::kNote});
+    doubts.push_back({fmt::format("sigma/beta is {:.4g} as read; no surface has more than {}", ratio, kSharp), units});
   }
 }
 
@@ -467,7 +464,7 @@ void add_length_doubt(const HeightMap& map, const HeightUnit& unit, std::vector<
       const double length = map.step_x_m * static_cast<double>(map.points_x - left_out);
       if (!(std::abs(first * size_m - length) <= 1e-6 * length)) continue;
       doubts.push_back({fmt::format("the first value, {:.6g}, is the length of the profile in {}", first, word),
-                        "if it is not a height, remove it, or start its line with #", Weight::kNote});
+                        "if it is not a height, remove it, or start its line with #"});
       return;
     }
   }

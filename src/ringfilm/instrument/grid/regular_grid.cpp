@@ -162,8 +162,7 @@ void doubt_empty_lines(const GridAxis& axis, const char* word, ChannelValues& gr
       {fmt::format("{} of the {} {}s of the grid have no point, the first of them {} {}", empty, axis.points, word,
                    word, first + 1),
        "if the steps were rounded or the first line is not a point, write the places with more digits "
-       "and without that line",
-       Doubt::Weight::kNote});
+       "and without that line"});
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ StatedMap TableComments::stated() const {
   } else if (nm && *nm != 1) {
     map.doubts.push_back({fmt::format("line {} states Bit2nm = {}, which was not used: the heights are taken in {}",
                                       bit->number, bit->value, map.unit.empty() ? "the stated unit" : map.unit),
-                          "if the numbers are bits, remove the other unit of the heights", Doubt::Weight::kNote});
+                          "if the numbers are bits, remove the other unit of the heights"});
   }
   const auto count = [this](const char* key) -> std::optional<std::size_t> {
     const Entry* const entry = find(key);
