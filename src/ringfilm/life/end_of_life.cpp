@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "ringfilm/base/find_by_name.hpp"
+
 namespace ringfilm::life {
 namespace {
 
@@ -12,9 +14,7 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 double worn_value(const std::optional<WornProfile>& worn, const std::string& name) {
   if (!worn) return kUnknown;
-  const std::vector<WornQuantity>& all = worn_quantities();
-  const auto quantity = std::find_if(all.begin(), all.end(), [&](const WornQuantity& one) { return one.name == name; });
-  return value_of(*quantity, *worn).value_or(kUnknown);
+  return value_of(*find_by_name(worn_quantities(), name), *worn).value_or(kUnknown);
 }
 
 /// A state on one of several paths; `values` are empty where the path ended before.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ringfilm/base/find_by_name.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
@@ -40,6 +41,18 @@ const std::vector<cycle::Quantity> kOfGas = {
 
 /// `rupture_positions.2` and the like.
 std::string numbered(const std::string& list, std::size_t i) { return list + "." + std::to_string(i + 1); }
+
+template <typename Quantities, typename Record>
+void add_values(const Quantities& quantities, const Record& record, Measurement& measurement) {
+  for (const auto& quantity : quantities) measurement.values[quantity.name] = {record.*quantity.value};
+}
+
+/// The values of an instant to those of the instants before.
+template <typename Quantities, typename Record>
+void append_values(const Quantities& quantities, const Record& record,
+                   std::map<std::string, std::vector<double>>& lists) {
+  for (const auto& quantity : quantities) lists[quantity.name].push_back(record.*quantity.value);
+}
 
 void add_fronts(const pad::PadResult& result, Measurement& measurement) {
   for (const auto& quantity : pad::front_quantities()) {
@@ -78,9 +91,7 @@ Measurement of_pad(const pad::PadResult& result) {
   const std::vector<pad::PadQuantity> reported = pad::reported_quantities(result);
   for (const pad::Sample& sample : result.samples) {
     measurement.instants.push_back(sample.time);
-    for (const auto& quantity : reported) {
-      measurement.values[quantity.name].push_back(sample.*quantity.value);
-    }
+    append_values(reported, sample, measurement.values);
   }
   add_fronts(result, measurement);
   add_events(result, measurement);
@@ -92,24 +103,16 @@ Measurement of_ring(const cycle::CycleResult& result) {
   double difference = 0, size = 0;
   for (const cycle::Sample& sample : result.samples) {
     measurement.instants.push_back(sample.crank_angle_deg);
-    for (const auto& quantity : cycle::curve_quantities()) {
-      measurement.curves[quantity.name].push_back(sample.*quantity.value);
-    }
+    append_values(cycle::curve_quantities(), sample, measurement.curves);
     difference += sample.oil_flow_chamber_edge - sample.oil_flow_crankcase_edge;
     size += std::abs(sample.oil_flow_middle);
   }
   for (const cycle::UnrolledSample& sample : result.unrolled_samples) {
-    for (const auto& quantity : cycle::unrolled_quantities()) {
-      measurement.curves[quantity.name].push_back(sample.*quantity.value);
-    }
+    append_values(cycle::unrolled_quantities(), sample, measurement.curves);
   }
-  for (const auto& quantity : cycle::cycle_quantities()) {
-    measurement.values[quantity.name] = {result.values.*quantity.value};
-  }
+  add_values(cycle::cycle_quantities(), result.values, measurement);
   if (!result.unrolled_samples.empty()) {
-    for (const auto& quantity : cycle::unrolled_cycle_quantities()) {
-      measurement.values[quantity.name] = {result.unrolled_values.*quantity.value};
-    }
+    add_values(cycle::unrolled_cycle_quantities(), result.unrolled_values, measurement);
   }
   measurement.values["cycle_mass_residual"] = {std::abs(difference) / size};
   measurement.values["largest_mass_residual"] = {result.effort.max_mass_residual};
@@ -135,15 +138,19 @@ Measurement of_gas(const cycle::Case& c) {
 
 Measurement of_closure(const cycle::StaticClosure& closure) {
   Measurement measurement;
-  for (const auto& quantity : cycle::closure_quantities()) {
-    measurement.values[quantity.name] = {closure.values.*quantity.value};
-  }
+  add_values(cycle::closure_quantities(), closure.values, measurement);
   std::vector<double> edges;
   for (const models::ContactArc& arc : closure.ring.arcs()) {
     for (const double edge : {arc.from, arc.to}) edges.push_back(edge * 180 / std::numbers::pi);
   }
   for (std::size_t i = 0; i < edges.size(); ++i) measurement.values[numbered("arc_edges", i)] = {edges[i]};
   return measurement;
+}
+
+template <typename Quantities>
+std::optional<cycle::Quantity> found_in(const Quantities& quantities, const std::string& name) {
+  const cycle::Quantity* found = find_by_name(quantities, name);
+  return found ? std::optional(*found) : std::nullopt;
 }
 
 template <typename Quantities>
@@ -174,24 +181,14 @@ const std::vector<cycle::Quantity>& measured_quantities() {
 }
 
 std::optional<cycle::Quantity> find_measured(const std::string& name) {
-  const std::string list = name.substr(0, name.find('.'));
-  for (const cycle::Quantity& quantity : measured_quantities()) {
-    if (quantity.name == list) return quantity;
-  }
-  return std::nullopt;
+  return found_in(measured_quantities(), name.substr(0, name.find('.')));
 }
 
-bool is_of_gas(const std::string& name) {
-  return std::any_of(kOfGas.begin(), kOfGas.end(),
-                     [&](const cycle::Quantity& one) { return one.name == name.substr(0, name.find('.')); });
-}
+bool is_of_gas(const std::string& name) { return find_by_name(kOfGas, name.substr(0, name.find('.'))) != nullptr; }
 
 std::optional<cycle::Quantity> find_curve(const std::string& name) {
-  std::vector<cycle::Quantity> all;
-  add_all(cycle::curve_quantities(), all);
-  add_all(cycle::unrolled_quantities(), all);
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; });
-  return found == all.end() ? std::nullopt : std::optional(*found);
+  const auto of_cycle = found_in(cycle::curve_quantities(), name);
+  return of_cycle ? of_cycle : found_in(cycle::unrolled_quantities(), name);
 }
 
 Measurement measure(const cycle::Case& c) {

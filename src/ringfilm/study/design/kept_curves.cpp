@@ -6,10 +6,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "ringfilm/base/find_by_name.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/design/study_values.hpp"
-#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -18,10 +19,8 @@ namespace {
 constexpr double kSameStep = 1e-9;
 
 const cycle::CurveQuantity* find_curve(const std::string& name) {
-  const auto& all = cycle::curve_quantities();
-  // The first is the axis itself.
-  const auto found = std::find_if(all.begin() + 1, all.end(), [&name](const auto& one) { return one.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  const cycle::CurveQuantity* found = find_by_name(cycle::curve_quantities(), name);
+  return found == &cycle::curve_quantities().front() ? nullptr : found;  // the first is the axis itself
 }
 
 std::size_t n_angles(const OutputSelection& keep) {
@@ -40,12 +39,6 @@ const std::vector<RingValue>& ring_curves() {
       {"hydrodynamic_load", kSum},     {"asperity_load", kSum},     {"archard_wear_load_rate", kSum},
       {"min_film_thickness", kLowest}, {"lambda_ratio", kLowest},   {"peak_film_pressure", kHighest}};
   return curves;
-}
-
-const RingValue* find_ring_curve(const std::string& name) {
-  const auto& all = ring_curves();
-  const auto found = std::find_if(all.begin(), all.end(), [&name](const RingValue& one) { return one.name == name; });
-  return found == all.end() ? nullptr : &*found;
 }
 
 /// Do these add up to what the piston feels?
@@ -145,7 +138,7 @@ std::vector<float> kept_numbers_of_pack(const Study& study, const std::vector<cy
                                         const std::vector<std::size_t>& numbers) {
   std::vector<float> all;
   for (const KeptCurve& kept : kept_curves(study)) {
-    const RingValue* ring_curve = find_ring_curve(kept.source->name);
+    const RingValue* ring_curve = find_by_name(ring_curves(), kept.source->name);
     if (ring_curve == nullptr) throw std::logic_error("a curve that rings of a pack do not have: " + kept.source->name);
     std::vector<double> curve;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -171,7 +164,7 @@ std::vector<Fault> faults_of_keep(const Study& study) {
   std::vector<Fault> faults;
   const OutputSelection& keep = study.keep;
   if (keep.curves == Curves::kNone) return faults;
-  const std::string step = "keep.crank_step = " + shown(keep.crank_step_deg) + " degree ";
+  const std::string step = "keep.crank_step = " + number_text(keep.crank_step_deg) + " degree ";
   if (study.compute == Compute::kGas) {
     faults.push_back({keep.quantities_mark, "curves are those of films, and the study computes the gas alone",
                       "leave curves out; `ringfilm gas --csv` has the curves of the gas of one case"});
@@ -184,7 +177,7 @@ std::vector<Fault> faults_of_keep(const Study& study) {
     if (find_curve(name) == nullptr) {
       faults.push_back({keep.quantities_mark, "keep.quantities: there is no curve " + name,
                         "for example min_film_thickness, total_friction"});
-    } else if (is_of_packs(study) && find_ring_curve(name) == nullptr) {
+    } else if (is_of_packs(study) && find_by_name(ring_curves(), name) == nullptr) {
       faults.push_back({keep.quantities_mark, "keep.quantities: " + name + " is not kept of the rings of a pack",
                         "name some of " + list_of_ring_curves()});
     } else if (!seen.insert(name).second) {
@@ -199,10 +192,10 @@ std::vector<Fault> faults_of_keep(const Study& study) {
     faults.push_back({keep.crank_step_mark, step + "does not divide the cycle of 720 degrees",
                       "whole steps must make a cycle, for example \"2 degree\""});
   } else if (numbers > static_cast<double>(kMostCurveNumbers)) {
-    faults.push_back(
-        {keep.crank_step_mark,
-         "the curves of a scenario are " + shown(numbers) + " numbers, more than " + std::to_string(kMostCurveNumbers),
-         "keep fewer quantities, or a larger keep.crank_step"});
+    faults.push_back({keep.crank_step_mark,
+                      "the curves of a scenario are " + number_text(numbers) + " numbers, more than " +
+                          std::to_string(kMostCurveNumbers),
+                      "keep fewer quantities, or a larger keep.crank_step"});
   } else {
     for (const Base& base : study.bases) {
       const cycle::Case input = with_accuracy_of_study(base.input, study);
@@ -211,8 +204,8 @@ std::vector<Fault> faults_of_keep(const Study& study) {
       // An accuracy chooses steps that end at the angles that are kept.
       if (solver.accuracy || divides(integration, keep.crank_step_deg)) continue;
       faults.push_back({keep.crank_step_mark,
-                        step + "is not a multiple of solver.crank_step = " + shown(integration) + " degree of base \"" +
-                            base.name + "\"",
+                        step + "is not a multiple of solver.crank_step = " + number_text(integration) +
+                            " degree of base \"" + base.name + "\"",
                         "take a multiple that divides 720"});
     }
   }

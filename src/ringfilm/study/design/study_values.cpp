@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 
+#include "ringfilm/base/find_by_name.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/gas_path/network.hpp"
@@ -96,10 +97,8 @@ std::string region_value_name(const std::string& region, const std::string& name
 }
 
 std::optional<std::size_t> StudyValues::index(const std::string& name) const {
-  const auto found = std::find_if(quantities.begin(), quantities.end(),
-                                  [&name](const Quantity& quantity) { return quantity.name == name; });
-  if (found == quantities.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - quantities.begin());
+  const Quantity* found = find_by_name(quantities, name);
+  return found ? std::optional(static_cast<std::size_t>(found - quantities.data())) : std::nullopt;
 }
 
 bool is_one_film(const Study& study, const cycle::Case& base) {
