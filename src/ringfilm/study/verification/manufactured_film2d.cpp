@@ -1,6 +1,5 @@
 #include "ringfilm/study/verification/manufactured_film2d.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -37,21 +36,12 @@ Curve leaning_hump(double y) {
   return {even.value * lean, even.slope * lean + even.value * rise, even.bend * lean + 2 * even.slope * rise};
 }
 
-/// A value with its slopes in place and in time.
-struct VaryingInFilm2d {
-  double value, d_dx, d_dy, d_dt;
-};
-
-struct PressureInFilm2d : VaryingInFilm2d {
-  double d2_dx2, d2_dy2;
-};
-
-PressureInFilm2d pressure(double x, double y, double t, double oscillation) {
+Pressure pressure(double x, double y, double t, double oscillation) {
   const double amplitude = kPeak * (1 + oscillation * std::cos(kQuick * t));
   const double growth = -kPeak * oscillation * kQuick * std::sin(kQuick * t);
   const Curve along = hump(x, kWidth), across = leaning_hump(y);
-  return {{kEdge + amplitude * along.value * across.value, amplitude * along.slope * across.value,
-           amplitude * along.value * across.slope, growth * along.value * across.value},
+  return {{kEdge + amplitude * along.value * across.value, growth * along.value * across.value,
+           amplitude * along.slope * across.value, amplitude * along.value * across.slope},
           amplitude * along.bend * across.value,
           amplitude * along.value * across.bend};
 }
@@ -63,24 +53,10 @@ double pad(double x, double y) {
   return kWedge * u * u * (1 + 0.5 * y / kAcross);
 }
 
-VaryingInFilm2d gap(double x, double y, double t, double oscillation) {
+Varying gap(double x, double y, double t, double oscillation) {
   const double u = 1 - x / kWidth;
-  return {film2d_separation(t, oscillation) + pad(x, y), -2 * kWedge / kWidth * u * (1 + 0.5 * y / kAcross),
-          kWedge * u * u * 0.5 / kAcross, kFilm * oscillation * kQuick * std::cos(kQuick * t)};
-}
-
-/// d(rho h)/dt + d/dx [U rho h/2 - M p_x] - d/dy [M p_y] with M = rho h^3/(12 eta), every derivative written out.
-double source(double x, double y, double t, double oscillation) {
-  const PressureInFilm2d p = pressure(x, y, t, oscillation);
-  const VaryingInFilm2d h = gap(x, y, t, oscillation);
-  const auto [rho, rho_p] = density(p.value);
-  const auto [eta, eta_p] = viscosity(p.value);
-  const double storage = rho_p * p.d_dt * h.value + rho * h.d_dt;
-  const double couette = kSpeed / 2 * (rho_p * p.d_dx * h.value + rho * h.d_dx);
-  const double mobility = rho * std::pow(h.value, 3) / (12 * eta);
-  const double mobility_x = mobility * (rho_p * p.d_dx / rho + 3 * h.d_dx / h.value - eta_p * p.d_dx / eta);
-  const double mobility_y = mobility * (rho_p * p.d_dy / rho + 3 * h.d_dy / h.value - eta_p * p.d_dy / eta);
-  return storage + couette - mobility_x * p.d_dx - mobility_y * p.d_dy - mobility * (p.d2_dx2 + p.d2_dy2);
+  return {film2d_separation(t, oscillation) + pad(x, y), kFilm * oscillation * kQuick * std::cos(kQuick * t),
+          -2 * kWedge / kWidth * u * (1 + 0.5 * y / kAcross), kWedge * u * u * 0.5 / kAcross};
 }
 
 film::CircumferentialGrid crowded_around(int n_cells) {
@@ -135,7 +111,9 @@ class Film2d {
     inputs.strip.load = kPeak / 2 * kWidth;
     inputs.strip.time_step = time_step;
     for (const double y : problem_.around.y) {
-      for (const double x : problem_.strip.grid.x) inputs.strip.source.push_back(source(x, y, t, oscillation_));
+      for (const double x : problem_.strip.grid.x) {
+        inputs.strip.source.push_back(source(pressure(x, y, t, oscillation_), gap(x, y, t, oscillation_)));
+      }
     }
     film::FilmState state = previous;
     state.h_m = film2d_separation(t, oscillation_);
@@ -156,18 +134,7 @@ class Film2d {
 }  // namespace
 
 double manufactured_film2d_error(int n_cells, int n_steps) {
-  if (n_steps == 0) {
-    const Film2d steady(n_cells, 0.0);
-    const film::FilmState exact = steady.prescribed(0);
-    film::FilmState start = exact;
-    std::fill(start.p.begin(), start.p.end(), kEdge);
-    return difference_from_peak(steady.solved(0, film::kSteady, start), exact);
-  }
-  const Film2d transient(n_cells, kOscillation);
-  const double end = 0.5 * std::numbers::pi / kQuick;
-  film::FilmState state = transient.prescribed(0);
-  for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);
-  return difference_from_peak(state, transient.prescribed(end));
+  return film_error<Film2d>(n_cells, n_steps, 0.5 * std::numbers::pi / kQuick);
 }
 
 }  // namespace ringfilm::study

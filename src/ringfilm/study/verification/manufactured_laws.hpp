@@ -33,11 +33,51 @@ inline Property viscosity(double p) {
   return {eta, eta * depth * kZ / scale * std::pow(1 + p / scale, kZ - 1)};
 }
 
-/// The largest difference in pressure as a share of the prescribed peak.
+/// A value with its slopes in time and in place; across the film zero where the film has one dimension.
+struct Varying {
+  double value, d_dt, d_dx, d_dy = 0;
+};
+
+/// The prescribed pressure, with its second derivatives in place.
+struct Pressure : Varying {
+  double d2_dx2, d2_dy2 = 0;
+};
+
+/// d(rho h)/dt + d/dx [U rho h/2 - M p_x] - d/dy [M p_y] with M = rho h^3/(12 eta), every derivative written out.
+inline double source(const Pressure& p, const Varying& h) {
+  const auto [rho, rho_p] = density(p.value);
+  const auto [eta, eta_p] = viscosity(p.value);
+  const double storage = rho_p * p.d_dt * h.value + rho * h.d_dt;
+  const double couette = kSpeed / 2 * (rho_p * p.d_dx * h.value + rho * h.d_dx);
+  const double mobility = rho * std::pow(h.value, 3) / (12 * eta);
+  const double mobility_x = mobility * (rho_p * p.d_dx / rho + 3 * h.d_dx / h.value - eta_p * p.d_dx / eta);
+  const double mobility_y = mobility * (rho_p * p.d_dy / rho + 3 * h.d_dy / h.value - eta_p * p.d_dy / eta);
+  return storage + couette - mobility_x * p.d_dx - mobility_y * p.d_dy - mobility * (p.d2_dx2 + p.d2_dy2);
+}
+
+/// The largest difference in pressure from the prescribed one, as a share of its peak.
 inline double difference_from_peak(const film::FilmState& a, const film::FilmState& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.p.size(); ++i) largest = std::max(largest, std::abs(a.p[i] - b.p[i]));
   return largest / kPeak;
+}
+
+/// The error of a steady film, started at the pressure of its edges, or after so many steps in time.
+/// @param n_steps 0: a steady film
+/// @param end of the time [s]
+template <class Film>
+double film_error(int n_cells, int n_steps, double end) {
+  if (n_steps == 0) {
+    const Film steady(n_cells, 0.0);
+    const film::FilmState exact = steady.prescribed(0);
+    film::FilmState start = exact;
+    std::fill(start.p.begin(), start.p.end(), kEdge);
+    return difference_from_peak(steady.solved(0, film::kSteady, start), exact);
+  }
+  const Film transient(n_cells, kOscillation);
+  film::FilmState state = transient.prescribed(0);
+  for (int k = 1; k <= n_steps; ++k) state = transient.solved(end * k / n_steps, end / n_steps, state);
+  return difference_from_peak(state, transient.prescribed(end));
 }
 
 }  // namespace ringfilm::study::manufactured

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/find_by_name.hpp"
 #include "ringfilm/study/verification/manufactured.hpp"
 
 namespace ringfilm::study {
@@ -68,22 +69,19 @@ class Runner {
   }
 
   void check(const OrderCheck& check) {
+    const bool in_cells = check.refinement == Refinement::kCells;
+    const bool counts = in_cells || !check.manufactured.empty();
     ConvergenceLine line;
-    line.label = check.label;
     line.refinement = check.refinement;
     line.expected_order = check.order;
-    const bool counts = check.refinement == Refinement::kCells || !check.manufactured.empty();
     line.step_unit = counts ? "" : "s";
     for (const double level : check.levels) {
       line.levels.push_back(counts ? 1 / level : level);
       const double scale = check.exact == 0 ? 1 : std::abs(check.exact);
       line.errors.push_back(std::abs(refined(check, level) - check.exact) / scale);
     }
-    const double observed = observed_order(line.levels, line.errors);
-    line.observed_order = observed;
-    const char* name = check.refinement == Refinement::kCells ? "order in cells" : "order in time";
-    add(row_of(check, plain_number(name), check.order, observed, {Tolerance::Kind::kAbsolute, check.tolerance}));
-    outcome_.lines.push_back(std::move(line));
+    add_order(check, in_cells ? "order in cells" : "order in time", {Tolerance::Kind::kAbsolute, check.tolerance},
+              std::move(line));
   }
 
   void check(const BoundCheck& check) {
@@ -137,24 +135,14 @@ class Runner {
   }
 
   void check(const WearCheck& check) {
-    const std::vector<cycle::Quantity>& all = dry_wear_quantities();
-    const auto quantity = std::find_if(all.begin(), all.end(),
-                                       [&check](const cycle::Quantity& one) { return one.name == check.quantity; });
-    double got = kNothing;
-    try {
-      got = dry_wear_value(check.profile, check.quantity);
-    } catch (const ConvergenceError& stopped) {
-      outcome_.stops.push_back(check.label + ": " + stopped.what());
-    }
-    add(row_of(check, *quantity, check.expected, got, check.tolerance));
+    const double got = attempt(check.label + ": ", [&] { return dry_wear_value(check.profile, check.quantity); });
+    add(row_of(check, *find_by_name(dry_wear_quantities(), check.quantity), check.expected, got, check.tolerance));
   }
 
   void check(const ContactCheck& check) {
     if (!check.levels.empty()) return check_order(check);
-    const std::vector<cycle::Quantity>& all = contact_form_quantities();
-    const auto quantity = std::find_if(all.begin(), all.end(),
-                                       [&check](const cycle::Quantity& one) { return one.name == check.quantity; });
-    add(row_of(check, *quantity, check.expected, contact_number(check, check.form.points), check.tolerance));
+    add(row_of(check, *find_by_name(contact_form_quantities(), check.quantity), check.expected,
+               contact_number(check, check.form.points), check.tolerance));
   }
 
   VerificationOutcome outcome() const { return outcome_; }
@@ -162,24 +150,35 @@ class Runner {
  private:
   void check_order(const ContactCheck& check) {
     ConvergenceLine line;
-    line.label = check.label;
     line.expected_order = check.order;
     for (const double level : check.levels) {
       line.levels.push_back(1 / level);
       line.errors.push_back(std::abs(contact_number(check, static_cast<int>(level)) / check.expected - 1));
     }
+    add_order(check, "order in cells", check.tolerance, std::move(line));
+  }
+
+  /// A line of errors with its slope.
+  void add_order(const Check& check, const char* quantity, const Tolerance& tolerance, ConvergenceLine line) {
+    line.label = check.label;
     line.observed_order = observed_order(line.levels, line.errors);
-    add(row_of(check, plain_number("order in cells"), check.order, *line.observed_order, check.tolerance));
+    add(row_of(check, plain_number(quantity), line.expected_order, *line.observed_order, tolerance));
     outcome_.lines.push_back(std::move(line));
   }
 
   double contact_number(const ContactCheck& check, int points) {
     ContactForm form = check.form;
     form.points = points;
+    return attempt(check.label + ": ", [&] { return contact_form_value(form, check.quantity); });
+  }
+
+  /// NaN where there is no solution, which the outcome reports. @param head of the report
+  template <class Number>
+  double attempt(const std::string& head, const Number& number) {
     try {
-      return contact_form_value(form, check.quantity);
+      return number();
     } catch (const ConvergenceError& stopped) {
-      outcome_.stops.push_back(check.label + ": " + stopped.what());
+      outcome_.stops.push_back(head + stopped.what());
       return kNothing;
     }
   }
@@ -188,8 +187,10 @@ class Runner {
 
   static cycle::Quantity quantity_of(const Probe& probe) { return *find_measured(probe.quantity); }
 
-  double number(const std::string& run, const Probe& probe) {
-    const Measurement* measurement = measured(run, verification_.runs.at(run));
+  double number(const std::string& run, const Probe& probe) { return number(run, verification_.runs.at(run), probe); }
+
+  double number(const std::string& key, const cycle::Case& c, const Probe& probe) {
+    const Measurement* measurement = measured(key, c);
     return measurement == nullptr ? kNothing : value(*measurement, probe);
   }
 
@@ -210,15 +211,15 @@ class Runner {
   double with_cells(const std::string& run, const Probe& probe, int n_cells) {
     cycle::Case c = verification_.runs.at(run);
     refine(c, n_cells);
-    const Measurement* measurement = measured(run + " cells " + std::to_string(n_cells), c);
-    return measurement == nullptr ? kNothing : value(*measurement, probe);
+    return number(run + " cells " + std::to_string(n_cells), c, probe);
   }
 
   double refined(const OrderCheck& check, double level) {
     const bool in_cells = check.refinement == Refinement::kCells;
     if (!check.manufactured.empty()) {
       const int count = static_cast<int>(std::lround(level));
-      return manufactured(check.manufactured, in_cells ? count : check.cells.value(), in_cells ? 0 : count);
+      const int cells = in_cells ? count : check.cells.value();
+      return attempt("", [&] { return manufactured_error(check.manufactured, cells, in_cells ? 0 : count); });
     }
     cycle::Case c = verification_.runs.at(check.run);
     if (check.cells) refine(c, *check.cells);
@@ -229,17 +230,7 @@ class Runner {
     }
     const std::string key =
         check.run + " cells " + std::to_string(c.solver.cells) + " step " + std::to_string(in_cells ? 0.0 : 1 / level);
-    const Measurement* measurement = measured(key, c);
-    return measurement == nullptr ? kNothing : value(*measurement, check.probe);
-  }
-
-  double manufactured(const std::string& film, int n_cells, int n_steps) {
-    try {
-      return manufactured_error(film, n_cells, n_steps);
-    } catch (const ConvergenceError& stopped) {
-      outcome_.stops.push_back(stopped.what());
-      return kNothing;
-    }
+    return number(key, c, check.probe);
   }
 
   static double curve_value(const Measurement& run, const std::string& quantity, double angle) {
