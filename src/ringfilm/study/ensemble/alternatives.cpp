@@ -1,7 +1,8 @@
 #include "ringfilm/study/ensemble/alternatives.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
 #include <variant>
@@ -47,12 +48,6 @@ bool in_range(const std::string& key, double value) {
          (value == range->high && !range->high_open);
 }
 
-std::string four_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 /// Nobody learns anything from a value this close to the one in use.
 bool same(double value, double in_use) { return std::abs(value - in_use) <= 1e-3 * std::abs(in_use); }
 
@@ -74,7 +69,7 @@ std::vector<Alternative> other_numbers(const std::string& key, const Case& c, do
                                        std::initializer_list<double> values) {
   std::vector<Alternative> others;
   for (const double requested : values) {
-    const std::string number = four_digits((requested - unit.zero) / unit.size);
+    const std::string number = fmt::format("{:.4g}", (requested - unit.zero) / unit.size);
     const double value = std::strtod(number.c_str(), nullptr) * unit.size + unit.zero;
     if (same(value, in_use) || !in_range(key, value)) continue;
     const std::string written = *unit.name ? "\"" + number + " " + unit.name + "\"" : number;

@@ -1,8 +1,10 @@
 #include "ringfilm/study/ensemble/assumptions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "ringfilm/case/conditions.hpp"
@@ -13,13 +15,6 @@ namespace ringfilm::study {
 namespace {
 
 using cycle::Case;
-
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[640];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
 
 Assumption assumption(const std::string& topic, std::string statement, std::string consequence,
                       std::vector<Alternative> alternatives = {}) {
@@ -36,38 +31,16 @@ constexpr Unit kMicrometre{"um", 1e-6}, kNanometre{"nm", 1e-9}, kGPa{"GPa", 1e9}
     kNewton{"N", 1}, kMm{"mm", 1e-3};
 constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
 
+void append(std::vector<Alternative> more, std::vector<Alternative>& others) {
+  std::move(more.begin(), more.end(), std::back_inserter(others));
+}
+
 // --- choices of model -------------------------------------------------------------------------------------------
 
-Assumption cavitation(const Case& c) {
-  const char* key = "film.cavitation";
-  return assumption("cavitation-model", "the film ruptures and forms again after the \"" + chosen(key, c) + "\" model",
-                    "the models differ in where the film forms again; Reynolds' exit does not keep mass there",
-                    other_choices(key, c));
-}
-
-Assumption orientation(const Case& c) {
-  const char* key = "ring.face.orientation";
-  return assumption("face-orientation", "the face is installed as \"" + chosen(key, c) + "\"",
-                    "a face trace does not show which end faces the chamber", other_choices(key, c));
-}
-
-Assumption contact_integrals(const Case& c) {
-  const char* key = "contact.integrals";
-  return assumption("contact-integrals", "the integrals of the contact model are taken as \"" + chosen(key, c) + "\"",
-                    "the polynomial as printed rises again beyond a lambda ratio of 1.9", other_choices(key, c));
-}
-
-Assumption lambda_ratio(const Case& c) {
-  const char* key = "contact.lambda_ratio";
-  return assumption("lambda-ratio", "contact is summed over the face with the \"" + chosen(key, c) + "\" lambda ratio",
-                    "nominal puts the whole face at the minimum film", other_choices(key, c));
-}
-
-Assumption roughness_measure(const Case& c) {
-  const char* key = "contact.roughness_measure";
-  return assumption("roughness-measure",
-                    text("the roughness %.3g um is used \"%s\"", c.contact.roughness * 1e6, chosen(key, c).c_str()),
-                    "a root-sum-square of Ra is sqrt(2/pi) = 0.80 of the rms height that the contact model expects",
+/// What the choice of one key assumes. @param before and `after` the words about the name of the choice
+Assumption of_choice(const char* topic, const char* key, const Case& c, const std::string& before,
+                     const std::string& after, const char* consequence) {
+  return assumption(topic, fmt::format("{} \"{}\"{}", before, chosen(key, c), after), consequence,
                     other_choices(key, c));
 }
 
@@ -101,7 +74,7 @@ Assumption oil_laws(const Case& c) {
     other.apply(changed);
     if (is_known(changed) && (thickens(c) || thickens(changed))) others.push_back(std::move(other));
   }
-  for (Alternative& other : other_choices("lubricant.compressibility", c)) others.push_back(std::move(other));
+  append(other_choices("lubricant.compressibility", c), others);
   return assumption(topic,
                     "viscosity follows \"" + chosen("lubricant.viscosity_temperature", c) + "\" in temperature and \"" +
                         chosen("lubricant.viscosity_pressure", c) + "\" in pressure, density \"" +
@@ -120,16 +93,16 @@ Assumption composite_modulus(const cycle::Setup& setup) {
     const char* key = "ring.coating.contact_modulus";
     const bool of_coating = c.ring.coating.contact_modulus == cycle::ContactModulus::kCoating;
     return assumption("composite-modulus",
-                      text("E' is %.1f GPa, with the modulus of the %s", setup.ring.E_prime / 1e9,
-                           of_coating ? "coating" : "ring below its coating"),
+                      fmt::format("E' is {:.1f} GPa, with the modulus of the {}", setup.ring.E_prime / 1e9,
+                                  of_coating ? "coating" : "ring below its coating"),
                       "contact spots are far smaller than the coating is thick: the modulus of the coating counts",
                       other_choices(key, c));
   }
   const double other = other_than(setup.ring.E_prime, 190e9, 135e9);
   return assumption(
       "composite-modulus",
-      text(c.contact.composite_modulus ? "E' is %.1f GPa, as stated" : "E' is %.1f GPa, of ring and liner uncoated",
-           setup.ring.E_prime / 1e9),
+      fmt::format("E' is {:.1f} GPa, {}", setup.ring.E_prime / 1e9,
+                  c.contact.composite_modulus ? "as stated" : "of ring and liner uncoated"),
       "contact spots are far smaller than a coating is thick: on a coated ring the modulus of the coating counts "
       "(ring.coating.youngs_modulus)",
       other_numbers("contact.composite_modulus", setup.input, setup.ring.E_prime, kGPa, {other}));
@@ -148,15 +121,16 @@ std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) 
 }
 
 Assumption elastic_pressure(const cycle::Setup& setup) {
-  return assumption("ring-tension",
-                    text("the ring presses with %.3g MPa by its own tension", setup.ring.elastic_pressure / 1e6), "",
-                    other_tensions(setup.input.ring, setup.input));
+  return assumption(
+      "ring-tension",
+      fmt::format("the ring presses with {:.3g} MPa by its own tension", setup.ring.elastic_pressure / 1e6), "",
+      other_tensions(setup.input.ring, setup.input));
 }
 
 Assumption cavitation_pressure(const Case& c) {
   const double p = c.film.cavitation_pressure;
   return assumption("cavitation-pressure",
-                    text("the film ruptures at %.3g bar absolute, or at the lower edge pressure", p / 1e5), "",
+                    fmt::format("the film ruptures at {:.3g} bar absolute, or at the lower edge pressure", p / 1e5), "",
                     other_numbers("film.cavitation_pressure", c, p, kBar, {other_than(p, 0.2e5, 1.013e5)}));
 }
 
@@ -168,8 +142,9 @@ Assumption pressure_behind_ring(const Case& c) {
                       "holes that oil fills or that are narrow let the pressure above reach the groove");
   }
   return assumption("pressure-behind-ring",
-                    share == 1 ? "the full gas pressure above the ring acts behind it at once"
-                               : text("%.3g %% of the excess of the gas pressure above the ring over that below it "
+                    share == 1
+                        ? "the full gas pressure above the ring acts behind it at once"
+                        : fmt::format("{:.3g} % of the excess of the gas pressure above the ring over that below it "
                                       "acts behind the ring at once",
                                       100 * share),
                     "the groove fills through the side clearance, with a delay and a loss",
@@ -178,26 +153,29 @@ Assumption pressure_behind_ring(const Case& c) {
 
 /// How the gas comes between the rings.
 Assumption gas_path(const Case& c) {
-  return assumption("gas-path",
-                    text("the gas between the rings is that of volumes at constant temperatures, end gaps and side "
-                         "clearances; rings \"%s\"",
-                         chosen("gas_path.ring_motion", c).c_str()),
-                    c.gas_path.passes_films()
-                        ? "oil that remains in a broken film does not hinder the gas, the temperatures do not follow it"
-                        : "the film lets no gas pass, the temperatures do not follow the gas");
+  return assumption(
+      "gas-path",
+      fmt::format("the gas between the rings is that of volumes at constant temperatures, end gaps and side "
+                  "clearances; rings \"{}\"",
+                  chosen("gas_path.ring_motion", c)),
+      c.gas_path.passes_films()
+          ? "oil that remains in a broken film does not hinder the gas, the temperatures do not follow it"
+          : "the film lets no gas pass, the temperatures do not follow the gas");
 }
 
 /// What the gas fills and leaks through at this ring.
 Assumption gas_sizes(const Case& c) {
   const cycle::RingGasPath& gas = c.ring.gas_path;
   const double gap = gas.gap_area ? *gas.gap_area : c.ring.end_gap.value_or(0) * gas.land_clearance.value_or(0);
-  std::string sizes = text("end gap of %.3g mm2", gap * 1e6);
+  std::string sizes = fmt::format("end gap of {:.3g} mm2", gap * 1e6);
   if (gas.kind == cycle::RingKind::kCompression) {
-    sizes += text(", groove of %.3g mm3 at %.4g K, side clearance of %.3g um", gas.groove_volume.value_or(0) * 1e9,
-                  gas.groove_temperature, gas.side_clearance.value_or(0) * 1e6);
+    sizes +=
+        fmt::format(", groove of {:.3g} mm3 at {:.4g} K, side clearance of {:.3g} um",
+                    gas.groove_volume.value_or(0) * 1e9, gas.groove_temperature, gas.side_clearance.value_or(0) * 1e6);
   }
   if (gas.volume_below > 0) {
-    sizes += text(", piston land below of %.3g mm3 at %.4g K", gas.volume_below * 1e9, gas.temperature_below);
+    sizes +=
+        fmt::format(", piston land below of {:.3g} mm3 at {:.4g} K", gas.volume_below * 1e9, gas.temperature_below);
   }
   return assumption("gas-volumes", "the gas at the ring has an " + sizes,
                     "those of a hot engine are rarely known and differ from the drawing: end gaps close, blow-by is "
@@ -205,18 +183,19 @@ Assumption gas_sizes(const Case& c) {
 }
 
 Assumption pressure_under_ring(const Case& c) {
-  const char* topic = "pressure-under-ring";
-  const char* consequence = "the second land holds gas at a pressure between chamber and crankcase";
   if (c.ring.pressure_below.is_stated()) {
-    return assumption(topic, "the pressure straight under the ring is that of ring.pressure_below",
+    return assumption("pressure-under-ring", "the pressure straight under the ring is that of ring.pressure_below",
                       "gas that flows past the rings is not computed");
   }
-  if (c.gas.crankcase_trace) {
-    return assumption(topic, "the pressure straight under the ring is that of the crankcase trace", consequence);
-  }
   const double p = c.gas.crankcase_pressure;
-  return assumption(topic, text("the pressure straight under the ring is that of the crankcase, %.3g bar", p / 1e5),
-                    consequence, other_numbers("gas.crankcase_pressure", c, p, kBar, {other_than(p, 3e5, 1.013e5)}));
+  std::vector<Alternative> others;
+  if (!c.gas.crankcase_trace) {
+    others = other_numbers("gas.crankcase_pressure", c, p, kBar, {other_than(p, 3e5, 1.013e5)});
+  }
+  return assumption("pressure-under-ring",
+                    "the pressure straight under the ring is that of the crankcase" +
+                        (c.gas.crankcase_trace ? " trace" : fmt::format(", {:.3g} bar", p / 1e5)),
+                    "the second land holds gas at a pressure between chamber and crankcase", std::move(others));
 }
 
 Assumption oil_temperature(const Case& c) {
@@ -225,7 +204,7 @@ Assumption oil_temperature(const Case& c) {
   const char* words = is_heated ? "its mean rise by shear is added" : "it is not heated by shear";
   if (c.thermal.is_stated()) {
     std::vector<Alternative> others = other_choices("thermal.film", c);
-    others.insert(others.end(), heating.begin(), heating.end());
+    append(heating, others);
     return assumption("oil-temperature",
                       "the oil film has the temperature \"" + chosen("thermal.film", c) + "\" of its walls; " + words,
                       "the walls carry the heat of shear away; that of asperity friction does not reach the oil",
@@ -233,9 +212,9 @@ Assumption oil_temperature(const Case& c) {
   }
   const double T = c.operating.oil_temperature;
   std::vector<Alternative> others = other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20});
-  others.insert(others.end(), heating.begin(), heating.end());
+  append(heating, others);
   return assumption(
-      "oil-temperature", text("the walls of all oil are at %.4g degC; %s", T - 273.15, words),
+      "oil-temperature", fmt::format("the walls of all oil are at {:.4g} degC; {}", T - 273.15, words),
       "the walls carry the heat of shear away; the temperatures of ring and liner decide, and they vary along the "
       "stroke",
       std::move(others));
@@ -252,10 +231,9 @@ std::vector<Alternative> other_supplies(const Case& c) {
   }
   if (c.supply.reach) {
     const double reach = *c.supply.reach;
-    for (Alternative& other : other_numbers("supply.reach", c, reach, kMm, {0.5 * reach}))
-      others.push_back(std::move(other));
+    append(other_numbers("supply.reach", c, reach, kMm, {0.5 * reach}), others);
   }
-  for (Alternative& other : other_choices("film.supply", c)) others.push_back(std::move(other));
+  append(other_choices("film.supply", c), others);
   return others;
 }
 
@@ -263,20 +241,20 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   const Case& c = setup.input;
   const char* topic = "oil-supply";
   std::vector<Alternative> others = other_choices("film.chamber_edge", c);
-  for (Alternative& other : other_choices("film.crankcase_edge", c)) others.push_back(std::move(other));
+  append(other_choices("film.crankcase_edge", c), others);
   if (c.film.supply_at_inlet() != cycle::OilSupply::kFlooded) {
-    for (Alternative& other : other_supplies(c)) others.push_back(std::move(other));
+    append(other_supplies(c), others);
     const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
     const double film = 1e6 * along_stroke(c.supply.film, 0.5 * c.engine.stroke);
-    return assumption(topic,
-                      follows
-                          ? text("the ring finds on the liner what earlier strokes left, and below %.3g mm the film "
-                                 "of the oil ring, %.3g um at midstroke",
-                                 1e3 * *c.supply.reach, film)
-                          : text("a film of %.3g um at midstroke is ahead of the ring on every stroke", film),
-                      "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
-                      "the load alone the ring runs dry",
-                      std::move(others));
+    return assumption(
+        topic,
+        follows ? fmt::format("the ring finds on the liner what earlier strokes left, and below {:.3g} mm the film "
+                              "of the oil ring, {:.3g} um at midstroke",
+                              1e3 * *c.supply.reach, film)
+                : fmt::format("a film of {:.3g} um at midstroke is ahead of the ring on every stroke", film),
+        "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
+        "the load alone the ring runs dry",
+        std::move(others));
   }
   if (c.conditions != cycle::Conditions::kEngine) {
     // All at once: gas takes friction away, short oil and hot walls add it.
@@ -289,18 +267,19 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
     const char* where = c.film.chamber_edge == c.film.crankcase_edge    ? "either edge"
                         : c.film.chamber_edge == cycle::EdgeFluid::kGas ? "the chamber edge"
                                                                         : "the crankcase edge";
-    return assumption(topic,
-                      text("the edge at which the film enters is flooded with oil; where it leaves through %s it meets "
-                           "gas",
-                           where),
-                      "what lies on the liner after earlier strokes may not flood the inlet: oil flow is an upper "
-                      "bound, friction a lower one",
-                      others);
+    return assumption(
+        topic,
+        fmt::format("the edge at which the film enters is flooded with oil; where it leaves through {} it meets "
+                    "gas",
+                    where),
+        "what lies on the liner after earlier strokes may not flood the inlet: oil flow is an upper "
+        "bound, friction a lower one",
+        others);
   }
   return assumption(
       topic,
-      text("both edges are flooded with oil; at the chamber edge its pressure is up to %.3g bar",
-           setup.ring.lands.above.peak() / 1e5),
+      fmt::format("both edges are flooded with oil; at the chamber edge its pressure is up to {:.3g} bar",
+                  setup.ring.lands.above.peak() / 1e5),
       "physically that is gas, which takes viscous friction away, and a thinner supply of oil, which adds boundary "
       "friction: friction may err either way; oil flow is an upper bound of that with less oil at the inlet",
       others);
@@ -325,9 +304,10 @@ Assumption ring_gap(const Case& c) {
   }
   return assumption(
       topic,
-      text("the ring has a gap of %.4g mm, at whose ends the film has the mean of the pressures at its edges; gas that "
-           "blows through it is not computed",
-           *c.ring.end_gap * 1e3),
+      fmt::format("the ring has a gap of {:.4g} mm, at whose ends the film has the mean of the pressures at its edges; "
+                  "gas that "
+                  "blows through it is not computed",
+                  *c.ring.end_gap * 1e3),
       "oil that leaves the film for the gap, or comes from there, is reported; that the gap holds oil is an assumption "
       "like "
       "that of flooded edges",
@@ -368,8 +348,8 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
   std::string statement = "asperities are Gaussian, in contact after \"" + chosen("contact.model", setup.input) +
                           (is_elastic ? "\", elastic" : "\", flowing at the hardness");
   if (contact.area_share > 0) {
-    statement += text(", with %.3g GPa on the real area (at a lambda ratio of %.0f)",
-                      contact.pressure / contact.area_share / 1e9, kLambda);
+    statement += fmt::format(", with {:.3g} GPa on the real area (at a lambda ratio of {:.0f})",
+                             contact.pressure / contact.area_share / 1e9, kLambda);
   }
   return assumption("contact-law", statement,
                     "run-in and plateau-honed surfaces are skewed: ringfilm contact computes the law of measured ones. "
@@ -389,11 +369,11 @@ Assumption newtonian_oil(const Case& c) {
                       "lubricant.hths_viscosity computes it",
                       others);
   }
-  return assumption(topic,
-                    text("viscosity falls with the shear rate after the \"%s\" law, to %.3g of that without shear",
-                         chosen("lubricant.shear_thinning", c).c_str(), oil.second_newtonian_ratio),
-                    "the ratio is that of other oils as a rule; shear by pressure and by sliding act as one rate",
-                    others);
+  return assumption(
+      topic,
+      fmt::format("viscosity falls with the shear rate after the \"{}\" law, to {:.3g} of that without shear",
+                  chosen("lubricant.shear_thinning", c), oil.second_newtonian_ratio),
+      "the ratio is that of other oils as a rule; shear by pressure and by sliding act as one rate", others);
 }
 
 Assumption smooth_gap_flow(const Case& c) {
@@ -411,10 +391,9 @@ Assumption smooth_gap_flow(const Case& c) {
                       others);
   }
   const double gamma = c.film.orientation;
-  for (Alternative& other : other_numbers("film.orientation", c, gamma, kPlain, {1.0 / 3, 1, 3})) {
-    others.push_back(std::move(other));
-  }
-  return assumption(topic, text("roughness changes the flow by pressure as that of an orientation of %.3g", gamma),
+  append(other_numbers("film.orientation", c, gamma, kPlain, {1.0 / 3, 1, 3}), others);
+  return assumption(topic,
+                    fmt::format("roughness changes the flow by pressure as that of an orientation of {:.3g}", gamma),
                     "the factors are fits to Gaussian surfaces that may overlap and do not deform; below a lambda "
                     "ratio of about 1 they are extrapolated",
                     others);
@@ -440,18 +419,15 @@ Assumption conformity(const Case& c) {
 }
 
 Assumption local_deformation(const Case& c) {
-  const char* key = "ring.local_deformation";
-  const char* topic = "local-deformation";
-  if (c.ring.local_deformation != cycle::LocalDeformation::kNone) {
-    return assumption(topic, "face and liner give way to the pressure between them as half-spaces in plane strain",
-                      "coating, edges and what lies behind the ring are omitted; what bends ring and liner over more "
-                      "than the width of the face is not local",
-                      other_choices(key, c));
-  }
-  return assumption(topic, "ring and liner do not deform under the film pressure",
-                    "under piston rings they give way by a tenth of a micrometre, which changes the film by some "
-                    "percent; ring.local_deformation = \"half-space\" computes it",
-                    other_choices(key, c));
+  const bool is_rigid = c.ring.local_deformation == cycle::LocalDeformation::kNone;
+  return assumption("local-deformation",
+                    is_rigid ? "ring and liner do not deform under the film pressure"
+                             : "face and liner give way to the pressure between them as half-spaces in plane strain",
+                    is_rigid ? "under piston rings they give way by a tenth of a micrometre, which changes the film by "
+                               "some percent; ring.local_deformation = \"half-space\" computes it"
+                             : "coating, edges and what lies behind the ring are omitted; what bends ring and liner "
+                               "over more than the width of the face is not local",
+                    other_choices("ring.local_deformation", c));
 }
 
 /// The band of a pair of the library gives the alternatives.
@@ -460,7 +436,7 @@ Assumption boundary_friction(const Case& c) {
   const double zeta = c.contact.boundary_shear_strength_coefficient;
   std::vector<Alternative> others;
   std::string statement =
-      text("the boundary shear strength coefficient is %.4g at any temperature, speed and film", zeta);
+      fmt::format("the boundary shear strength coefficient is {:.4g} at any temperature, speed and film", zeta);
   if (c.contact.friction_pair) {
     const models::FrictionPair& pair = *c.contact.pair;
     statement += " (\"" + pair.name + "\": " + pair.source + ")";
@@ -496,14 +472,27 @@ bool is_symmetric(const models::RingFace& face) {
 std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
   const Case& c = setup.input;
   std::vector<Assumption> all = {oil_temperature(c), composite_modulus(setup), elastic_pressure(setup)};
-  if (!is_symmetric(setup.ring.face)) all.push_back(orientation(c));
-  all.push_back(cavitation(c));
+  if (!is_symmetric(setup.ring.face)) {
+    all.push_back(of_choice("face-orientation", "ring.face.orientation", c, "the face is installed as", "",
+                            "a face trace does not show which end faces the chamber"));
+  }
+  all.push_back(of_choice("cavitation-model", "film.cavitation", c, "the film ruptures and forms again after the",
+                          " model",
+                          "the models differ in where the film forms again; Reynolds' exit does not keep mass there"));
   all.push_back(cavitation_pressure(c));
   // A contact law without integrals or without a roughness of its own has no such choice.
-  const auto is_used = [&](const char* key) { return cycle::is_active(*cycle::find_field(key), c); };
-  if (is_used("contact.integrals")) all.push_back(contact_integrals(c));
-  if (is_used("contact.lambda_ratio")) all.push_back(lambda_ratio(c));
-  if (is_used("contact.roughness_measure")) all.push_back(roughness_measure(c));
+  const auto add_if_used = [&](const char* topic, const char* key, const std::string& before, const std::string& after,
+                               const char* consequence) {
+    if (!cycle::is_active(*cycle::find_field(key), c)) return;
+    all.push_back(of_choice(topic, key, c, before, after, consequence));
+  };
+  add_if_used("contact-integrals", "contact.integrals", "the integrals of the contact model are taken as", "",
+              "the polynomial as printed rises again beyond a lambda ratio of 1.9");
+  add_if_used("lambda-ratio", "contact.lambda_ratio", "contact is summed over the face with the", " lambda ratio",
+              "nominal puts the whole face at the minimum film");
+  add_if_used("roughness-measure", "contact.roughness_measure",
+              fmt::format("the roughness {:.3g} um is used", c.contact.roughness * 1e6), "",
+              "a root-sum-square of Ra is sqrt(2/pi) = 0.80 of the rms height that the contact model expects");
   all.push_back(oil_laws(c));
   return all;
 }

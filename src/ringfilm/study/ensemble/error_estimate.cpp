@@ -1,9 +1,10 @@
 #include "ringfilm/study/ensemble/error_estimate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -296,12 +297,8 @@ bool is_missing(const ErrorEstimate& estimate, std::size_t i) {
 }
 
 std::string grid_words(const GridRun& run) {
-  char around[32] = "";
-  if (run.cells_y > 0) std::snprintf(around, sizeof around, " x %ld", run.cells_y);
-  char grid[128];
-  std::snprintf(grid, sizeof grid, "%ld%s cells and a crank step of %.4g degree", run.cells, around,
-                run.crank_step_deg);
-  return grid;
+  const std::string around = run.cells_y > 0 ? fmt::format(" x {}", run.cells_y) : "";
+  return fmt::format("{}{} cells and a crank step of {:.4g} degree", run.cells, around, run.crank_step_deg);
 }
 
 }  // namespace
@@ -352,15 +349,10 @@ std::optional<cycle::Note> note_on_accuracy(const Case& c, const CycleResult& re
     if (error > *c.solver.accuracy) missed.emplace_back(error, quantity.name);
   }
   std::sort(missed.rbegin(), missed.rend());
-  char head[160];
-  std::snprintf(head, sizeof head, "by the error estimate %zu of %zu values of the cycle are within %.3g %%",
-                n - missed.size(), n, *c.solver.accuracy);
-  std::string text = head;
+  std::string text = fmt::format("by the error estimate {} of {} values of the cycle are within {:.3g} %",
+                                 n - missed.size(), n, *c.solver.accuracy);
   for (std::size_t i = 0; i < std::min(kNamed, missed.size()); ++i) {
-    char one[96];
-    std::snprintf(one, sizeof one, "%s%s (%.2g %%)", i == 0 ? "; not: " : ", ", missed[i].second.c_str(),
-                  missed[i].first);
-    text += one;
+    text += fmt::format("{}{} ({:.2g} %)", i == 0 ? "; not: " : ", ", missed[i].second, missed[i].first);
   }
   if (missed.size() > kNamed) text += " and " + std::to_string(missed.size() - kNamed) + " others";
   return cycle::Note{"accuracy-reached", text, 1};
