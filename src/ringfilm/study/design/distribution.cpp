@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/study/design/wording.hpp"
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -100,7 +100,7 @@ std::vector<Complaint> complaints_of_shape(const Distribution& d) {
   std::vector<Complaint> found;
   const auto positive = [&found](const char* what, double deviation) {
     if (deviation > 0) return;
-    found.push_back({std::string("has the ") + what + " " + shown(deviation),
+    found.push_back({std::string("has the ") + what + " " + number_text(deviation),
                      "it must be above 0; what does not vary is not a factor"});
   };
   switch (d.shape) {
@@ -110,19 +110,21 @@ std::vector<Complaint> complaints_of_shape(const Distribution& d) {
     case Shape::kLognormal:
       positive("standard deviation of the logarithm", d.log_deviation);
       if (d.median <= 0) {
-        found.push_back({"has the median " + shown(d.median), "that of a lognormal distribution is above 0"});
+        found.push_back({"has the median " + number_text(d.median), "that of a lognormal distribution is above 0"});
       }
       break;
     case Shape::kTriangular:
       if (d.mode < d.lower || d.mode > d.upper) {
-        found.push_back({"has its mode " + shown(d.mode) + " outside " + shown(d.lower) + " to " + shown(d.upper),
-                         "lower <= mode <= upper is required"});
+        found.push_back(
+            {"has its mode " + number_text(d.mode) + " outside " + number_text(d.lower) + " to " + number_text(d.upper),
+             "lower <= mode <= upper is required"});
       }
       [[fallthrough]];
     case Shape::kUniform:
       if (d.lower >= d.upper) {
-        found.push_back({"has its lower end " + shown(d.lower) + " not below its upper end " + shown(d.upper),
-                         "exchange them, or omit what does not vary"});
+        found.push_back(
+            {"has its lower end " + number_text(d.lower) + " not below its upper end " + number_text(d.upper),
+             "exchange them, or omit what does not vary"});
       }
       break;
   }
@@ -172,7 +174,8 @@ std::vector<Complaint> complaints(const Distribution& d) {
   std::vector<Complaint> found = complaints_of_shape(d);
   if (!found.empty()) return found;
   if (d.lowest && d.highest && *d.lowest >= *d.highest) {
-    return {{"is truncated to " + shown(*d.lowest) + " to " + shown(*d.highest), "the first must be below the second"}};
+    return {{"is truncated to " + number_text(*d.lowest) + " to " + number_text(*d.highest),
+             "the first must be below the second"}};
   }
   constexpr double kLeast = 1e-9;
   if (kept(d).share() < kLeast) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/study/design/wording.hpp"
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -164,8 +164,8 @@ class MeasuredFactors {
     const double known = std::get<Distribution>(common.variation).deviation;
     constexpr double kRounding = 0.02;
     if (!(std::abs(relative - known) <= kRounding * known)) {
-      throw InputError("the " + kind + " of " + owner + " has the relative deviation " + shown(known) +
-                           " in one base and " + shown(relative) + " in base \"" + pair.owner + "\"",
+      throw InputError("the " + kind + " of " + owner + " has the relative deviation " + number_text(known) +
+                           " in one base and " + number_text(relative) + " in base \"" + pair.owner + "\"",
                        "one error cannot have two sizes: check the deviations, or give the calibrations two names");
     }
     const std::vector<Target> more = targets(pair, kZeta);

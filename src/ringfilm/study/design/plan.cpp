@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/checks/gas_plausibility.hpp"
 #include "ringfilm/study/design/hash.hpp"
 #include "ringfilm/study/design/scenario.hpp"
@@ -318,8 +319,8 @@ std::vector<std::string> Plan::notes() const {
     const bool one = sampling.method == Method::kOneAtATime;
     const double low = one ? kLowShare : kLowestShare, high = one ? kHighShare : kHighestShare;
     if (has_distribution) {
-      notes.push_back("distributions are taken from their " + shown(100 * low) + " % to their " + shown(100 * high) +
-                      " % quantile");
+      notes.push_back("distributions are taken from their " + number_text(100 * low) + " % to their " +
+                      number_text(100 * high) + " % quantile");
     }
   }
   if (sampling.indices == Indices::kFirstAndTotal && groups_.size() < study_.factors.size()) {

@@ -3,11 +3,11 @@
 #include <map>
 #include <set>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/plan.hpp"
 #include "ringfilm/study/design/scenario.hpp"
-#include "ringfilm/study/design/wording.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -56,9 +56,10 @@ class FactorCheck {
     if (!std::isfinite(span.low) || !std::isfinite(span.high)) {
       refuse("has a range that is not finite", "state two finite numbers");
     } else if (span.low >= span.high) {
-      refuse("has a range from " + shown(span.low) + " to " + shown(span.high), "the first must be below the second");
+      refuse("has a range from " + number_text(span.low) + " to " + number_text(span.high),
+             "the first must be below the second");
     } else if (span.spacing == Spacing::kLogarithmic && span.low <= 0) {
-      refuse("has a logarithmic range from " + shown(span.low), "both ends must be above 0");
+      refuse("has a logarithmic range from " + number_text(span.low), "both ends must be above 0");
     }
     if (span.points < 2)
       refuse("has a range of " + std::to_string(span.points) + " points", "two or more are required");
@@ -71,7 +72,7 @@ class FactorCheck {
     }
     std::sort(values.begin(), values.end());
     const auto twice = std::adjacent_find(values.begin(), values.end());
-    if (twice != values.end()) refuse("has the value " + shown(*twice) + " twice", "keep one of them");
+    if (twice != values.end()) refuse("has the value " + number_text(*twice) + " twice", "keep one of them");
   }
 
   void check_texts(const Choices& choices) {
@@ -282,7 +283,7 @@ void check_correlation(const Study& study, const Correlation& one, Faults& fault
   if (one.first == one.second) {
     faults.push_back({one.mark, called(a) + " is correlated with itself", "name two factors"});
   } else if (!(std::abs(one.value) < 1)) {
-    faults.push_back({one.mark, pair + " is " + shown(one.value),
+    faults.push_back({one.mark, pair + " is " + number_text(one.value),
                       "it must be above -1 and below 1; a factor that follows from another is not a separate factor"});
   }
   for (const Factor* factor : {&a, &b}) {
@@ -355,9 +356,9 @@ void check_until(const Study& study, Faults& faults) {
   if (!study_values(study, study.bases.front().input).index(until.value)) {
     refuse("plan.until: there is no value " + until.value, "for example fmep");
   }
-  if (!(until.width > 0)) refuse("plan.until: the width is " + shown(until.width), "it must be above 0");
+  if (!(until.width > 0)) refuse("plan.until: the width is " + number_text(until.width), "it must be above 0");
   if (until.quantile && !(*until.quantile > 0 && *until.quantile < 1)) {
-    refuse("plan.until: the quantile is " + shown(*until.quantile), "it lies between 0 and 1, for example 0.95");
+    refuse("plan.until: the quantile is " + number_text(*until.quantile), "it lies between 0 and 1, for example 0.95");
   }
   if (until.most < sampling.scenarios) {
     refuse("plan.until: most = " + std::to_string(until.most) + " is below plan.scenarios", "state more");
@@ -426,7 +427,7 @@ void check_sampling(const Study& study, Faults& faults) {
                         "state values or a range, or sample: method = \"sobol\""});
     }
     if (grid_points(study) > kMost) {
-      refuse("the grid has " + shown(grid_points(study)) + " points", "at most 2^32 can be distinguished");
+      refuse("the grid has " + number_text(grid_points(study)) + " points", "at most 2^32 can be distinguished");
     }
   }
   if (sampling.method == Method::kMorris) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/case/accuracy.hpp"
 #include "ringfilm/case/conditions.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
@@ -47,7 +48,7 @@ class NumberWriter {
   void operator()(const OptionalNumberKind& kind) { change_optional(kind.ref(case_)); }
   void operator()(const NumberOrFileKind& kind) {
     if (kind.file(case_)) {
-      refuse("is read from a file in this base", "a number cannot take its place in a study; state one in the base");
+      refuse_file();
     } else {
       kind.number(case_) = changed(kind.number(case_));
     }
@@ -55,7 +56,7 @@ class NumberWriter {
   void operator()(const OptionalNumberOrFileKind& kind) {
     LandPressure& pressure = kind.ref(case_);
     if (pressure.file) {
-      refuse("is read from a file in this base", "a number cannot take its place in a study; state one in the base");
+      refuse_file();
     } else {
       change_optional(pressure.constant);
     }
@@ -89,7 +90,7 @@ class NumberWriter {
   void operator()(const CountKind& kind) {
     const double count = changed(kind.ref(case_));
     if (count != std::round(count) || std::abs(count) > 1e9) {
-      refuse("= " + shown(count) + " is not a whole number", "list whole numbers");
+      refuse("= " + number_text(count) + " is not a whole number", "list whole numbers");
     } else {
       kind.ref(case_) = static_cast<int>(count);
     }
@@ -120,6 +121,10 @@ class NumberWriter {
     } else {
       refuse("is not stated in this base", "there is nothing to scale or to add to; state it, or set it");
     }
+  }
+
+  void refuse_file() {
+    refuse("is read from a file in this base", "a number cannot take its place in a study; state one in the base");
   }
 
   void refuse(const std::string& predicate, const std::string& remedy) {
@@ -189,12 +194,7 @@ struct ValueText {
   }
   std::string operator()(const UnitNameKind& kind) const { return exact(kind.ref(c)); }
   std::string operator()(const NumberListKind& kind) const { return listed(kind.ref(c)); }
-  std::string operator()(const TemperatureValuesKind& kind) const {
-    std::string text;
-    for (const auto& [temperature, value] : kind.ref(c))
-      text.append(exact(temperature)).append(" ").append(exact(value)).append(" ");
-    return text;
-  }
+  std::string operator()(const TemperatureValuesKind& kind) const { return listed_pairs(kind.ref(c)); }
   std::string operator()(const ConstantOrTemperatureValuesKind& kind) const {
     return optional(kind.constant(c)) + " " + (*this)(TemperatureValuesKind{kind.ref});
   }
@@ -206,13 +206,7 @@ struct ValueText {
     }
     return text;
   }
-  std::string operator()(const StrokeValuesKind& kind) const {
-    std::string text;
-    for (const auto& [distance, value] : kind.ref(c)) {
-      text.append(exact(distance)).append(" ").append(exact(value)).append(" ");
-    }
-    return text;
-  }
+  std::string operator()(const StrokeValuesKind& kind) const { return listed_pairs(kind.ref(c)); }
   std::string operator()(const AnglesKind&) const {
     return exact(c.output.crank_angle_step_deg) + " " + listed(c.output.crank_angles_deg);
   }
@@ -222,6 +216,12 @@ struct ValueText {
 
   static std::string named(bool is_there) { return is_there ? "file" : "-"; }
   static std::string optional(const std::optional<double>& value) { return value ? exact(*value) : "-"; }
+  template <class Pair>
+  static std::string listed_pairs(const std::vector<Pair>& values) {
+    std::string text;
+    for (const auto& [place, value] : values) text.append(exact(place)).append(" ").append(exact(value)).append(" ");
+    return text;
+  }
   static std::string listed(const std::vector<double>& values) {
     std::string text;
     for (const double value : values) text.append(exact(value)).append(" ");
@@ -320,7 +320,7 @@ bool is_inside(double value, const Range& range) {
 }
 
 std::string with_unit(double value, const Field& field) {
-  return field.unit == "1" || field.unit.empty() ? shown(value) : shown(value) + " " + field.unit;
+  return field.unit == "1" || field.unit.empty() ? number_text(value) : number_text(value) + " " + field.unit;
 }
 
 std::string range_words(const Field& field) {

@@ -4,12 +4,6 @@
 
 namespace ringfilm::study {
 
-std::string shown(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", number);
-  return text;
-}
-
 std::string exact(double number) {
   char text[48];
   std::snprintf(text, sizeof text, "%a", number);

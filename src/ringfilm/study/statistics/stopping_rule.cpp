@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ringfilm/study/design/wording.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"
 
@@ -43,7 +43,7 @@ Study with_points(Study study, std::uint64_t points) {
 std::string statistic_words(const StoppingRule& until) {
   constexpr double kPercent = 100;
   if (!until.quantile) return "the mean of " + until.value;
-  return "the " + shown(kPercent * *until.quantile) + " % quantile of " + until.value;
+  return "the " + number_text(kPercent * *until.quantile) + " % quantile of " + until.value;
 }
 
 }  // namespace ringfilm::study
