@@ -66,14 +66,9 @@ class Row {
     }
   }
 
-  /// Each topic once.
-  void note(const std::vector<cycle::Note>& notes, const std::string& prefix) {
-    for (const cycle::Note& note : notes) {
-      const auto is_known = [&](const cycle::Note& one) { return one.topic == note.topic; };
-      if (std::any_of(row_.notes.begin(), row_.notes.end(), is_known)) continue;
-      row_.notes.push_back(note);
-      row_.notes.back().message.insert(0, prefix);
-    }
+  void note(std::vector<cycle::Note> notes, const std::string& prefix) {
+    for (cycle::Note& note : notes) note.message.insert(0, prefix);
+    add_topics(std::move(notes), row_);
   }
 
   ScenarioRow row() && { return std::move(row_); }

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "ringfilm/base/append_new.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/scenario.hpp"
@@ -31,10 +32,7 @@ ScenarioRow row_of(const cycle::CycleResult& result, const OutputSelection& keep
   ScenarioRow row;
   for (const auto& quantity : cycle::cycle_quantities()) row.values.push_back(result.values.*quantity.value);
   row.curves = kept_numbers(keep, result.samples);
-  for (const cycle::Note& note : result.notes) {
-    const auto is_known = [&](const cycle::Note& one) { return one.topic == note.topic; };
-    if (std::none_of(row.notes.begin(), row.notes.end(), is_known)) row.notes.push_back(note);
-  }
+  add_topics(result.notes, row);
   return row;
 }
 
@@ -47,13 +45,6 @@ ScenarioRow unsolved_row(std::string reason, const Plan& plan) {
 std::uint64_t rows_in_block(const Study& study, std::uint64_t most_rows) {
   const std::size_t row = sizeof(float) * kept_curves(study).size() * kept_angles(study.keep).size();
   return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kLargestCurves / row, 1));
-}
-
-/// What is wrong with a scenario, in one line.
-std::string reason_of(const InputError& refusal) {
-  std::string reason;
-  for (const Fault& fault : refusal.faults()) reason.append(reason.empty() ? "" : "; ").append(fault.message);
-  return reason;
 }
 
 /// Takes rows as they end and hands them over in blocks: when one is full, and after a time what there is.
@@ -253,6 +244,11 @@ void run_in_lanes(const Plan& plan, const Cases& cases, const OutputSelection& k
 }
 
 }  // namespace
+
+void add_topics(std::vector<cycle::Note> notes, ScenarioRow& row) {
+  append_new(row.notes, std::move(notes),
+             [](const cycle::Note& one, const cycle::Note& other) { return one.topic == other.topic; });
+}
 
 ScenarioRange shard_range(std::uint64_t n_scenarios, std::uint64_t part, std::uint64_t parts) {
   if (part < 1 || part > parts) {

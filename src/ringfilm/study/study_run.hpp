@@ -23,6 +23,9 @@ struct ScenarioRow {
   std::size_t base = 0;                 ///< base case of the scenario
 };
 
+/// Adds the notes to those of a row, each topic once.
+void add_topics(std::vector<cycle::Note> notes, ScenarioRow& row);
+
 /// Scenarios `first` to `first + rows.size()`.
 struct ScenarioBlock {
   std::uint64_t first = 0;        ///< number of the first of them in the plan

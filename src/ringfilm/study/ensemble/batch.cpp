@@ -162,15 +162,15 @@ void check_rules(const cycle::Case& c) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
+std::string reason_of(const InputError& refusal) {
+  std::string reason;
+  for (const Fault& fault : refusal.faults()) reason.append(reason.empty() ? "" : "; ").append(fault.message);
+  return reason;
+}
+
 std::string Ending::reason() const {
   if (stop) return stop->message;
-  std::string reason;
-  if (!refusal) return reason;
-  for (const Fault& fault : refusal->faults()) {
-    if (!reason.empty()) reason.append("; ");
-    reason.append(fault.message);
-  }
-  return reason;
+  return refusal ? reason_of(*refusal) : "";
 }
 
 void add(const cycle::LaneEffort& part, cycle::LaneEffort& all) {

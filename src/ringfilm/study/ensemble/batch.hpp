@@ -26,6 +26,9 @@ struct BatchOptions {
 /// Throws InputError with every rule that a case breaks: one that was made from another was never checked as a file is.
 void check_rules(const cycle::Case& c);
 
+/// All faults of a refusal on one line.
+std::string reason_of(const InputError& refusal);
+
 /// How a scenario of a batch ended.
 struct Ending {
   std::size_t index = 0;  ///< in the order in which the cases were given, from 0
