@@ -43,15 +43,16 @@ std::vector<std::string> flat_notes(const study::Plan& plan, const std::vector<s
 
 FactorNotes::FactorNotes(const study::Plan& plan) : plan_(plan), idle_(plan), flat_(plan, study::kNotMeasured) {}
 
-std::vector<std::size_t> FactorNotes::columns() const {
-  if (idle_.is_decided()) return flat_.watched();
+std::vector<std::size_t> FactorNotes::columns() {
+  takes_all_ = !idle_.is_decided();
+  if (!takes_all_) return flat_.watched();
   std::vector<std::size_t> all(plan_.values().quantities.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return all;
 }
 
 void FactorNotes::add(std::uint64_t scenario, std::span<const double> values) {
-  if (values.size() == flat_.watched().size()) return flat_.add(scenario, values);
+  if (!takes_all_) return flat_.add(scenario, values);
   std::vector<double> watched;
   for (const std::size_t i : flat_.watched()) watched.push_back(values[i]);
   if (!watched.empty()) flat_.add(scenario, watched);

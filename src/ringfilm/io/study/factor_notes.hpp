@@ -20,10 +20,10 @@ class FactorNotes {
   /// The plan must outlive it.
   explicit FactorNotes(const study::Plan& plan);
 
-  /// The values that it looks at now, of Plan::values().quantities; they become fewer.
-  std::vector<std::size_t> columns() const;
+  /// The values that add() takes from now on, of Plan::values().quantities; they become fewer.
+  std::vector<std::size_t> columns();
 
-  /// One scenario. @param values of columns(), NaN where it was not solved
+  /// One scenario. @param values those of the last columns(), NaN where it was not solved
   void add(std::uint64_t scenario, std::span<const double> values);
 
   std::vector<std::string> notes() const;
@@ -32,6 +32,7 @@ class FactorNotes {
   const study::Plan& plan_;
   study::IdleFactors idle_;
   study::FlatFactors flat_;
+  bool takes_all_ = true;  ///< does add() take all values, or those that `flat_` looks at?
 };
 
 }  // namespace ringfilm::io
