@@ -25,9 +25,9 @@
 #include "ringfilm/io/study/study_result.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/report/study_page.hpp"
-#include "ringfilm/study/design/hash.hpp"
 #include "ringfilm/study/design/kept_curves.hpp"
 #include "ringfilm/study/design/scenario.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 #include "ringfilm/study/study_run.hpp"
 
 /// What a study costs beside the engine: its scenarios through plan, cases, rows and their file on the disk, against

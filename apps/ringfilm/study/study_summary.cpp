@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ringfilm/io/text/units.hpp"
-#include "ringfilm/study/design/morris.hpp"
+#include "ringfilm/study/sampling/morris.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <set>
 
-#include "ringfilm/study/design/hash.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/ensemble/error_estimate.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/study_run.hpp"
 

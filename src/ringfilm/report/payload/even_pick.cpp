@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::report {
 

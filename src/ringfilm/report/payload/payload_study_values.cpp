@@ -8,7 +8,7 @@
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/report/payload/study_groups.hpp"
-#include "ringfilm/study/design/morris.hpp"
+#include "ringfilm/study/sampling/morris.hpp"
 #include "ringfilm/study/statistics/histogram.hpp"
 #include "ringfilm/study/statistics/one_at_a_time.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"

@@ -7,7 +7,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/case.hpp"
-#include "ringfilm/study/design/distribution.hpp"
+#include "ringfilm/study/sampling/distribution.hpp"
 
 /// What varies in a study: one uncertain or varied number, or a choice, and where it enters the cases.
 namespace ringfilm::study {

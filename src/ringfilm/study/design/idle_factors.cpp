@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/checks/gas_plausibility.hpp"
-#include "ringfilm/study/design/hash.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/design/wording.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "ringfilm/study/design/copula.hpp"
-#include "ringfilm/study/design/latin_hypercube.hpp"
-#include "ringfilm/study/design/morris.hpp"
-#include "ringfilm/study/design/sobol_points.hpp"
 #include "ringfilm/study/design/study.hpp"
 #include "ringfilm/study/design/study_values.hpp"
+#include "ringfilm/study/sampling/latin_hypercube.hpp"
+#include "ringfilm/study/sampling/morris.hpp"
+#include "ringfilm/study/sampling/sobol_points.hpp"
 
 /// Which scenarios a study runs, with which numbers; docs/theory/study.md.
 namespace ringfilm::study {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 
 namespace ringfilm::study {

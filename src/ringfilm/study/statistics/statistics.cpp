@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "ringfilm/study/design/distribution.hpp"
+#include "ringfilm/study/sampling/distribution.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "../study_example.hpp"
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ringfilm/study/design/distribution.hpp"
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/distribution.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 namespace {

@@ -1,10 +1,10 @@
-#include "ringfilm/study/design/latin_hypercube.hpp"
+#include "ringfilm/study/sampling/latin_hypercube.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 

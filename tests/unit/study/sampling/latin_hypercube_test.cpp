@@ -1,4 +1,4 @@
-#include "ringfilm/study/design/latin_hypercube.hpp"
+#include "ringfilm/study/sampling/latin_hypercube.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ringfilm/study/design/sobol_points.hpp"
+#include "ringfilm/study/sampling/sobol_points.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 namespace {

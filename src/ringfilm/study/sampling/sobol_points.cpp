@@ -1,9 +1,9 @@
-#include "ringfilm/study/design/sobol_points.hpp"
+#include "ringfilm/study/sampling/sobol_points.hpp"
 
 #include <boost/random/sobol.hpp>
 #include <stdexcept>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 namespace {

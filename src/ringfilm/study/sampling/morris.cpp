@@ -1,11 +1,11 @@
-#include "ringfilm/study/design/morris.hpp"
+#include "ringfilm/study/sampling/morris.hpp"
 
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "ringfilm/study/design/hash.hpp"
+#include "ringfilm/study/sampling/hash.hpp"
 
 namespace ringfilm::study {
 

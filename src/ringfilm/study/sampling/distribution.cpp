@@ -1,4 +1,4 @@
-#include "ringfilm/study/design/distribution.hpp"
+#include "ringfilm/study/sampling/distribution.hpp"
 
 #include <algorithm>
 #include <boost/math/distributions/lognormal.hpp>

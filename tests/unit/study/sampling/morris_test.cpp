@@ -1,4 +1,4 @@
-#include "ringfilm/study/design/morris.hpp"
+#include "ringfilm/study/sampling/morris.hpp"
 
 #include <cmath>
 #include <limits>
