@@ -4,9 +4,9 @@
 
 namespace ringfilm {
 
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
+std::string number_text(double value, int digits) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -46,10 +45,9 @@ RoughContact::RoughContact(const HeightMap& sum, MapEdges edges, const ContactMa
   measured_points_ = static_cast<double>(surface::measured_points(sum));
   const double missing_share = 1 - measured_points_ / static_cast<double>(sum.points());
   if (missing_share > kMostMissing) {
-    char text[120];
-    std::snprintf(text, sizeof text, "%.3g %% of the points of the pair have no height, more than %.3g %%",
-                  100 * missing_share, 100 * kMostMissing);
-    throw InputError(text, "measure again, or take a region with fewer missing points");
+    throw InputError(number_text(100 * missing_share, 3) + " % of the points of the pair have no height, more than " +
+                         number_text(100 * kMostMissing, 3) + " %",
+                     "measure again, or take a region with fewer missing points");
   }
   double mean = 0;
   for (std::size_t i = 0; i < z_.size(); ++i) mean += measured(i) ? z_[i] : 0;
@@ -144,11 +142,10 @@ ContactAtSeparation RoughContact::solve(double separation_m) {
 void check_area(const ContactAtSeparation& contact) {
   constexpr double kPixels = 0.005;  // by which the area is uncertain
   if (contact.area_share <= kMostContactArea + kPixels) return;
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "at a separation of %s the real contact area is %.3g %% of the nominal one, more than %.3g %%",
-                length_text(contact.separation_m).c_str(), 100 * contact.area_share, 100 * kMostContactArea);
-  throw InputError(text, "state larger separations: half-space theory ends here");
+  throw InputError("at a separation of " + length_text(contact.separation_m) + " the real contact area is " +
+                       number_text(100 * contact.area_share, 3) + " % of the nominal one, more than " +
+                       number_text(100 * kMostContactArea, 3) + " %",
+                   "state larger separations: half-space theory ends here");
 }
 
 ContactAtSeparation RoughContact::measures(double separation_m, double residual, int iterations) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <tuple>
 #include <utility>
@@ -46,11 +45,7 @@ class TiltSearch {
   int free_passes_ = 0;
 };
 
-std::string micrometres(double length_m) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g um", length_m * 1e6);
-  return text;
-}
+std::string micrometres(double length_m) { return number_text(length_m * 1e6) + " um"; }
 
 FaceResidual residual_of(const Trace& gap, const std::function<double(std::size_t)>& fit) {
   FaceResidual residual;
@@ -115,15 +110,12 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
 }  // namespace
 
 std::string FitArtifact::words() const {
-  char text[200];
-  const char* what = reason == InventionReason::kDeparts ? "the polynomial lies %.3g um off the trace"
-                     : reason == InventionReason::kTurnNotInTrace
-                         ? "the polynomial's gap falls by %.3g um where that of the trace does not"
-                         : "the gap falls by %.3g um towards the edge, in polynomial and trace";
-  char figure[160];
-  std::snprintf(figure, sizeof figure, what, size_m * 1e6);
-  std::snprintf(text, sizeof text, "x = %.4g to %.4g mm: %s", from_m * 1e3, to_m * 1e3, figure);
-  return text;
+  const std::string size = number_text(size_m * 1e6, 3) + " um ";
+  return "x = " + number_text(from_m * 1e3, 4) + " to " + number_text(to_m * 1e3, 4) + " mm: " +
+         (reason == InventionReason::kDeparts ? "the polynomial lies " + size + "off the trace"
+          : reason == InventionReason::kTurnNotInTrace
+              ? "the polynomial's gap falls by " + size + "where that of the trace does not"
+              : "the gap falls by " + size + "towards the edge, in polynomial and trace");
 }
 
 FaceFit fit_face(const Trace& trace, const FaceRule& rule) {

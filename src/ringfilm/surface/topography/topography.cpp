@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
@@ -17,18 +16,10 @@ std::string size_text(const HeightMap& map) {
 }  // namespace
 
 std::string length_text(double length_m) {
-  char text[48];
   const double size = std::abs(length_m);
-  if (!std::isfinite(size)) {
-    std::snprintf(text, sizeof text, "%g m", length_m);
-  } else if (size < 1e-7) {
-    std::snprintf(text, sizeof text, "%.6g nm", length_m * 1e9);
-  } else if (size < 1e-3) {
-    std::snprintf(text, sizeof text, "%.6g um", length_m * 1e6);
-  } else {
-    std::snprintf(text, sizeof text, "%.6g mm", length_m * 1e3);
-  }
-  return text;
+  if (!std::isfinite(size)) return number_text(length_m) + " m";
+  if (size < 1e-7) return number_text(length_m * 1e9) + " nm";
+  return size < 1e-3 ? number_text(length_m * 1e6) + " um" : in_mm(length_m);
 }
 
 std::size_t measured_points(const HeightMap& map) {
