@@ -1,13 +1,13 @@
 #include "ringfilm/instrument/table/text_cells.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/number_from.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -90,10 +90,8 @@ std::optional<double> number_of(std::string_view cell, bool decimal_commas) {
     *std::find(turned, turned + cell.size(), ',') = '.';
     cell = std::string_view(turned, cell.size());
   }
-  double value = 0;
-  const auto [rest, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-  if (error != std::errc{} || rest != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const std::optional<double> value = number_from<double>(cell);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 char separator_of(std::string_view line) {
