@@ -124,6 +124,10 @@ struct Range {
   double high;
   bool low_open = false;
   bool high_open = false;
+
+  bool contains(double value) const {
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+  }
 };
 
 /// What computes with a key.

@@ -14,11 +14,6 @@ using Kind = TomlValue::Kind;
 
 bool is_number(const TomlValue& value) { return value.kind == Kind::kInteger || value.kind == Kind::kNumber; }
 
-bool inside(double value, const cycle::Range& range) {
-  return (range.low_open ? value > range.low : value >= range.low) &&
-         (range.high_open ? value < range.high : value <= range.high);
-}
-
 double within_cycle(double angle_deg) {
   const double wrapped = std::fmod(angle_deg, 720.0);
   return wrapped < 0 ? wrapped + 720.0 : wrapped + 0.0;
@@ -207,7 +202,7 @@ class Setter {
   }
 
   bool in_range(const TomlValue& value, double number) {
-    if (!field_.range || inside(number, *field_.range)) return true;
+    if (!field_.range || field_.range->contains(number)) return true;
     refuse(value, "is out of range", "allowed is " + range_words(field_, units_) + omission_words(number));
     return false;
   }

@@ -154,7 +154,7 @@ class FactorCheck {
     }
     for (const double number : set) {
       const double x = target.gain * number;
-      if (is_inside(x, range)) continue;
+      if (range.contains(x)) continue;
       refuse("has the value " + with_unit(x, field) + " for " + field.key + ", which is out of range",
              "allowed is " + range_words(field));
       return;

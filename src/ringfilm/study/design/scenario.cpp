@@ -107,7 +107,7 @@ class NumberWriter {
                                                              : base + number_;
     if (!std::isfinite(value)) {
       refuse("is not finite", "check the distribution and the gain of the factor");
-    } else if (field_.range && !is_inside(value, *field_.range)) {
+    } else if (field_.range && !field_.range->contains(value)) {
       refuse("= " + with_unit(value, field_) + " is out of range", "allowed is " + range_words(field_));
     }
     return value;
@@ -312,11 +312,6 @@ bool is_file(const Field& field) {
 
 bool decides_reading(const Field& field) {
   return entry_of(field) == Entry::kText && !std::holds_alternative<ChoiceKind>(field.kind) && !field.is_for_record;
-}
-
-bool is_inside(double value, const Range& range) {
-  return (range.low_open ? value > range.low : value >= range.low) &&
-         (range.high_open ? value < range.high : value <= range.high);
 }
 
 std::string with_unit(double value, const Field& field) {

@@ -57,7 +57,6 @@ std::vector<KeyPlace> places_of_key(cycle::Case& c, const std::string& key);
 /// Why a base does not have the key of a factor, and what to write; nothing: it has it.
 std::optional<Fault> missing_key(const cycle::Case& base, const std::string& key);
 
-bool is_inside(double value, const cycle::Range& range);
 /// "1.5e-06 m"
 std::string with_unit(double value, const cycle::Field& field);
 /// "above 0 m to 2 m"

@@ -44,8 +44,7 @@ void set_number(const std::string& key, Case& c, double value) {
 
 bool in_range(const std::string& key, double value) {
   const auto& range = cycle::find_field(key)->range;
-  return !range || (value > range->low && value < range->high) || (value == range->low && !range->low_open) ||
-         (value == range->high && !range->high_open);
+  return !range || range->contains(value);
 }
 
 /// Nobody learns anything from a value this close to the one in use.
