@@ -187,8 +187,7 @@ io::MeasuredGroup coefficient_group(const FaceFit& fit) {
     const std::string unit = power == 0 ? "m" : power == 1 ? "1" : fmt::format("m{}", 1 - power);
     const std::string display = power == 0 ? "um" : fmt::format("um mm-{}", power);
     const double in_si = coefficients[static_cast<std::size_t>(k)] * 1e-6 * std::pow(1e3, power);
-    group.add("coefficient_" + letter, fmt::format("of x^{}", power), letter.c_str(), unit.c_str(), display.c_str(),
-              in_si);
+    group.add("coefficient_" + letter, fmt::format("of x^{}", power), letter, unit, display, in_si);
   }
   return group;
 }
