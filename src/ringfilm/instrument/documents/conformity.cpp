@@ -60,12 +60,8 @@ struct SeriesAround {
 
 void append_curve(const models::RingClosure& ring, const char* name, const char* title, const char* caption,
                   const io::MeasuredAxis& axis, const std::vector<SeriesAround>& all_series, io::Measurement& all) {
-  io::MeasuredCurve curve;
-  curve.name = name;
-  curve.title = title;
-  curve.caption = caption;
-  curve.x_axis = {"angle", "angle from the middle of the gap", "degree", "degree"};
-  curve.y_axis = axis;
+  io::MeasuredCurve curve =
+      curve_of(name, title, caption, {"angle", "angle from the middle of the gap", "degree", "degree"}, axis);
   for (const SeriesAround& series : all_series) curve.series.push_back({series.name, series.label, {}});
   for (const double phi : places(ring)) {
     curve.x.push_back(degrees(phi));

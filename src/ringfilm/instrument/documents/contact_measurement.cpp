@@ -118,12 +118,10 @@ std::vector<Point> rising_points(const surface::ContactLaw& law) {
 io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column, const std::string& name,
                             double (*deviation)(const Point&) = nullptr) {
   const std::vector<Point> points = rising_points(law);
-  io::MeasuredCurve curve;
-  curve.name = name;
-  curve.title = std::string(1, static_cast<char>(std::toupper(column.long_name[0]))) + (column.long_name + 1);
-  curve.caption = "Against the distance of the mean planes of the undeformed surfaces.";
-  curve.x_axis = {"separation", "separation", "m", "um"};
-  curve.y_axis = {column.name, column.long_name, column.unit, column.display_unit};
+  io::MeasuredCurve curve = curve_of(
+      name, std::string(1, static_cast<char>(std::toupper(column.long_name[0]))) + (column.long_name + 1),
+      "Against the distance of the mean planes of the undeformed surfaces.", {"separation", "separation", "m", "um"},
+      {column.name, column.long_name, column.unit, column.display_unit});
   io::MeasuredSeries series{column.name, column.long_name, {}, false};
   for (const Point& point : points) {
     curve.x.push_back(point.mean.separation_m);
@@ -148,12 +146,9 @@ io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column
 
 /// Share of the area at each true gap, a series for each separation in the order of the table; six of them are drawn.
 io::MeasuredCurve gap_curve(const surface::ContactLaw& law) {
-  io::MeasuredCurve curve;
-  curve.name = io::kGapDistribution;
-  curve.title = "Distribution of the true gap";
-  curve.caption = "Share of the area at each gap; what is missing from 1 is contact.";
-  curve.x_axis = {"gap", "true gap", "m", "um", true};
-  curve.y_axis = {"share", "share of the area", "1", "%"};
+  io::MeasuredCurve curve = curve_of(io::kGapDistribution, "Distribution of the true gap",
+                                     "Share of the area at each gap; what is missing from 1 is contact.",
+                                     {"gap", "true gap", "m", "um", true}, {"share", "share of the area", "1", "%"});
   curve.x = law.gap_places_m;
   const std::size_t step = (law.points.size() + 5) / 6;
   for (const Point& point : law.points) {

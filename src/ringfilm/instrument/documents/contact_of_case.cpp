@@ -100,12 +100,9 @@ std::vector<std::string> validity_notes(const cycle::Case& c, const io::Measured
 }
 
 io::MeasuredCurve law_curves(const cycle::Case& c) {
-  io::MeasuredCurve curve;
-  curve.name = "laws";
-  curve.title = "Contact laws";
-  curve.caption = "Pressure of several laws of the same surfaces against the lambda ratio, logarithmic.";
-  curve.x_axis = {"lambda_ratio", "lambda ratio", "1", "1"};
-  curve.y_axis = {"contact_pressure", "contact pressure", "Pa", "MPa", true};
+  io::MeasuredCurve curve = curve_of(
+      "laws", "Contact laws", "Pressure of several laws of the same surfaces against the lambda ratio, logarithmic.",
+      {"lambda_ratio", "lambda ratio", "1", "1"}, {"contact_pressure", "contact pressure", "Pa", "MPa", true});
   const cycle::ContactCurves curves = cycle::contact_curves(c);
   const std::size_t places = curves.separation.size();
   for (int k = 0; k < cycle::kPlacesOfCurves; ++k) {

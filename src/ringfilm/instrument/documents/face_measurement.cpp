@@ -210,14 +210,11 @@ std::vector<double> polynomial_at_points(const FaceFit& fit) {
 }
 
 io::MeasuredCurve face_curve(const FaceFit& fit) {
-  io::MeasuredCurve curve;
-  curve.name = "face";
-  curve.title = "Face of the ring";
-  curve.caption =
-      "The gap between the face and a straight liner: the trace after levelling, and both fits. The case "
-      "takes one of the fits.";
-  curve.x_axis = {"x", "distance along the face", "m", "mm"};
-  curve.y_axis = {"gap", "gap to a straight liner", "m", "um"};
+  io::MeasuredCurve curve =
+      curve_of("face", "Face of the ring",
+               "The gap between the face and a straight liner: the trace after levelling, and both fits. The case "
+               "takes one of the fits.",
+               {"x", "distance along the face", "m", "mm"}, {"gap", "gap to a straight liner", "m", "um"});
   curve.x = fit.x_m;
   curve.series = {{"trace", "trace (measured)", fit.gap_m},
                   {"polynomial", "polynomial", polynomial_at_points(fit)},
@@ -228,14 +225,11 @@ io::MeasuredCurve face_curve(const FaceFit& fit) {
 }
 
 io::MeasuredCurve residual_curve(const FaceFit& fit) {
-  io::MeasuredCurve curve;
-  curve.name = "residuals";
-  curve.title = "Residuals of the fits";
-  curve.caption =
-      "Trace less fit. Noise lies about zero without a pattern; a pattern is shape that the fit does not "
-      "have, or has too much. Upright lines: where invented shape begins and ends.";
-  curve.x_axis = {"x", "distance along the face", "m", "mm"};
-  curve.y_axis = {"residual", "trace less fit", "m", "um"};
+  io::MeasuredCurve curve =
+      curve_of("residuals", "Residuals of the fits",
+               "Trace less fit. Noise lies about zero without a pattern; a pattern is shape that the fit does not "
+               "have, or has too much. Upright lines: where invented shape begins and ends.",
+               {"x", "distance along the face", "m", "mm"}, {"residual", "trace less fit", "m", "um"});
   curve.x = fit.x_m;
   std::vector<double> of_polynomial, of_spline;
   const std::vector<double> polynomial = polynomial_at_points(fit);

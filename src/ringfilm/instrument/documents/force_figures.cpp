@@ -7,6 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "ringfilm/instrument/documents/surface_values.hpp"
+
 namespace ringfilm::instrument {
 namespace {
 
@@ -50,12 +52,8 @@ std::vector<const surface::FrictionLoop*> some_loops(const ForceSample& sample) 
 }
 
 io::MeasuredCurve empty_loop_curve(const ForceSample& sample, const std::string& name) {
-  io::MeasuredCurve curve;
-  curve.name = name;
-  curve.title = "Friction loops, " + sample.name;
-  curve.x_axis = {"position", "position along the line", "m", "um"};
-  curve.y_axis = {"lateral_signal", "lateral signal", "V", "mV"};
-  return curve;
+  return curve_of(name, "Friction loops, " + sample.name, "", {"position", "position along the line", "m", "um"},
+                  {"lateral_signal", "lateral signal", "V", "mV"});
 }
 
 void add_loop(io::MeasuredCurve& curve, const surface::FrictionLoop& loop, const std::string& word, std::size_t number,
@@ -112,16 +110,13 @@ std::vector<io::MeasuredCurve> loop_curves(const ForceSample& sample, const std:
 
 io::MeasuredCurve friction_curve(const SampleList& samples, const std::vector<std::string>& words,
                                  const surface::Calibration& calibration) {
-  io::MeasuredCurve curve;
-  curve.name = "friction_against_load";
-  curve.title = "Friction against load";
-  curve.caption =
-      "Friction signal times calibration factor, the mean of each load, and the line through them by total "
-      "least squares. The slope of a line is the coefficient of boundary shear strength; what is left at "
-      "load zero is adhesion.";
   const std::string unit = load_unit_of(calibration.load_unit), display = load_display_of(calibration.load_unit);
-  curve.x_axis = {"load", "load", unit, display};
-  curve.y_axis = {"friction", "friction", unit, display};
+  io::MeasuredCurve curve =
+      curve_of("friction_against_load", "Friction against load",
+               "Friction signal times calibration factor, the mean of each load, and the line through them by total "
+               "least squares. The slope of a line is the coefficient of boundary shear strength; what is left at "
+               "load zero is adhesion.",
+               {"load", "load", unit, display}, {"friction", "friction", unit, display});
   struct Place {
     double load;
     std::size_t sample;

@@ -47,14 +47,12 @@ io::MeasuredMap height_map(const PreparedSurface& surface, const std::string& na
 io::MeasuredCurve profile_curve(const PreparedSurface& surface) {
   const surface::HeightMap& map = surface.map;
   const std::size_t row = map.points_y / 2;
-  io::MeasuredCurve curve;
-  curve.name = "profile";
-  curve.title = "Profile";
-  curve.caption = map.is_profile() ? "The profile after form and filters."
-                                   : fmt::format("The middle row of the map, number {} of {}, after form and filters.",
-                                                 row + 1, map.points_y);
-  curve.x_axis = {"x", "distance along the row", "m", "um"};
-  curve.y_axis = {"height", "height", "m", "um"};
+  io::MeasuredCurve curve = curve_of(
+      "profile", "Profile",
+      map.is_profile()
+          ? "The profile after form and filters."
+          : fmt::format("The middle row of the map, number {} of {}, after form and filters.", row + 1, map.points_y),
+      {"x", "distance along the row", "m", "um"}, {"height", "height", "m", "um"});
   io::MeasuredSeries heights{"profile_height", "height", {}, false};
   for (std::size_t i = 0; i < map.points_x; ++i) {
     curve.x.push_back(static_cast<double>(i) * map.step_x_m);
@@ -65,12 +63,10 @@ io::MeasuredCurve profile_curve(const PreparedSurface& surface) {
 }
 
 io::MeasuredCurve material_ratio_curve(const std::vector<double>& falling_heights_m) {
-  io::MeasuredCurve curve;
-  curve.name = "material_ratio_curve";
-  curve.title = "Material ratio curve";
-  curve.caption = "Share of the points that are higher (Abbott curve), all measured points of the map.";
-  curve.x_axis = {"material_ratio", "material ratio", "1", "%"};
-  curve.y_axis = {"material_ratio_height", "height", "m", "um"};
+  io::MeasuredCurve curve =
+      curve_of("material_ratio_curve", "Material ratio curve",
+               "Share of the points that are higher (Abbott curve), all measured points of the map.",
+               {"material_ratio", "material ratio", "1", "%"}, {"material_ratio_height", "height", "m", "um"});
   io::MeasuredSeries heights{"material_ratio_height", "height", {}, false};
   const std::size_t n = falling_heights_m.size();
   const std::size_t shown = std::min(n, kMaterialRatioPoints);
@@ -85,13 +81,12 @@ io::MeasuredCurve material_ratio_curve(const std::vector<double>& falling_height
 
 io::MeasuredCurve spectrum_curve(const PreparedSurface& surface) {
   const surface::LineSpectrum along_x = line_spectrum(surface.map, surface::LineDirection::x);
-  io::MeasuredCurve curve;
-  curve.name = "spectrum";
-  curve.title = "Power spectrum";
-  curve.caption = std::string("Mean of the lines of the map, one-sided, ") + surface::kSpectrumWindow +
-                  " window; its integral over the frequency is the mean square height.";
-  curve.x_axis = {"spatial_frequency", "spatial frequency", "m-1", "mm-1", true};
-  curve.y_axis = {"power_density", "power density", "m3", "um3", true};
+  io::MeasuredCurve curve =
+      curve_of("spectrum", "Power spectrum",
+               std::string("Mean of the lines of the map, one-sided, ") + surface::kSpectrumWindow +
+                   " window; its integral over the frequency is the mean square height.",
+               {"spatial_frequency", "spatial frequency", "m-1", "mm-1", true},
+               {"power_density", "power density", "m3", "um3", true});
   curve.x = along_x.frequency_per_m;
   curve.series.push_back({"power_density_x", "along x", along_x.density_m3, false});
   if (surface.map.is_profile()) return curve;
@@ -139,14 +134,12 @@ io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnaly
 }
 
 io::MeasuredCurve scale_curve(const io::MeasuredTable& table, const SurfaceAnalysis& analysis) {
-  io::MeasuredCurve curve;
-  curve.name = "scale_curve";
-  curve.title = "Density and radius of asperities against the short cut-off";
-  curve.caption =
-      "Relative to their values without cut-off. N and beta of a surface depend on the cut-off: they belong "
-      "to the wavelengths that are let in.";
-  curve.x_axis = {"short_cutoff_of_curve", "short cut-off", "m", "um", true};
-  curve.y_axis = {"relative_parameter", "relative to no cut-off", "1", "1", true};
+  io::MeasuredCurve curve =
+      curve_of("scale_curve", "Density and radius of asperities against the short cut-off",
+               "Relative to their values without cut-off. N and beta of a surface depend on the cut-off: they belong "
+               "to the wavelengths that are let in.",
+               {"short_cutoff_of_curve", "short cut-off", "m", "um", true},
+               {"relative_parameter", "relative to no cut-off", "1", "1", true});
   const auto& cutoffs = table.values[0];
   curve.x.assign(cutoffs.begin() + 1, cutoffs.end());
   for (const std::size_t column : {std::size_t{5}, std::size_t{6}, std::size_t{1}}) {

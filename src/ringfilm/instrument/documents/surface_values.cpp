@@ -82,6 +82,11 @@ void add_row(io::MeasuredTable& table, const std::string& label, const std::vect
   table.row_labels.push_back(label);
 }
 
+io::MeasuredCurve curve_of(const std::string& name, const std::string& title, const std::string& caption,
+                           const io::MeasuredAxis& x_axis, const io::MeasuredAxis& y_axis) {
+  return {name, title, caption, x_axis, y_axis, {}, {}, {}};
+}
+
 std::vector<std::string> origin_lines(const SurfaceOrigin& origin, const std::string& channel,
                                       const std::string& plausibility_line) {
   std::string file = origin.path + ": " + origin.format;

@@ -43,6 +43,10 @@ void add_row(io::MeasuredTable& table, const std::vector<double>& values);
 /// Another row with its label.
 void add_row(io::MeasuredTable& table, const std::string& label, const std::vector<double>& values);
 
+/// A curve without places and series.
+io::MeasuredCurve curve_of(const std::string& name, const std::string& title, const std::string& caption,
+                           const io::MeasuredAxis& x_axis, const io::MeasuredAxis& y_axis);
+
 /// Lines on the origin of a file: format, channel, instrument, date, plausibility, digest and statements of the user.
 /// @param channel text on the channel among several
 std::vector<std::string> origin_lines(const SurfaceOrigin& origin, const std::string& channel,
