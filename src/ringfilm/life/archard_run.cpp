@@ -126,11 +126,10 @@ void Scenario::append_tilt_note() {
   const double allowed = 0.5 * std::sqrt(2 * wear_.roughness_at(last.time) / radius);
   if (spacing <= allowed) return;
   constexpr double kArcMinute = std::numbers::pi / 180 / 60;
-  result_.notes.push_back({"tilt-samples-few",
-                           "tilts are " + number_text(spacing / kArcMinute) +
-                               " arc minutes apart; the worn face needs " + number_text(allowed / kArcMinute) +
-                               " or less: take more wear.tilt_samples",
-                           1});
+  result_.notes.push_back({"tilt-samples-few", "tilts are " + number_text(spacing / kArcMinute) +
+                                                   " arc minutes apart; the worn face needs " +
+                                                   number_text(allowed / kArcMinute) +
+                                                   " or less: take more wear.tilt_samples"});
 }
 
 /// Equal jumps are not taken again where they are too long.
@@ -138,21 +137,18 @@ void Scenario::append_jump_note() {
   if (life_.wear.jumps && result_.wear->effort.lacks_last_stage) {
     result_.notes.push_back({"jumps-few",
                              "the jump through the coating has its first stage alone, since a face that deep has no "
-                             "cycle: take more wear.jumps, or leave them out",
-                             1});
+                             "cycle: take more wear.jumps, or leave them out"});
   }
   if (const auto& depth = result_.wear->effort.coarse_depth) {
-    result_.notes.push_back({"jumps-coarse",
-                             "the coating lasts to no later reported time: its end was found by jumps of " +
-                                 number_text(*depth * 1e6) + " um, within a few per cent; report earlier hours",
-                             1});
+    result_.notes.push_back(
+        {"jumps-coarse", "the coating lasts to no later reported time: its end was found by jumps of " +
+                             number_text(*depth * 1e6) + " um, within a few per cent; report earlier hours"});
   }
   const double difference = result_.wear->effort.stage_difference, allowed = Wear{}.jump_error;
   if (!life_.wear.jumps || difference <= 1.5 * allowed) return;
-  result_.notes.push_back({"jumps-few",
-                           "the stages of a jump differ by up to " + number_text(difference * 1e6) + " um, more than " +
-                               number_text(allowed * 1e6) + " um: take more wear.jumps, or leave them out",
-                           1});
+  result_.notes.push_back({"jumps-few", "the stages of a jump differ by up to " + number_text(difference * 1e6) +
+                                            " um, more than " + number_text(allowed * 1e6) +
+                                            " um: take more wear.jumps, or leave them out"});
 }
 
 /// @param which scenario, e.g. " with the ring turned over"; empty: the one that is reported
@@ -161,31 +157,28 @@ void append_coating_note(const Life& life, const std::optional<WearThrough>& end
   if (!end) return;
   const auto& stated = life.wear.coating_thickness;
   const double thickness = stated.value_or(kAssumedCoating);
-  result.notes.push_back({"coating-worn-through",
-                          "the coating of " + number_text(thickness * 1e6) + " um" +
-                              (stated ? "" : " (assumed: state wear.coating_thickness)") + " is worn through after " +
-                              hours_text(end->time) + which + "; nothing later was computed",
-                          1});
+  result.notes.push_back({"coating-worn-through", "the coating of " + number_text(thickness * 1e6) + " um" +
+                                                      (stated ? "" : " (assumed: state wear.coating_thickness)") +
+                                                      " is worn through after " + hours_text(end->time) + which +
+                                                      "; nothing later was computed"});
 }
 
 void Scenario::append_notes() {
   cycle::sort_notes(result_.notes);
   append_coating_note(life_, result_.wear->worn_through, "", result_);
   if (const auto& when = result_.wear->wedge_gone) {
-    result_.notes.push_back({"wedge-gone",
-                             "after " + hours_text(*when) +
-                                 " an edge of the face is within the roughness of its lowest point: the converging "
-                                 "wedge is gone there, and wear accelerates",
-                             1});
+    result_.notes.push_back(
+        {"wedge-gone", "after " + hours_text(*when) +
+                           " an edge of the face is within the roughness of its lowest point: the converging "
+                           "wedge is gone there, and wear accelerates"});
   }
   const std::string origin = life_.wear.source == CoefficientSource::kFitted
                                  ? "is fitted to the measured faces with this duty"
                                  : "is an input of this scenario";
-  result_.notes.push_back({"wear-scenario",
-                           "the wear coefficient " + origin +
-                               ", not a property of the coating: oil temperature, duty and roughness change the "
-                               "implied one by more than a factor of two",
-                           1});
+  result_.notes.push_back(
+      {"wear-scenario", "the wear coefficient " + origin +
+                            ", not a property of the coating: oil temperature, duty and roughness change the "
+                            "implied one by more than a factor of two"});
   append_tilt_note();
   append_jump_note();
   if (life_.wear.surface == WornSurface::kPath) append_held_note(life_, result_);
@@ -287,11 +280,10 @@ LifeResult run_fitted(const Life& life, const CycleIntegrators& integrators, Pac
     append_coating_note(life, result.wear->other_worn_through.back(), std::string(" with the ") + name, result);
   }
   result.cycles += fit.cycles;
-  result.notes.push_back({"coefficient-fitted",
-                          "the measured faces allow coefficients from " + two_digits(low) + " to " + two_digits(high) +
-                              " m2/N; the values are those of the geometric mean, the band those "
-                              "of both ends: no single one follows from the faces",
-                          1});
+  result.notes.push_back({"coefficient-fitted", "the measured faces allow coefficients from " + two_digits(low) +
+                                                    " to " + two_digits(high) +
+                                                    " m2/N; the values are those of the geometric mean, the band those "
+                                                    "of both ends: no single one follows from the faces"});
   result.wear->fit = std::move(fit);
   return result;
 }

@@ -32,8 +32,7 @@ void append_orientation_note(const Life& life, LifeResult& result) {
   if (life.points.front().input.ring.face.orientation == of_states) return;
   result.notes.push_back({"orientation-of-states",
                           "the states have another ring.face.orientation than the base case; that of the states is "
-                          "used, as their faces are",
-                          1});
+                          "used, as their faces are"});
 }
 
 /// Depths that faces of one datum have lost since the first of them, at a running time by an interpolation; `x` of all
@@ -142,8 +141,7 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators, PackG
   if (life.datum == Datum::kOwn) {
     result.notes.push_back({"wear-not-determined",
                             "each face counts from a datum of its own, so that offset and tilt between them are not "
-                            "known: worn area and depth are not determined, only lower bounds of them",
-                            1});
+                            "known: worn area and depth are not determined, only lower bounds of them"});
   }
   return result;
 }
@@ -153,7 +151,7 @@ void append_pressure_note(const Life& life, LifeResult& result) {
   for (const OperatingPoint& point : life.points) points.push_back(&point.input);
   const std::optional<std::string> kept = cycle::kept_pressure(points);
   if (!kept) return;
-  result.notes.push_back({"pressure-kept", *kept + "; state peak_pressure or cylinder_pressure at each point", 1});
+  result.notes.push_back({"pressure-kept", *kept + "; state peak_pressure or cylinder_pressure at each point"});
 }
 
 }  // namespace
@@ -165,7 +163,7 @@ LifeResult run_life(const Life& life, const CycleIntegrators& integrators) {
   result.unworn.coating_left = life.wear.coating_thickness;
   gas.put_blow_by(result.unworn);
   for (cycle::Note& note : gas.notes()) result.notes.push_back(std::move(note));
-  if (!life.accuracy.empty()) result.notes.push_back({"accuracy-asked-for", life.accuracy, 1});
+  if (!life.accuracy.empty()) result.notes.push_back({"accuracy-asked-for", life.accuracy});
   append_pressure_note(life, result);
   result.ends = ends_of_life(life, result);
   append_notes_of_ends(life, result);

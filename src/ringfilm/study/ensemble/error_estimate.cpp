@@ -328,8 +328,7 @@ std::vector<cycle::Note> notes_on(const ErrorEstimate& estimate) {
   for (const auto& [reason, words] : grids) {
     notes.push_back({is_there ? "error-estimate-one-sided" : "error-estimate-missing",
                      std::string(is_there ? "the error estimate has one side only" : "there is no error estimate") +
-                         ": the result with " + words + " cannot be used: " + reason,
-                     1});
+                         ": the result with " + words + " cannot be used: " + reason});
   }
   return notes;
 }
@@ -355,7 +354,7 @@ std::optional<cycle::Note> note_on_accuracy(const Case& c, const CycleResult& re
     text += fmt::format("{}{} ({:.2g} %)", i == 0 ? "; not: " : ", ", missed[i].second, missed[i].first);
   }
   if (missed.size() > kNamed) text += " and " + std::to_string(missed.size() - kNamed) + " others";
-  return cycle::Note{"accuracy-reached", text, 1};
+  return cycle::Note{"accuracy-reached", text};
 }
 
 }  // namespace ringfilm::study
