@@ -80,8 +80,8 @@ std::vector<ChannelValues> read_channels(const std::string& path);
 
 /// A channel by its name or its number.
 struct ChannelFound {
-  std::optional<std::size_t> index;  ///< that of the only one of the name, else of the number from 1; nothing: no such
-  std::size_t n_named = 0;           ///< how many have the name
+  std::optional<std::size_t> index;  ///< the only channel of the name, else the one of the number, from 1; or nothing
+  std::size_t n_named = 0;           ///< channels of the name
 };
 ChannelFound find_channel(const std::vector<Channel>& channels, const std::string& requested);
 

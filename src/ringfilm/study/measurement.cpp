@@ -47,7 +47,7 @@ void add_values(const Quantities& quantities, const Record& record, Measurement&
   for (const auto& quantity : quantities) measurement.values[quantity.name] = {record.*quantity.value};
 }
 
-/// The values of an instant to those of the instants before.
+/// Appends the values of an instant to the lists over all instants.
 template <typename Quantities, typename Record>
 void append_values(const Quantities& quantities, const Record& record,
                    std::map<std::string, std::vector<double>>& lists) {

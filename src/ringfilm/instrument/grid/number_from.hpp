@@ -5,7 +5,7 @@
 
 namespace ringfilm::instrument {
 
-/// The number that a text is from its first to its last character; nothing where it is not one.
+/// The number that fills a text from its first to its last character; nothing: the text is not a number.
 template <class Number>
 std::optional<Number> number_from(std::string_view text) {
   Number value{};
@@ -14,7 +14,7 @@ std::optional<Number> number_from(std::string_view text) {
   return value;
 }
 
-/// The same of a text that may begin with a plus sign.
+/// The number that fills a text, with or without a plus sign before it; nothing: the text is not a number.
 template <class Number>
 std::optional<Number> signed_number_from(std::string_view text) {
   return number_from<Number>(text.substr(text.starts_with('+') ? 1 : 0));

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-/// Numbers in keys.
+/// Numbers in digests.
 namespace ringfilm::study {
 
 /// All digits, in a form that is the same wherever the number is the same.
