@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/case/face_file.hpp"
+#include "ringfilm/io/data/face_file.hpp"
 #include "ringfilm/models/ring.hpp"
 
 /// The points of a ring face as CSV; what passes becomes a face as wide as its points.

@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/case/oil_file.hpp"
+#include "ringfilm/io/data/oil_file.hpp"
 
 /// Viscosity and density of an oil as CSV.
 RINGFILM_FUZZ_TARGET(oil_table) {

@@ -1,7 +1,7 @@
 #include "fuzz_target.hpp"
 #include "input_file.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/data/trace_file.hpp"
 
 /// A pressure trace as CSV, taken for absolute in a cylinder and for gauge in a crankcase.
 RINGFILM_FUZZ_TARGET(trace) {

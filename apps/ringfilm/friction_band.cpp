@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "ringfilm/cycle/setup/contact_setup.hpp"
-#include "ringfilm/io/case/shipped_pairs.hpp"
+#include "ringfilm/io/data/shipped_pairs.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
 

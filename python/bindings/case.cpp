@@ -14,7 +14,7 @@
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
-#include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/data/trace_file.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/text/suggestion.hpp"

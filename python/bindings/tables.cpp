@@ -4,7 +4,7 @@
 #include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
-#include "ringfilm/io/case/shipped_pairs.hpp"
+#include "ringfilm/io/data/shipped_pairs.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/pad/pad_result.hpp"

@@ -13,7 +13,7 @@
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
-#include "ringfilm/io/case/shipped_pairs.hpp"
+#include "ringfilm/io/data/shipped_pairs.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "ringfilm/io/case/face_file.hpp"
-#include "ringfilm/io/case/oil_file.hpp"
-#include "ringfilm/io/case/shipped_pairs.hpp"
-#include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/data/face_file.hpp"
+#include "ringfilm/io/data/oil_file.hpp"
+#include "ringfilm/io/data/shipped_pairs.hpp"
+#include "ringfilm/io/data/trace_file.hpp"
 #include "ringfilm/io/measurement/bore_map_file.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/measurement/free_shape_file.hpp"

@@ -11,7 +11,7 @@
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/checks/gas_plausibility.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
-#include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/data/trace_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"

@@ -7,7 +7,7 @@
 
 #include "../case_example.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/data/trace_file.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
 namespace ringfilm::io {

@@ -1,4 +1,4 @@
-#include "ringfilm/io/case/oil_file.hpp"
+#include "ringfilm/io/data/oil_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

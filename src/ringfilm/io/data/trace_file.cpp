@@ -1,4 +1,4 @@
-#include "ringfilm/io/case/trace_file.hpp"
+#include "ringfilm/io/data/trace_file.hpp"
 
 #include <fmt/format.h>
 

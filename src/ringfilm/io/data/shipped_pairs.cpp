@@ -1,4 +1,4 @@
-#include "ringfilm/io/case/shipped_pairs.hpp"
+#include "ringfilm/io/data/shipped_pairs.hpp"
 
 #include <fmt/format.h>
 

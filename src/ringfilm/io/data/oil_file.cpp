@@ -1,4 +1,4 @@
-#include "ringfilm/io/case/oil_file.hpp"
+#include "ringfilm/io/data/oil_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "ringfilm/io/case/face_file.hpp"
+#include "ringfilm/io/data/face_file.hpp"
 
 #include "ringfilm/io/text/csv_quantity.hpp"
 
