@@ -121,10 +121,7 @@ class LifeReader : DocumentReader {
       std::vector<DroppedKey> dropped;
       return read(dropped);
     } catch (const InputError& error) {
-      for (const Fault& f : error.faults()) {
-        const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
-        faults_.push_back(in_file ? f : Fault{mark, f.message, f.remedy});
-      }
+      append_case_faults(error, mark, faults_);
       return std::nullopt;
     }
   }

@@ -8,6 +8,13 @@
 
 namespace ringfilm::io {
 
+void append_case_faults(const InputError& error, const SourceMark& mark, std::vector<Fault>& faults) {
+  for (const Fault& f : error.faults()) {
+    const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
+    faults.push_back(in_file ? f : Fault{mark, f.message, f.remedy});
+  }
+}
+
 DocumentReader::DocumentReader(const std::string& path)
     : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
 

@@ -11,6 +11,9 @@
 
 namespace ringfilm::io {
 
+/// Adds the faults of a case that another file names; those at no place of a file are at `mark`, which names it.
+void append_case_faults(const InputError& error, const SourceMark& mark, std::vector<Fault>& faults);
+
 /// What readers of files that name cases have in common: the file, what is wrong with it, and every file that was read.
 class DocumentReader {
  protected:

@@ -78,8 +78,7 @@ class StudyReader : DocumentReader {
       study_.bases.push_back(
           {table.text("name").value_or(std::filesystem::path(path).stem().string()), std::move(input)});
     } catch (const InputError& error) {
-      for (const Fault& f : error.faults())
-        faults_.push_back(f.mark.line > 0 ? f : Fault{table.find("case")->mark, f.message, f.remedy});
+      append_case_faults(error, table.find("case")->mark, faults_);
     }
   }
 

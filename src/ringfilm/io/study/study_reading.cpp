@@ -14,6 +14,7 @@
 
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/study/document_reader.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/study/design/plan.hpp"
@@ -187,10 +188,7 @@ class SectionReader {
       return {read_case(study_.bases[base].input.files.front().path, overrides, units_), {}};
     } catch (const InputError& error) {
       Reading unreadable;
-      for (const Fault& f : error.faults()) {
-        const bool in_file = f.mark.line > 0 && f.mark.file != "--set";
-        unreadable.faults.push_back(in_file ? f : Fault{mark, f.message, f.remedy});
-      }
+      append_case_faults(error, mark, unreadable.faults);
       return unreadable;
     }
   }
