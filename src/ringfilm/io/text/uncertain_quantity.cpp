@@ -30,14 +30,8 @@ std::string unit_behind_number(const std::string& text) {
 
 double number_of(const std::string& text, const std::string& example) {
   const std::string requested = "a number without unit is required here, for example " + example;
-  const char* begin = text.c_str() + (text.rfind('+', 0) == 0 ? 1 : 0);
-  const char* end = text.c_str() + text.size();
-  double value = 0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range) throw UnitError("is out of the range of numbers", requested);
-  if (error != std::errc{}) throw UnitError("does not start with a number", requested);
-  if (!std::isfinite(value)) throw UnitError("is not a finite number", requested);
-  if (rest != end) throw UnitError("has more than a number", requested);
+  const auto [value, rest] = leading_number(text, requested);
+  if (!rest.empty()) throw UnitError("has more than a number", requested);
   return value;
 }
 

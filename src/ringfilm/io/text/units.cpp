@@ -288,15 +288,7 @@ bool Units::measures(const std::string& unit, const std::string& si_unit) const 
 
 double Units::quantity(const std::string& text, const std::string& si_unit, const std::string& example) const {
   const std::string requested = dimension_words(si_unit) + " is required here, for example " + example;
-  const std::string written = trimmed(with_plain_spaces(text));
-  const char* begin = written.c_str() + (written.rfind('+', 0) == 0 ? 1 : 0);
-  const char* end = written.c_str() + written.size();
-  double value = 0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc::result_out_of_range) throw UnitError("is out of the range of numbers", requested);
-  if (error != std::errc{}) throw UnitError("does not start with a number", requested);
-  if (!std::isfinite(value)) throw UnitError("is not a finite number", requested);
-  const std::string unit = trimmed({rest, static_cast<std::size_t>(end - rest)});
+  const auto [value, unit] = leading_number(trimmed(with_plain_spaces(text)), requested);
   if (unit.rfind(',', 0) == 0) throw UnitError("has a decimal comma", "write a decimal point; " + requested);
   if (unit.empty()) throw UnitError(si_unit == "1" ? "is a number in quotes" : "has no unit", requested);
   try {
@@ -311,6 +303,17 @@ double Units::quantity(const std::string& text, const std::string& si_unit, cons
 std::string Units::shown(double value_in_si, const std::string& si_unit, const std::string& display_unit) const {
   const std::string number = fmt::format("{:.8g}", scale(display_unit, si_unit).from_si(value_in_si));
   return si_unit == "1" ? number : number + " " + display_unit;
+}
+
+std::pair<double, std::string> leading_number(const std::string& text, const std::string& requested) {
+  const char* begin = text.c_str() + (text.rfind('+', 0) == 0 ? 1 : 0);
+  const char* end = text.c_str() + text.size();
+  double value = 0;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error == std::errc::result_out_of_range) throw UnitError("is out of the range of numbers", requested);
+  if (error != std::errc{}) throw UnitError("does not start with a number", requested);
+  if (!std::isfinite(value)) throw UnitError("is not a finite number", requested);
+  return {value, trimmed(std::string(rest, end))};
 }
 
 std::string dimension_words(const std::string& si_unit) {

@@ -2,6 +2,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 /// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, Grad, rev, bara, psia. A
 /// no-break space is a space.
@@ -53,6 +54,10 @@ class Units {
   struct System;
   std::unique_ptr<System> system_;
 };
+
+/// The number that a text begins with, a plus sign included, and what follows without blanks around it. Throws
+/// UnitError for: no number, NaN, infinity. @param requested what one could have written
+std::pair<double, std::string> leading_number(const std::string& text, const std::string& requested);
 
 /// What `si_unit` measures, in words: "a force" for "N".
 std::string dimension_words(const std::string& si_unit);
