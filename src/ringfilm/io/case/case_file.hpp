@@ -30,7 +30,7 @@ using cycle::CasePurpose;
 /// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
-/// The same for who reads many cases, which building the units anew for each would slow down.
+/// The same with units at hand, for a purpose.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                       CasePurpose purpose = CasePurpose::kFilm);
 

@@ -233,10 +233,11 @@ struct Units::System {
   }
 };
 
-Units::Units() : system_(std::make_unique<System>()) {}
-Units::~Units() = default;
-Units::Units(Units&&) noexcept = default;
-Units& Units::operator=(Units&&) noexcept = default;
+Units::Units()
+    : system_([] {
+        static const auto system = std::make_shared<const System>();
+        return system;
+      }()) {}
 
 Scale Units::scale(const std::string& written, const std::string& si_unit) const {
   const std::string unit = without_crank(in_ascii(trimmed(with_plain_spaces(written))));

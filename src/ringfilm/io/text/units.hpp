@@ -28,13 +28,10 @@ struct Scale {
   double from_si(double value) const { return (value - offset) * divisor / factor; }  ///< value in this unit
 };
 
-/// Reads units. Holds the unit system, so building one takes some milliseconds; each thread may have its own.
+/// Reads units, of a system that all share: to read it takes some milliseconds.
 class Units {
  public:
-  Units();  ///< reads the units of UDUNITS-2 and adds those of engineers
-  ~Units();
-  Units(Units&&) noexcept;             ///< moved, not copied: it holds a system of units
-  Units& operator=(Units&&) noexcept;  ///< moved, not copied
+  Units();  ///< the units of UDUNITS-2 and those of engineers
 
   /// The value in `si_unit` of a text such as "82.5 mm". Throws UnitError for: no number, comma decimal, NaN, infinity,
   /// no unit, unknown unit, gauge pressure, another dimension, an angle in units above a revolution, a speed without
@@ -52,7 +49,7 @@ class Units {
 
  private:
   struct System;
-  std::unique_ptr<System> system_;
+  std::shared_ptr<const System> system_;
 };
 
 /// The number that a text begins with, a plus sign included, and what follows without blanks around it. Throws
