@@ -6,13 +6,12 @@
 #include <optional>
 
 #include "ringfilm/io/text/suggestion.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 
 namespace ringfilm::io {
 namespace {
 
 using Kind = TomlValue::Kind;
-
-bool is_number(const TomlValue& value) { return value.kind == Kind::kInteger || value.kind == Kind::kNumber; }
 
 double within_cycle(double angle_deg) {
   const double wrapped = std::fmod(angle_deg, 720.0);
@@ -31,7 +30,13 @@ class Setter {
  public:
   Setter(cycle::Case& c, const cycle::Field& field, const TomlEntry& entry, const Units& units,
          std::vector<Fault>& faults)
-      : case_(c), field_(field), entry_(entry), value_(entry.value), units_(units), faults_(faults) {}
+      : case_(c),
+        field_(field),
+        entry_(entry),
+        value_(entry.value),
+        units_(units),
+        faults_(faults),
+        n_before_(faults.size()) {}
 
   void operator()(const cycle::NumberKind& kind) {
     if (const auto x = quantity(value_, field_.unit, field_.example)) kind.ref(case_) = *x;
@@ -105,25 +110,25 @@ class Setter {
   void operator()(const cycle::NumberListKind& kind) {
     std::vector<double> numbers;
     for (const TomlValue& item : list("a list of numbers")) {
-      if (!is_number(item)) {
+      if (!item.is_number()) {
         refuse(item, "is not a number", "bare numbers are required here");
       } else if (finite(item)) {
         numbers.push_back(item.number);
       }
     }
-    if (good_) kind.ref(case_) = numbers;
+    if (good()) kind.ref(case_) = numbers;
   }
   void operator()(const cycle::TemperatureValuesKind& kind) {
     std::vector<cycle::TemperatureValue> points;
     for (const TomlValue& item : list("a list of values at temperatures")) points.push_back(temperature_value(item));
     std::stable_sort(points.begin(), points.end(),
                      [](const auto& a, const auto& b) { return a.temperature < b.temperature; });
-    if (good_) kind.ref(case_) = points;
+    if (good()) kind.ref(case_) = points;
   }
   void operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
     if (value_.kind == Kind::kList) {
       (*this)(cycle::TemperatureValuesKind{kind.ref});
-      if (good_) kind.constant(case_).reset();
+      if (good()) kind.constant(case_).reset();
     } else if (const auto x = quantity(value_, field_.unit, "\"850 kg/m3\"")) {
       kind.constant(case_) = *x;
       kind.ref(case_).clear();
@@ -144,17 +149,17 @@ class Setter {
     } else if (const auto value = quantity(value_, field_.unit, field_.example)) {
       points.push_back({0, *value});
     }
-    if (good_) kind.ref(case_) = points;
+    if (good()) kind.ref(case_) = points;
   }
   void operator()(const cycle::FourierTermsKind& kind) {
     std::vector<cycle::FourierTerm> terms;
     for (const TomlValue& item : list("a list of orders")) terms.push_back(fourier_term(item, kind));
-    if (good_) kind.ref(case_) = terms;
+    if (good()) kind.ref(case_) = terms;
   }
   void operator()(const cycle::AnglesKind&) {
     if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();
-      if (good_) case_.output.crank_angles_deg = listed;
+      if (good()) case_.output.crank_angles_deg = listed;
     } else if (const auto step = quantity(value_, field_.unit, field_.example)) {
       case_.output.crank_angle_step_deg = *step;
     }
@@ -164,7 +169,7 @@ class Setter {
       case_.output.fields = value_.text == "all" ? cycle::FieldOutput::kAll : cycle::FieldOutput::kNone;
     } else if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();
-      if (!good_) return;
+      if (!good()) return;
       case_.output.fields = cycle::FieldOutput::kListed;
       case_.output.field_angles_deg = listed;
     } else {
@@ -173,12 +178,11 @@ class Setter {
     }
   }
 
-  bool good() const { return good_; }
+  bool good() const { return faults_.size() == n_before_; }
 
  private:
   void refuse(const TomlValue& value, const std::string& predicate, const std::string& remedy) {
-    good_ = false;
-    faults_.push_back({value.mark, entry_.key + " = " + value.as_written() + " " + predicate, remedy});
+    faults_.push_back(value_fault(entry_.key, value, predicate, remedy));
   }
 
   std::string located() const { return locate(value_.text, entry_.folder).shown; }
@@ -217,23 +221,15 @@ class Setter {
 
   /// A number with its unit in SI, checked against nothing but its dimension.
   std::optional<double> plain_quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
-    const std::string remedy = dimension_words(unit) + " is required here, for example " + example;
-    if (is_number(value)) {
-      if (!finite(value)) return std::nullopt;
-      if (unit == "1") return value.number;
-      refuse(value, "has no unit", remedy);
-    } else if (value.kind != Kind::kText) {
-      refuse(value, "is not a quantity", remedy);
-    } else if (unit == "1") {
-      refuse(value, "is text", remedy);
-    } else {
-      try {
-        return units_.quantity(value.text, unit, example);
-      } catch (const UnitError& problem) {
-        refuse(value, problem.what(), problem.remedy);
+    try {
+      if (unit == "1" && value.kind == Kind::kText) {
+        throw UnitError("is text", "a number without unit is required here, for example " + example);
       }
+      return quantity_of(value, unit, example, units_);
+    } catch (const UnitError& problem) {
+      refuse(value, problem.what(), problem.remedy);
+      return std::nullopt;
     }
-    return std::nullopt;
   }
 
   std::optional<double> quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
@@ -254,8 +250,8 @@ class Setter {
     std::vector<double> angles;
     for (const TomlValue& item : list("a list of crank angles")) {
       // The one place where a bare number has a unit: crank angles are degrees on every axis and in every file.
-      const auto angle = is_number(item) ? plain_quantity(item, "1", "20")
-                                         : plain_quantity(item, "degree", "[\"0 degree\", \"20 degree\"]");
+      const auto angle = item.is_number() ? plain_quantity(item, "1", "20")
+                                          : plain_quantity(item, "degree", "[\"0 degree\", \"20 degree\"]");
       if (!angle) continue;
       if (std::abs(*angle) > 720) {
         refuse(item, "is more than a cycle", "angles from -360 to 360 or from 0 to 720 degree are required here");
@@ -264,25 +260,16 @@ class Setter {
     }
     std::sort(angles.begin(), angles.end());
     const auto twice = std::adjacent_find(angles.begin(), angles.end());
-    if (good_ && twice != angles.end()) {
+    if (good() && twice != angles.end()) {
       refuse(value_, "has the angle " + exact_text(*twice) + " degree twice", "keep one of them");
     }
     return angles;
   }
 
   cycle::TemperatureValue temperature_value(const TomlValue& item) {
-    const TomlValue *temperature = nullptr, *value = nullptr;
+    const TomlValue *temperature = item.find("temperature"), *value = item.find("value");
     const std::string remedy = "for example " + field_.example;
-    for (const auto& [name, member] : item.members) {
-      if (name == "temperature") {
-        temperature = &member;
-      } else if (name == "value") {
-        value = &member;
-      } else {
-        good_ = false;
-        faults_.push_back({member.key_mark, "unknown key " + name + " in " + field_.key, remedy});
-      }
-    }
+    refuse_unknown_keys(item, field_.key, {"temperature", "value"}, faults_);
     if (temperature == nullptr || value == nullptr) {
       refuse(item, "requires a temperature and a value", remedy);
       return {};
@@ -294,28 +281,20 @@ class Setter {
   }
 
   cycle::FourierTerm fourier_term(const TomlValue& item, const cycle::FourierTermsKind& kind) {
-    const std::string remedy = "for example " + field_.example;
-    const bool along_stroke = kind.place == cycle::FourierTermsKind::Place::kAlongStroke;
-    cycle::FourierTerm term;
-    bool has_order = false, has_amplitude = false;
-    for (const auto& [name, member] : item.members) {
-      if (name == "order") {
-        has_order = true;
-        term.order = whole_order(member, kind.lowest_order);
-      } else if (name == "amplitude") {
-        has_amplitude = true;
-        const std::string example = field_.unit == "1" ? "0.25" : "\"15 " + field_.display_unit + "\"";
-        term.amplitude = quantity(member, field_.unit, example).value_or(0);
-      } else if (name == "phase") {
-        term.phase_deg = within_turn(member);
-      } else if (name == "height" && along_stroke) {
-        term.height = plain_quantity(member, "m", "\"20 mm\"");
-      } else {
-        good_ = false;
-        faults_.push_back({member.key_mark, "unknown key " + name + " in " + field_.key, remedy});
-      }
+    std::vector<std::string> known = {"order", "amplitude", "phase"};
+    if (kind.place == cycle::FourierTermsKind::Place::kAlongStroke) known.emplace_back("height");
+    refuse_unknown_keys(item, field_.key, known, faults_);
+    const TomlValue *order = item.find("order"), *amplitude = item.find("amplitude");
+    if (order == nullptr || amplitude == nullptr) {
+      refuse(item, "requires an order and an amplitude", "for example " + field_.example);
+      return {};
     }
-    if (!has_order || !has_amplitude) refuse(item, "requires an order and an amplitude", remedy);
+    cycle::FourierTerm term;
+    term.order = whole_order(*order, kind.lowest_order);
+    const std::string example = field_.unit == "1" ? "0.25" : "\"15 " + field_.display_unit + "\"";
+    term.amplitude = quantity(*amplitude, field_.unit, example).value_or(0);
+    if (const TomlValue* phase = item.find("phase")) term.phase_deg = within_turn(*phase);
+    if (const TomlValue* height = item.find("height")) term.height = plain_quantity(*height, "m", "\"20 mm\"");
     return term;
   }
 
@@ -343,7 +322,7 @@ class Setter {
   const TomlValue& value_;
   const Units& units_;
   std::vector<Fault>& faults_;
-  bool good_ = true;
+  std::size_t n_before_;
 };
 
 }  // namespace

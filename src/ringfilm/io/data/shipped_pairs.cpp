@@ -21,58 +21,38 @@ const std::vector<std::pair<std::string, FrictionState>> kStates = {{"lubricated
 
 constexpr std::size_t kLargestLibrary = std::size_t{1} << 20;  // [byte]
 
-class PairReader {
- public:
-  PairReader(const TomlValue& table, const Units& units, std::vector<Fault>& faults)
-      : table_(table, "[[pair]]",
-               {"name", "coating", "liner", "state", "friction", "band", "hardness", "roughness", "source"}, faults),
-        units_(units) {}
-
-  FrictionPair read() {
-    FrictionPair pair;
-    pair.name = table_.needed_text("name", "\"crn-on-grey-iron\"");
-    pair.coating = table_.needed_text("coating", "\"CrN (PVD)\"");
-    pair.liner = table_.needed_text("liner", "\"grey iron\"");
-    pair.source = table_.needed_text("source", "\"typical, assumed\"");
-    pair.roughness_class = table_.text("roughness").value_or("");
-    const auto state = table_.chosen<FrictionState>("state", kStates);
-    if (!state && table_.find("state") == nullptr) {
-      table_.refuse(table_.mark(), "state is missing", "write state = \"lubricated\" or \"dry\"");
-    }
-    pair.state = state.value_or(FrictionState::kLubricated);
-    read_friction(pair);
-    if (const auto text = table_.text("hardness")) {
-      try {
-        pair.hardness = units_.quantity(*text, "Pa", "\"2.5 GPa\"");
-      } catch (const UnitError& problem) {
-        table_.refuse(table_.find("hardness")->mark, fmt::format("hardness = {} {}", io::quoted(*text), problem.what()),
-                      problem.remedy);
-      }
-    }
-    return pair;
+void read_friction(TomlTable& table, FrictionPair& pair) {
+  const auto friction = table.number("friction");
+  if (!friction || !(*friction > 0)) {
+    table.refuse(table.mark(), "friction is missing or not above 0", "state the coefficient, for example 0.12");
+    return;
   }
-
- private:
-  void read_friction(FrictionPair& pair) {
-    const auto friction = table_.number("friction");
-    if (!friction || !(*friction > 0)) {
-      table_.refuse(table_.mark(), "friction is missing or not above 0", "state the coefficient, for example 0.12");
-      return;
-    }
-    pair.friction = *friction;
-    const std::vector<TomlValue> band = table_.items("band");
-    if (band.empty()) return;
-    if (band.size() != 2 || !(band[0].number <= pair.friction && pair.friction <= band[1].number)) {
-      table_.refuse(table_.find("band")->mark, "band does not enclose the coefficient", "write band = [low, high]");
-      return;
-    }
-    pair.low = band[0].number;
-    pair.high = band[1].number;
+  pair.friction = *friction;
+  const std::vector<TomlValue> band = table.items("band");
+  if (band.empty()) return;
+  if (band.size() != 2 || !(band[0].number <= pair.friction && pair.friction <= band[1].number)) {
+    table.refuse(table.find("band")->mark, "band does not enclose the coefficient", "write band = [low, high]");
+    return;
   }
+  pair.low = band[0].number;
+  pair.high = band[1].number;
+}
 
-  TomlTable table_;
-  const Units& units_;
-};
+FrictionPair read_pair(const TomlValue& value, const Units& units, std::vector<Fault>& faults) {
+  TomlTable table(value, "[[pair]]",
+                  {"name", "coating", "liner", "state", "friction", "band", "hardness", "roughness", "source"}, faults);
+  FrictionPair pair;
+  pair.name = table.needed_text("name", "\"crn-on-grey-iron\"");
+  pair.coating = table.needed_text("coating", "\"CrN (PVD)\"");
+  pair.liner = table.needed_text("liner", "\"grey iron\"");
+  pair.source = table.needed_text("source", "\"typical, assumed\"");
+  pair.roughness_class = table.text("roughness").value_or("");
+  table.need("state", "\"lubricated\"");
+  table.choose("state", kStates, pair.state);
+  read_friction(table, pair);
+  pair.hardness = table.quantity("hardness", "Pa", "\"2.5 GPa\"", units);
+  return pair;
+}
 
 nlohmann::ordered_json maybe(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
@@ -89,7 +69,7 @@ FrictionPairs read_friction_pairs(const NamedFile& file, const Units& units) {
   std::set<std::string> names;
   TomlTable whole(root, "the library", {"pair"}, faults);
   for (const TomlValue& item : whole.items("pair")) {
-    all.pairs.push_back(PairReader(item, units, faults).read());
+    all.pairs.push_back(read_pair(item, units, faults));
     if (names.insert(all.pairs.back().name).second) continue;
     faults.push_back(
         {item.key_mark, "the name " + io::quoted(all.pairs.back().name) + " comes twice", "keep one of them"});

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/io/life/wear_table.hpp"
 #include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
@@ -75,7 +74,7 @@ class PointReader {
     point.overrides = overrides_of(part);
     if (const TomlValue* value = part.find("peak_pressure")) {
       point.peak_mark = value->mark;
-      point.peak = life_quantity(part, "peak_pressure", *value, "Pa", "\"90 bar\"", sources_.units);
+      point.peak = part.quantity("peak_pressure", "Pa", "\"90 bar\"", sources_.units);
     }
     return faults_.size() > n_before ? std::nullopt : std::optional(std::move(point));
   }
@@ -167,24 +166,18 @@ class DutyReader {
   }
 
   double read_length(TomlTable& part, const Form& form) {
-    const TomlValue* value = part.find(form.length);
-    if (value == nullptr) {
-      part.refuse(part.mark(), fmt::format("[[duty.{}]] has no {}", form.list, form.length),
-                  fmt::format("write, for example, {} = {}", form.length, form.example));
-      return 0;
-    }
+    part.need(form.length, form.example);
+    const bool is_weight = &form == &kPoints;
     const std::optional<double> length =
-        &form == &kPoints ? part.number(form.length)
-                          : life_quantity(part, "duty.segment.duration", *value, "s", form.example, sources_.units);
+        is_weight ? part.number(form.length) : part.quantity(form.length, "s", form.example, sources_.units);
     if (length && !(*length > 0)) {
-      part.refuse(value->mark,
-                  fmt::format("duty.{}.{} = {} is not above 0", form.list, form.length, value->as_written()),
-                  fmt::format("write, for example, {} = {}; a point outside the duty is a [[report_point]]",
-                              form.length, form.example));
+      part.refuse_value(form.length, "is not above 0",
+                        fmt::format("write, for example, {} = {}; a point outside the duty is a [[report_point]]",
+                                    form.length, form.example));
     }
-    if (length && &form == &kSegments && *length > life::kLongestTime) {
-      part.refuse(value->mark, fmt::format("duty.segment.duration = {} is more than a century", value->as_written()),
-                  "durations are up to " + life::hours_text(life::kLongestTime));
+    if (!is_weight && length > life::kLongestTime) {
+      part.refuse_value(form.length, "is more than a century",
+                        "durations are up to " + life::hours_text(life::kLongestTime));
     }
     return length.value_or(0);
   }
@@ -192,12 +185,11 @@ class DutyReader {
   void read_repeat(const Form& form, std::size_t n_before) {
     const auto repeat = table_.count("repeat");
     if (!repeat) return;
-    const TomlValue& value = *table_.find("repeat");
     if (*repeat == 0) {
-      table_.refuse(value.mark, "duty.repeat = 0 leaves no duty", "state how often the segments follow one another");
+      table_.refuse_value("repeat", "leaves no duty", "state how often the segments follow one another");
     } else if (&form == &kPoints) {
-      table_.refuse(value.key_mark, "duty.repeat means nothing with points, which have weights and no duration",
-                    "leave it out, or give the parts as [[duty.segment]] with durations");
+      table_.refuse_key("repeat", "means nothing with points, which have weights and no duration",
+                        "leave it out, or give the parts as [[duty.segment]] with durations");
     } else if (faults_.size() == n_before) {
       double total = 0;
       for (const StatedPoint& part : duty_.points) total += part.share;

@@ -30,10 +30,7 @@ class LifeReader : DocumentReader {
         {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},
         faults_);
     life_.title = table.text("title").value_or(stem());
-    life_.mode = table
-                     .chosen<life::Mode>(
-                         "mode", {{"measured-path", life::Mode::kMeasuredPath}, {"archard", life::Mode::kArchard}})
-                     .value_or(life_.mode);
+    table.choose("mode", {{"measured-path", life::Mode::kMeasuredPath}, {"archard", life::Mode::kArchard}}, life_.mode);
     read_hours(table);
     read_base(table);
     read_duty(table);
@@ -68,10 +65,6 @@ class LifeReader : DocumentReader {
     return faults;
   }
 
-  std::optional<double> read_time(TomlTable& table, const std::string& key, const TomlValue& value) {
-    return life_quantity(table, key, value, "s", "\"10 h\"", units_);
-  }
-
   void read_hours(TomlTable& table) {
     const TomlValue* hours = table.find("hours");
     if (hours == nullptr || (hours->kind == TomlValue::Kind::kList && hours->items.empty())) {
@@ -80,7 +73,8 @@ class LifeReader : DocumentReader {
       return;
     }
     for (const TomlValue& item : table.items("hours")) {
-      if (const auto time = read_time(table, "hours", item)) life_.times.push_back({*time, item.mark});
+      if (const auto time = table.quantity("hours", item, "s", kTimeExample, units_))
+        life_.times.push_back({*time, item.mark});
     }
   }
 
@@ -174,14 +168,8 @@ class LifeReader : DocumentReader {
     TomlTable table(value, "[[state]]", {"hours", "case"}, faults_);
     life::MeasuredState state;
     state.mark = value.key_mark;
-    const TomlValue* hours = table.find("hours");
-    std::optional<double> time;
-    if (hours == nullptr) {
-      table.refuse(value.key_mark, "[[state]] has no hours", "write, for example, hours = \"10 h\"");
-    } else {
-      time = read_time(table, "hours", *hours);
-      state.mark = hours->mark;
-    }
+    if (const TomlValue* hours = table.need("hours", kTimeExample)) state.mark = hours->mark;
+    const auto time = table.quantity("hours", "s", kTimeExample, units_);
     auto input = read_named_case(table, "\"run-in.toml\"");
     if (!time || !input) return;
     state.time = *time;
@@ -193,27 +181,22 @@ class LifeReader : DocumentReader {
     const TomlValue* value = root.find("path");
     if (value == nullptr) return;
     TomlTable table(*value, "[path]", {"time_scale", "time_constant", "datum"}, faults_);
-    life_.datum = table.chosen<life::Datum>("datum", {{"own", life::Datum::kOwn}, {"common", life::Datum::kCommon}})
-                      .value_or(life_.datum);
+    table.choose("datum", {{"own", life::Datum::kOwn}, {"common", life::Datum::kCommon}}, life_.datum);
     if (life_.datum == life::Datum::kCommon && life_.mode == life::Mode::kArchard) {
-      table.refuse(table.find("datum")->key_mark, "path.datum means nothing with mode = \"archard\"",
-                   "leave it out: the face of a scenario is not on the path");
+      table.refuse_key("datum", "means nothing with mode = \"archard\"",
+                       "leave it out: the face of a scenario is not on the path");
     }
     life::Interpolation& path = life_.path;
-    path.scale = table
-                     .chosen<life::TimeScale>("time_scale", {{"logarithmic", life::TimeScale::kLogarithmic},
-                                                             {"linear", life::TimeScale::kLinear}})
-                     .value_or(path.scale);
-    const TomlValue* tau = table.find("time_constant");
-    if (tau == nullptr) return;
+    table.choose("time_scale", {{"logarithmic", life::TimeScale::kLogarithmic}, {"linear", life::TimeScale::kLinear}},
+                 path.scale);
     if (path.scale == life::TimeScale::kLinear) {
-      table.refuse(tau->key_mark, "path.time_constant means nothing with time_scale = \"linear\"",
-                   "leave it out, or take time_scale = \"logarithmic\"");
+      table.refuse_key("time_constant", "means nothing with time_scale = \"linear\"",
+                       "leave it out, or take time_scale = \"logarithmic\"");
     }
-    const auto constant = read_time(table, "time_constant", *tau);
+    const auto constant = table.quantity("time_constant", "s", kTimeExample, units_);
     if (constant && !(*constant > 0)) {
-      table.refuse(tau->mark, fmt::format("path.time_constant = {} is not above 0", tau->as_written()),
-                   "state a time after which the ring changes more slowly, for example \"1 h\"");
+      table.refuse_value("time_constant", "is not above 0",
+                         "state a time after which the ring changes more slowly, for example \"1 h\"");
     }
     path.time_constant = constant.value_or(path.time_constant);
   }
@@ -245,11 +228,9 @@ class LifeReader : DocumentReader {
     if (value->kind != TomlValue::Kind::kTable) return;
     const std::string name = table.needed_text("case", "\"pack.toml\"");
     const std::uint64_t ring = table.count("ring").value_or(1);
-    const life::RingPressures pressures =
-        table
-            .chosen<life::RingPressures>(
-                "pressures", {{"given", life::RingPressures::kGiven}, {"computed", life::RingPressures::kComputed}})
-            .value_or(life::RingPressures::kGiven);
+    auto pressures = life::RingPressures::kGiven;
+    table.choose("pressures", {{"given", life::RingPressures::kGiven}, {"computed", life::RingPressures::kComputed}},
+                 pressures);
     if (name.empty()) return;
     const SourceMark mark = table.find("case")->mark;
     auto input = read_at(mark, [&](std::vector<DroppedKey>& dropped) {
@@ -259,8 +240,7 @@ class LifeReader : DocumentReader {
     record(*input);
     const std::size_t n = std::max<std::size_t>(1, input->rings.size());
     if (ring < 1 || ring > n) {
-      table.refuse(table.find("ring")->mark, fmt::format("pack.ring = {} is not from 1 to {}", ring, n),
-                   "rings count from the chamber");
+      table.refuse_value("ring", fmt::format("is not from 1 to {}", n), "rings count from the chamber");
       return;
     }
     life_.pack = life::RingPack{std::move(*input), static_cast<std::size_t>(ring), pressures, mark};
@@ -274,23 +254,20 @@ class LifeReader : DocumentReader {
     for (const cycle::Quantity& quantity : life::limitable_quantities()) names.push_back(quantity.name);
     TomlTable table(*value, "[end_of_life]", names, faults_);
     for (const cycle::Quantity& quantity : life::limitable_quantities()) {
-      const TomlValue* limit = table.find(quantity.name);
-      if (limit == nullptr) continue;
-      const std::string key = "end_of_life." + quantity.name;
+      if (table.find(quantity.name) == nullptr) continue;
       if (cycle::is_gas_sum(quantity.name) && root.find("pack") == nullptr) {
-        table.refuse(limit->key_mark, key + " needs the gas of a ring pack, and the life has none",
-                     "write [pack] with, for example, case = \"pack.toml\", or limit end_gap_growth");
+        table.refuse_key(quantity.name, "needs the gas of a ring pack, and the life has none",
+                         "write [pack] with, for example, case = \"pack.toml\", or limit end_gap_growth");
         continue;
       }
-      const std::optional<double> number = quantity.unit == "1"
-                                               ? table.number(quantity.name)
-                                               : life_quantity(table, key, *limit, quantity.unit,
-                                                               fmt::format("\"1 {}\"", quantity.display_unit), units_);
+      const std::string example = quantity.unit == "1" ? "0.5" : fmt::format("\"1 {}\"", quantity.display_unit);
+      const auto number = table.quantity(quantity.name, quantity.unit, example, units_);
       if (number) life_.end_rules.push_back({quantity.name, *number});
     }
   }
 
-  static constexpr const char* kWholeDuty = "duty";  // the point of a life without [duty]
+  static constexpr const char* kWholeDuty = "duty";        // the point of a life without [duty]
+  static constexpr const char* kTimeExample = "\"10 h\"";  // as one would write it
 
   const std::vector<Override>& overrides_;
   life::Life life_;

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <numbers>
+#include <optional>
+#include <string>
+
+#include "ringfilm/io/text/toml_table.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -29,14 +33,10 @@ class WearReader {
   life::Wear read(const cycle::Case* base) {
     wear_.mark = table_.mark();
     read_coefficients();
-    wear_.surface = table_
-                        .chosen<life::WornSurface>(
-                            "surface", {{"frozen", life::WornSurface::kFrozen}, {"path", life::WornSurface::kPath}})
-                        .value_or(wear_.surface);
-    wear_.orientations = table_
-                             .chosen<life::WornOrientations>("orientations", {{"given", life::WornOrientations::kGiven},
-                                                                              {"both", life::WornOrientations::kBoth}})
-                             .value_or(wear_.orientations);
+    table_.choose("surface", {{"frozen", life::WornSurface::kFrozen}, {"path", life::WornSurface::kPath}},
+                  wear_.surface);
+    table_.choose("orientations", {{"given", life::WornOrientations::kGiven}, {"both", life::WornOrientations::kBoth}},
+                  wear_.orientations);
     read_scheme();
     read_tilt();
     read_edges(base);
@@ -53,10 +53,9 @@ class WearReader {
     if (value == nullptr) return std::nullopt;
     TomlValue written = *value;
     written.text = with_product(written.text);
-    const auto number = life_quantity(table_, "wear." + key, written, unit, example, units_);
+    const auto number = table_.quantity(key, written, unit, example, units_);
     if (!number || *number > 0) return number;
-    table_.refuse(value->mark, fmt::format("wear.{} = {} is not above 0", key, value->as_written()),
-                  fmt::format("state, for example, {} = {}", key, example));
+    table_.refuse_value(key, "is not above 0", fmt::format("state, for example, {} = {}", key, example));
     return std::nullopt;
   }
 
@@ -68,20 +67,19 @@ class WearReader {
     }
     if (stated != nullptr && stated->text == "fit") {
       wear_.source = life::CoefficientSource::kFitted;
-      refuse_with_fit("running_in_coefficient");
-      refuse_with_fit("running_in_time");
-      refuse_with_fit("jumps");
-      refuse_with_fit("orientations");
+      for (const char* key : {"running_in_coefficient", "running_in_time", "jumps", "orientations"}) {
+        table_.refuse_key(key, "means nothing with coefficient = \"fit\"",
+                          "leave it out: the fit reports a coefficient for each measured state");
+      }
     } else {
       wear_.coefficient = coefficient("coefficient").value_or(0);
       wear_.running_in_coefficient = coefficient("running_in_coefficient");
     }
     wear_.liner_coefficient = coefficient("liner_coefficient");
     const bool is_stated = wear_.source == life::CoefficientSource::kStated;
-    if (is_stated && table_.find("running_in_time") != nullptr && !table_.find("running_in_coefficient")) {
-      table_.refuse(table_.find("running_in_time")->key_mark,
-                    "wear.running_in_time means nothing without running_in_coefficient",
-                    "state running_in_coefficient, for example \"3e-17 m2/N\", or leave the time out");
+    if (is_stated && table_.find("running_in_coefficient") == nullptr) {
+      table_.refuse_key("running_in_time", "means nothing without running_in_coefficient",
+                        "state running_in_coefficient, for example \"3e-17 m2/N\", or leave the time out");
     }
     wear_.running_in_time = above_zero("running_in_time", "s", "\"10 h\"").value_or(wear_.running_in_time);
   }
@@ -89,41 +87,27 @@ class WearReader {
   std::optional<double> coefficient(const std::string& key) {
     const auto number = above_zero(key, "m2/N", kCoefficient);
     if (!number || *number <= life::kLargestCoefficient) return number;
-    const TomlValue& value = *table_.find(key);
-    table_.refuse(value.mark,
-                  fmt::format("wear.{} = {} is above {:g} m2/N", key, value.as_written(), life::kLargestCoefficient),
-                  "a contact cannot remove more than all that it touches, 1/(3H): check the number and its unit");
+    table_.refuse_value(key, fmt::format("is above {:g} m2/N", life::kLargestCoefficient),
+                        "a contact cannot remove more than all that it touches, 1/(3H): check the number and its unit");
     return std::nullopt;
   }
 
-  void refuse_with_fit(const char* key) {
-    if (table_.find(key) == nullptr) return;
-    table_.refuse(table_.find(key)->key_mark, fmt::format("wear.{} means nothing with coefficient = \"fit\"", key),
-                  "leave it out: the fit reports a coefficient for each measured state");
-  }
-
   void read_scheme() {
-    wear_.scheme = table_
-                       .chosen<life::WearScheme>(
-                           "scheme", {{"heun", life::WearScheme::kHeun}, {"euler", life::WearScheme::kEuler}})
-                       .value_or(wear_.scheme);
+    table_.choose("scheme", {{"heun", life::WearScheme::kHeun}, {"euler", life::WearScheme::kEuler}}, wear_.scheme);
     if (const auto jumps = table_.count("jumps")) {
       if (*jumps < 1 || *jumps > life::kMostJumps) {
-        table_.refuse(table_.find("jumps")->mark,
-                      fmt::format("wear.jumps = {} is not from 1 to {}", *jumps, life::kMostJumps),
-                      "state how many equal jumps the time to the last of the hours is divided into");
+        table_.refuse_value("jumps", fmt::format("is not from 1 to {}", life::kMostJumps),
+                            "state how many equal jumps the time to the last of the hours is divided into");
       } else {
         wear_.jumps = static_cast<int>(*jumps);
       }
       for (const char* key : {"largest_depth", "jump_error"}) {
-        if (table_.find(key) == nullptr) continue;
-        table_.refuse(table_.find(key)->key_mark, fmt::format("wear.{} means nothing with jumps", key),
-                      "leave one of the two out");
+        table_.refuse_key(key, "means nothing with jumps", "leave one of the two out");
       }
     }
-    if (wear_.scheme == life::WearScheme::kEuler && table_.find("jump_error") != nullptr) {
-      table_.refuse(table_.find("jump_error")->key_mark, "wear.jump_error means nothing with scheme = \"euler\"",
-                    "leave it out, or take scheme = \"heun\"");
+    if (wear_.scheme == life::WearScheme::kEuler) {
+      table_.refuse_key("jump_error", "means nothing with scheme = \"euler\"",
+                        "leave it out, or take scheme = \"heun\"");
     }
     wear_.largest_depth =
         depth_of_jump("largest_depth", life::kSmallestJumpDepth, "\"0.15 um\"").value_or(wear_.largest_depth);
@@ -133,11 +117,10 @@ class WearReader {
   std::optional<double> depth_of_jump(const char* key, double smallest, const char* example) {
     const auto depth = above_zero(key, "m", example);
     if (!depth || *depth >= smallest) return depth;
-    const TomlValue& value = *table_.find(key);
-    table_.refuse(value.mark, fmt::format("wear.{} = {} is below {:g} nm", key, value.as_written(), 1e9 * smallest),
-                  fmt::format("faces are not known to the size of an atom, and each jump costs a cycle: state a larger "
-                              "one, for example {}",
-                              example));
+    table_.refuse_value(key, fmt::format("is below {:g} nm", 1e9 * smallest),
+                        fmt::format("faces are not known to the size of an atom, and each jump costs a cycle: state a "
+                                    "larger one, for example {}",
+                                    example));
     return std::nullopt;
   }
 
@@ -146,20 +129,18 @@ class WearReader {
     constexpr double kRounding = 1e-9;
     wear_.tilt_spread = above_zero("tilt_spread", "rad", "\"50 arcminute\"").value_or(0);
     if (wear_.tilt_spread > kMostTilt * (1 + kRounding)) {
-      const TomlValue& value = *table_.find("tilt_spread");
-      table_.refuse(value.mark, fmt::format("wear.tilt_spread = {} is above 80 arcminute", value.as_written()),
-                    "beyond it the edges alone touch, and the film is not resolved there");
+      table_.refuse_value("tilt_spread", "is above 80 arcminute",
+                          "beyond it the edges alone touch, and the film is not resolved there");
     }
     const auto samples = table_.count("tilt_samples");
     if (!samples) return;
     constexpr std::uint64_t kMost = 200;
-    const TomlValue& value = *table_.find("tilt_samples");
     if (wear_.tilt_spread == 0) {
-      table_.refuse(value.key_mark, "wear.tilt_samples means nothing without tilt_spread",
-                    "leave it out, or state tilt_spread, for example \"50 arcminute\"");
+      table_.refuse_key("tilt_samples", "means nothing without tilt_spread",
+                        "leave it out, or state tilt_spread, for example \"50 arcminute\"");
     } else if (*samples < 2 || *samples > kMost) {
-      table_.refuse(value.mark, fmt::format("wear.tilt_samples = {} is not from 2 to {}", *samples, kMost),
-                    "12 resolve a spread of 50 arcminute, 16 one of 80");
+      table_.refuse_value("tilt_samples", fmt::format("is not from 2 to {}", kMost),
+                          "12 resolve a spread of 50 arcminute, 16 one of 80");
     } else {
       wear_.tilt_samples = static_cast<int>(*samples);
     }
@@ -171,10 +152,9 @@ class WearReader {
       if (*factor >= 1 / kMostEdgeFactor && *factor <= kMostEdgeFactor) {
         wear_.edge_factor = *factor;
       } else {
-        table_.refuse(table_.find("edge_factor")->mark,
-                      fmt::format("wear.edge_factor = {:g} is not from {:g} to {:g}", *factor, 1 / kMostEdgeFactor,
-                                  kMostEdgeFactor),
-                      "1 wears the edge zones as the middle, 10 ten times as fast");
+        table_.refuse_value("edge_factor",
+                            fmt::format("is not from {:g} to {:g}", 1 / kMostEdgeFactor, kMostEdgeFactor),
+                            "1 wears the edge zones as the middle, 10 ten times as fast");
       }
     }
     wear_.edge_distance = above_zero("edge_distance", "m", "\"0.3 mm\"").value_or(wear_.edge_distance);
@@ -186,9 +166,9 @@ class WearReader {
                                 wear_.edge_distance * 1e3, base->ring.face_width * 1e3),
                     "state less than half of ring.face_width");
     }
-    if (table_.find("edge_distance") == nullptr || table_.find("edge_factor") != nullptr) return;
-    table_.refuse(table_.find("edge_distance")->key_mark, "wear.edge_distance means nothing without edge_factor",
-                  "state edge_factor, for example 10, or leave the distance out");
+    if (table_.find("edge_factor") != nullptr) return;
+    table_.refuse_key("edge_distance", "means nothing without edge_factor",
+                      "state edge_factor, for example 10, or leave the distance out");
   }
 
   TomlTable table_;
@@ -197,21 +177,6 @@ class WearReader {
 };
 
 }  // namespace
-
-std::optional<double> life_quantity(TomlTable& table, const std::string& key, const TomlValue& value,
-                                    const std::string& unit, const std::string& example, const Units& units) {
-  if (value.kind != TomlValue::Kind::kText) {
-    table.refuse(value.mark, fmt::format("{} = {} has no unit", key, value.as_written()),
-                 fmt::format("write it with its unit in quotes, for example {}", example));
-    return std::nullopt;
-  }
-  try {
-    return units.quantity(value.text, unit, example);
-  } catch (const UnitError& problem) {
-    table.refuse(value.mark, fmt::format("{} = \"{}\" {}", key, value.text, problem.what()), problem.remedy);
-    return std::nullopt;
-  }
-}
 
 life::Wear read_wear_table(const TomlValue& value, const cycle::Case* base, const Units& units,
                            std::vector<Fault>& faults) {

@@ -1,11 +1,9 @@
 #include "ringfilm/io/measurement/lever_file.hpp"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
-#include "ringfilm/base/error.hpp"
-#include "ringfilm/io/text/suggestion.hpp"
-#include "ringfilm/io/text/toml_tree.hpp"
+#include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/io/text/uncertain_quantity.hpp"
 
 namespace ringfilm::io {
@@ -36,99 +34,45 @@ std::vector<Size> sizes() {
            &Lever::torsional_sensitivity_V_per_m}};
 }
 
-class LeverReader {
- public:
-  LeverReader(const NamedFile& file, LoadUnit load_unit, const Units& units)
-      : source_(read_source_text(file.path, file.shown, kLargestToml)),
-        root_(parse_toml(source_)),
-        load_unit_(load_unit),
-        units_(units) {}
-
-  LeverFile read() {
-    LeverFile file;
-    file.sha256 = source_.sha256;
-    refuse_unknown();
-    read_shape(file.lever);
-    for (const Size& size : sizes()) read_size(size, file.lever);
-    if (!faults_.empty()) throw InputError(faults_);
-    return file;
-  }
-
- private:
-  const TomlValue* find(const std::string& key) const {
-    for (const auto& [name, value] : root_.members) {
-      if (name == key) return &value;
+void read_size(const Size& size, LoadUnit load_unit, const Units& units, TomlTable& table, Lever& lever) {
+  const TomlValue* value = table.find(size.key);
+  const SourceMark file{table.mark().file, 0, 0, ""};
+  if (value == nullptr) {
+    if (size.need == LeverNeed::kAlways) {
+      table.refuse(file, size.key + " is missing", "for example " + size.example);
+    } else if (size.need == LeverNeed::kForNewtons && load_unit == LoadUnit::kNewton) {
+      table.refuse(file, size.key + " is missing: the loads are in newtons",
+                   "for example " + size.example + "; for loads in volts it is not needed");
     }
-    return nullptr;
-  }
-
-  void refuse_unknown() {
-    std::vector<std::string> known = {"shape"};
-    for (const Size& size : sizes()) known.push_back(size.key);
-    for (const auto& [key, value] : root_.members) {
-      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-      const std::string near = nearest_word(key, known);
-      std::string names;
-      for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-      faults_.push_back({value.key_mark, "unknown key " + key,
-                         near.empty() ? "a lever has the keys " + names : "did you mean " + near + "?"});
-    }
-  }
-
-  void read_shape(Lever& lever) {
-    const TomlValue* shape = find("shape");
-    if (shape == nullptr) {
-      faults_.push_back({source_.mark(0), "shape is missing", "\"rectangular\" or \"v-shaped\""});
-    } else if (shape->text == "rectangular" || shape->text == "v-shaped") {
-      lever.shape = shape->text == "rectangular" ? LeverShape::kRectangular : LeverShape::kVShaped;
-    } else {
-      faults_.push_back(
-          {shape->mark, "shape = " + shape->as_written() + " is unknown", "\"rectangular\" or \"v-shaped\""});
-    }
-  }
-
-  void read_size(const Size& size, Lever& lever) {
-    const TomlValue* value = find(size.key);
-    if (value == nullptr) {
-      if (size.need == LeverNeed::kAlways) {
-        faults_.push_back({source_.mark(0), size.key + " is missing", "for example " + size.example});
-      } else if (size.need == LeverNeed::kForNewtons && load_unit_ == LoadUnit::kNewton) {
-        faults_.push_back({source_.mark(0), size.key + " is missing: the loads are in newtons",
-                           "for example " + size.example + "; for loads in volts it is not needed"});
-      }
-      return;
-    }
-    const bool number = value->kind == TomlValue::Kind::kNumber || value->kind == TomlValue::Kind::kInteger;
-    if (number && size.si_unit == "1") {
-      lever.*size.member = {value->number, 0};
-    } else if (value->kind == TomlValue::Kind::kText) {
-      read_text(size, *value, lever);
-    } else {
-      faults_.push_back({value->mark,
-                         size.key + " = " + value->as_written() + (number ? " has no unit" : " is not a text"),
-                         "for example " + size.example});
-    }
-  }
-
-  void read_text(const Size& size, const TomlValue& value, Lever& lever) {
+  } else if (value->is_number() && size.si_unit == "1") {
+    lever.*size.member = {value->number, 0};
+  } else if (value->kind == TomlValue::Kind::kText) {
     try {
-      lever.*size.member = uncertain_quantity(value.text, size.si_unit, size.example, units_);
+      lever.*size.member = uncertain_quantity(value->text, size.si_unit, size.example, units);
     } catch (const UnitError& problem) {
-      faults_.push_back({value.mark, size.key + " = " + value.as_written() + " " + problem.what(), problem.remedy});
+      table.refuse_value(size.key, problem.what(), problem.remedy);
     }
+  } else {
+    table.refuse_value(size.key, value->is_number() ? "has no unit" : "is not a text", "for example " + size.example);
   }
-
-  SourceText source_;
-  TomlValue root_;
-  LoadUnit load_unit_;
-  const Units& units_;
-  std::vector<Fault> faults_;
-};
+}
 
 }  // namespace
 
 LeverFile read_lever(const NamedFile& file, LoadUnit load_unit, const Units& units) {
-  return LeverReader(file, load_unit, units).read();
+  const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
+  const TomlValue root = parse_toml(source);
+  std::vector<Fault> faults;
+  std::vector<std::string> known = {"shape"};
+  for (const Size& size : sizes()) known.push_back(size.key);
+  TomlTable table(root, "a lever", known, faults);
+  LeverFile read{{}, source.sha256};
+  table.need("shape", "\"rectangular\"");
+  table.choose("shape", {{"rectangular", LeverShape::kRectangular}, {"v-shaped", LeverShape::kVShaped}},
+               read.lever.shape);
+  for (const Size& size : sizes()) read_size(size, load_unit, units, table, read.lever);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  return read;
 }
 
 }  // namespace ringfilm::io

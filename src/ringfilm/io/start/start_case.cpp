@@ -77,10 +77,8 @@ const Engine& engine_of(const std::string& name) {
   const std::vector<std::string> names = start_engines();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return engines()[static_cast<std::size_t>(found - names.begin())];
-  const std::string near = nearest_word(name, names);
-  throw InputError(
-      "there is no start case for the engine " + quoted(name) + (near.empty() ? "" : "; did you mean " + near + "?"),
-      "one of: " + joined(names, ", "));
+  throw InputError("there is no start case for the engine " + quoted(name) + did_you_mean(name, names),
+                   "one of: " + joined(names, ", "));
 }
 
 /// Crank of an engine.

@@ -14,7 +14,6 @@
 namespace ringfilm::io {
 namespace {
 
-using Kind = TomlValue::Kind;
 using study::Factor;
 using study::FactorMode;
 
@@ -37,9 +36,8 @@ class FactorReader {
   std::optional<Factor> read() {
     factor_.mark = table_.mark();
     read_targets();
-    const auto how = table_.chosen<FactorMode>(
-        "how", {{"set", FactorMode::kSet}, {"scale", FactorMode::kScale}, {"add", FactorMode::kAdd}});
-    factor_.how = how.value_or(FactorMode::kSet);
+    table_.choose("how", {{"set", FactorMode::kSet}, {"scale", FactorMode::kScale}, {"add", FactorMode::kAdd}},
+                  factor_.how);
     if (field_ == nullptr || faults_.size() > n_before_) return std::nullopt;
     factor_.name = table_.text("name").value_or(factor_.targets.front().key);
     factor_.source = table_.text("source").value_or("");
@@ -69,9 +67,7 @@ class FactorReader {
       if (field == nullptr) {
         std::vector<std::string> known;
         for (const cycle::Field& one : cycle::case_fields()) known.push_back(one.key);
-        const std::string near = nearest_word(key, known);
-        refuse(at,
-               fmt::format("a case has no key {}{}", key, near.empty() ? "" : fmt::format("; did you mean {}?", near)),
+        refuse(at, fmt::format("a case has no key {}{}", key, did_you_mean(key, known)),
                "`ringfilm fields` lists all keys");
         continue;
       }
@@ -122,29 +118,17 @@ class FactorReader {
          {"mean", "deviation", "relative_deviation", "lower", "upper", "mode", "median", "log_deviation", "truncate"}}};
     for (const auto& [owner, keys] : parts) {
       for (const std::string& key : keys) {
-        if (owner == way || table_.find(key) == nullptr) continue;
-        refuse(table_.find(key), fmt::format("{} means nothing without {}", key, owner), "take it out");
+        if (owner != way) table_.refuse_key(key, "means nothing without " + owner, "take it out");
       }
     }
   }
 
   std::optional<double> quantity(const TomlValue& value, const std::string& key, Meaning meaning) {
     const std::string example = factor_.unit == "1" ? "1" : fmt::format("\"1 {}\"", factor_.display_unit);
-    if (factor_.unit == "1" && (value.kind == Kind::kNumber || value.kind == Kind::kInteger)) return value.number;
-    if (value.kind != Kind::kText) {
-      refuse(&value, fmt::format("{} = {} has no unit", key, value.as_written()),
-             fmt::format("{} is required here, for example {}", dimension_words(factor_.unit), example));
-      return std::nullopt;
-    }
-    try {
-      const double x = sources_.units.quantity(value.text, factor_.unit, example);
-      if (meaning == Meaning::kValue || factor_.unit != "K") return x;
-      const std::size_t unit = value.text.find_first_not_of("+-.0123456789eE ");
-      return x - sources_.units.quantity(fmt::format("0 {}", value.text.substr(unit)), factor_.unit, example);
-    } catch (const UnitError& problem) {
-      refuse(&value, fmt::format("{} = {} {}", key, value.as_written(), problem.what()), problem.remedy);
-      return std::nullopt;
-    }
+    const auto x = table_.quantity(key, value, factor_.unit, example, sources_.units);
+    if (!x || meaning == Meaning::kValue || factor_.unit != "K") return x;
+    const std::size_t unit = value.text.find_first_not_of("+-.0123456789eE ");
+    return *x - sources_.units.quantity(fmt::format("0 {}", value.text.substr(unit)), factor_.unit, example);
   }
 
   Meaning meaning() const { return factor_.how == FactorMode::kAdd ? Meaning::kDifference : Meaning::kValue; }
@@ -173,10 +157,8 @@ class FactorReader {
     study::Span span;
     if (const auto both = ends("range")) std::tie(span.low, span.high) = *both;
     span.points = table_.count("points").value_or(span.points);
-    span.spacing = table_
-                       .chosen<study::Spacing>(
-                           "spacing", {{"linear", study::Spacing::kLinear}, {"log", study::Spacing::kLogarithmic}})
-                       .value_or(study::Spacing::kLinear);
+    table_.choose("spacing", {{"linear", study::Spacing::kLinear}, {"log", study::Spacing::kLogarithmic}},
+                  span.spacing);
     factor_.variation = span;
   }
 
@@ -196,21 +178,24 @@ class FactorReader {
 
   void read_distribution() {
     using study::Shape;
-    const auto shape = table_.chosen<Shape>("distribution", {{"normal", Shape::kNormal},
-                                                             {"lognormal", Shape::kLognormal},
-                                                             {"uniform", Shape::kUniform},
-                                                             {"triangular", Shape::kTriangular}});
-    if (!shape) return;
+    Shape shape{};
+    const bool is_known = table_.choose("distribution",
+                                        {{"normal", Shape::kNormal},
+                                         {"lognormal", Shape::kLognormal},
+                                         {"uniform", Shape::kUniform},
+                                         {"triangular", Shape::kTriangular}},
+                                        shape);
+    if (!is_known) return;
     study::Distribution d;
     std::vector<std::string> used = {"truncate"};
-    if (*shape == Shape::kNormal) {
+    if (shape == Shape::kNormal) {
       used.insert(used.end(), {"mean", "deviation", "relative_deviation"});
       const double mean = needed("mean");
       d = study::normal(mean, deviation(mean));
-    } else if (*shape == Shape::kLognormal && table_.find("median") != nullptr) {
+    } else if (shape == Shape::kLognormal && table_.find("median") != nullptr) {
       used.insert(used.end(), {"median", "log_deviation"});
       d = study::lognormal(needed("median"), table_.number("log_deviation").value_or(0));
-    } else if (*shape == Shape::kLognormal) {
+    } else if (shape == Shape::kLognormal) {
       used.insert(used.end(), {"mean", "deviation", "relative_deviation"});
       const double mean = needed("mean");
       d = study::lognormal_of_moments(mean, deviation(mean));
@@ -218,16 +203,17 @@ class FactorReader {
       used.insert(used.end(), {"lower", "upper"});
       const double lower = needed("lower"), upper = needed("upper");
       d = study::uniform(lower, upper);
-      if (*shape == Shape::kTriangular) {
+      if (shape == Shape::kTriangular) {
         used.push_back("mode");
         d = study::triangular(lower, needed("mode"), upper);
       }
     }
     for (const std::string key :
          {"mean", "deviation", "relative_deviation", "lower", "upper", "mode", "median", "log_deviation"}) {
-      if (table_.find(key) == nullptr || std::find(used.begin(), used.end(), key) != used.end()) continue;
-      refuse(table_.find(key), fmt::format("{} means nothing here", key),
-             fmt::format("a {} distribution is stated otherwise; take it out", *table_.text("distribution")));
+      if (std::find(used.begin(), used.end(), key) != used.end()) continue;
+      table_.refuse_key(
+          key, "means nothing here",
+          fmt::format("a {} distribution is stated otherwise; take it out", *table_.text("distribution")));
     }
     if (const auto cut = ends("truncate")) std::tie(d.lowest, d.highest) = *cut;
     factor_.variation = d;
@@ -235,13 +221,8 @@ class FactorReader {
 
   void read_choices() {
     study::Choices choices;
-    for (const TomlValue& item : table_.items("values")) {
-      if (item.kind != Kind::kText || item.text.empty()) {
-        refuse(&item, fmt::format("values has {}, which is not a text", item.as_written()), "a text must be in quotes");
-      } else {
-        choices.values.push_back({item.text, item.mark});
-      }
-    }
+    table_.texts("values");  // refuses what is not a text
+    for (const TomlValue& item : table_.items("values")) choices.values.push_back({item.text, item.mark});
     factor_.variation = std::move(choices);
   }
 
@@ -269,7 +250,7 @@ std::vector<std::size_t> read_base_names(TomlTable& table, const study::Study& s
   for (const std::string& name : table.texts("bases")) {
     const auto at = std::find(names.begin(), names.end(), name);
     if (at == names.end()) {
-      table.refuse_word(*table.find("bases"), "bases", name, names);
+      table.refuse_word("bases", name, names);
     } else {
       found.push_back(static_cast<std::size_t>(at - names.begin()));
     }

@@ -39,9 +39,8 @@ class StudyReader : DocumentReader {
                      "keep", "accuracy"},
                     faults_);
     study_.title = table.text("title").value_or(stem());
-    study_.kind = table.chosen("kind", study::kind_words()).value_or(study_.kind);
-    study_.compute =
-        table.chosen<Compute>("compute", {{"films", Compute::kFilms}, {"gas", Compute::kGas}}).value_or(study_.compute);
+    table.choose("kind", study::kind_words(), study_.kind);
+    table.choose("compute", {{"films", Compute::kFilms}, {"gas", Compute::kGas}}, study_.compute);
     study_.seed = table.count("seed").value_or(study_.seed);
     const std::vector<TomlValue> bases = table.items("base");
     for (const TomlValue& base : bases) read_base(base);
@@ -144,7 +143,7 @@ class StudyReader : DocumentReader {
       TomlTable table(value, "[[measured]]", {"bases", "shared"}, faults_);
       const std::vector<std::size_t> bases = read_base_names(table, study_);
       study::MeasuredSharing sharing;
-      if (const TomlValue* shared = table.find("shared")) {
+      if (table.find("shared") != nullptr) {
         sharing = {study::Shared::kApart, study::Shared::kApart};
         for (const std::string& word : table.texts("shared")) {
           if (word == "calibration") {
@@ -152,7 +151,7 @@ class StudyReader : DocumentReader {
           } else if (word == "reference") {
             sharing.reference = study::Shared::kCommon;
           } else {
-            table.refuse_word(*shared, "shared", word, {"calibration", "reference"});
+            table.refuse_word("shared", word, {"calibration", "reference"});
           }
         }
       }
@@ -174,7 +173,7 @@ class StudyReader : DocumentReader {
       for (const std::string& name : table.texts("factors")) {
         const auto at = std::find(names.begin(), names.end(), name);
         if (at == names.end()) {
-          table.refuse_word(*table.find("factors"), "factors", name, names);
+          table.refuse_word("factors", name, names);
         } else {
           both.push_back(static_cast<std::size_t>(at - names.begin()));
         }
@@ -200,16 +199,13 @@ class StudyReader : DocumentReader {
     TomlTable table(*value, "[plan]", {"method", "scenarios", "indices", "list", "trajectories", "levels", "until"},
                     faults_);
     table.needed_text("method", "\"sobol\"");
-    const auto method = table.chosen("method", study::method_words());
-    sampling.method = method.value_or(sampling.method);
+    const bool is_known = table.choose("method", study::method_words(), sampling.method);
     sampling.scenarios = table.count("scenarios").value_or(sampling.scenarios);
     sampling.trajectories = table.count("trajectories").value_or(sampling.trajectories);
     sampling.levels = table.count("levels").value_or(sampling.levels);
-    sampling.indices = table
-                           .chosen<study::Indices>("indices", {{"none", study::Indices::kNone},
-                                                               {"first-and-total", study::Indices::kFirstAndTotal}})
-                           .value_or(sampling.indices);
-    if (method) refuse_idle_keys(table, *method);
+    table.choose("indices", {{"none", study::Indices::kNone}, {"first-and-total", study::Indices::kFirstAndTotal}},
+                 sampling.indices);
+    if (is_known) refuse_idle_keys(table, sampling.method);
     if (sampling.method == Method::kList && faults_.empty()) read_list(table);
     read_until(table);
   }
@@ -237,12 +233,8 @@ class StudyReader : DocumentReader {
 
   /// Keys that the method does not read; the plan itself reports this for until and indices.
   static void refuse_idle_keys(TomlTable& table, Method method) {
-    const auto refuse = [&table](const char* key, const char* remedy) {
-      if (const TomlValue* value = table.find(key))
-        table.refuse(value->key_mark,
-                     fmt::format("plan.{} means nothing with method = \"{}\"", key, table.find("method")->text),
-                     remedy);
-    };
+    const std::string predicate = fmt::format("means nothing with method = \"{}\"", study::word_of(method));
+    const auto refuse = [&](const char* key, const char* remedy) { table.refuse_key(key, predicate, remedy); };
     if (method != Method::kSobol && method != Method::kLatinHypercube)
       refuse("scenarios", "leave it out, or sample: method = \"sobol\"");
     if (method != Method::kList) refuse("list", "leave it out, or take its points: method = \"list\"");
@@ -260,10 +252,8 @@ class StudyReader : DocumentReader {
     study::StoppingRule until;
     until.value = table.needed_text("value", "\"fmep\"");
     until.quantile = table.number("quantile");
-    const auto most = table.count("most");
-    if (!most && faults_.size() == n_before)
-      table.refuse(value->mark, "plan.until has no most", "state how many points are enough: most = 100000");
-    until.most = most.value_or(0);
+    table.need("most", "100000");
+    until.most = table.count("most").value_or(0);
     if (faults_.size() > n_before) return;
     const study::StudyValues known = study::study_values(study_, study_.bases.front().input);
     const std::optional<std::size_t> quantity = known.index(until.value);
@@ -271,7 +261,7 @@ class StudyReader : DocumentReader {
     if (!quantity) {
       std::vector<std::string> names;
       for (const auto& one : known.quantities) names.push_back(one.name);
-      table.refuse_word(*table.find("value"), "value", until.value, names);
+      table.refuse_word("value", until.value, names);
       return;
     }
     if (const auto width = read_width(table, known.quantities[*quantity])) until.width = *width;
@@ -279,26 +269,11 @@ class StudyReader : DocumentReader {
   }
 
   std::optional<double> read_width(TomlTable& table, const cycle::Quantity& quantity) {
-    if (quantity.unit == "1") {
-      const auto width = table.number("width");
-      if (!width) table.refuse(table.mark(), "plan.until has no width", "write, for example, width = 0.01");
-      return above_zero(table, width);
-    }
-    const std::string example = fmt::format("\"0.1 {}\"", quantity.display_unit);
-    const std::string text = table.needed_text("width", example);
-    if (text.empty()) return std::nullopt;
-    try {
-      return above_zero(table, units_.quantity(text, quantity.unit, example));
-    } catch (const UnitError& problem) {
-      table.refuse(table.find("width")->mark, fmt::format("width = \"{}\" {}", text, problem.what()), problem.remedy);
-      return std::nullopt;
-    }
-  }
-
-  static std::optional<double> above_zero(TomlTable& table, std::optional<double> width) {
+    const std::string example = quantity.unit == "1" ? "0.01" : fmt::format("\"0.1 {}\"", quantity.display_unit);
+    const TomlValue* value = table.need("width", example);
+    const auto width = table.quantity("width", quantity.unit, example, units_);
     if (!width || *width > 0) return width;
-    const TomlValue& value = *table.find("width");
-    table.refuse(value.mark, fmt::format("the width of an interval is above 0, not {}", value.as_written()),
+    table.refuse(value->mark, fmt::format("the width of an interval is above 0, not {}", value->as_written()),
                  "state how narrow it shall become");
     return std::nullopt;
   }
@@ -349,21 +324,16 @@ class StudyReader : DocumentReader {
     if (value == nullptr) return;
     TomlTable table(*value, "[keep]", {"curves", "quantities", "crank_step"}, faults_);
     study::OutputSelection& keep = study_.keep;
-    keep.curves = table
-                      .chosen<study::Curves>("curves", {{"none", study::Curves::kNone},
-                                                        {"all", study::Curves::kAll},
-                                                        {"quantiles", study::Curves::kQuantiles}})
-                      .value_or(keep.curves);
+    table.choose(
+        "curves",
+        {{"none", study::Curves::kNone}, {"all", study::Curves::kAll}, {"quantiles", study::Curves::kQuantiles}},
+        keep.curves);
     keep.quantities_mark = keep.crank_step_mark = value->key_mark;
     if (const TomlValue* quantities = table.find("quantities")) read_kept_quantities(table, *quantities);
     if (const TomlValue* step = table.find("crank_step")) {
       keep.crank_step_mark = step->mark;
-      constexpr const char* kExample = "2 degree";
-      try {
-        keep.crank_step_deg = units_.quantity(table.text("crank_step").value_or(kExample), "degree", kExample);
-      } catch (const UnitError& problem) {
-        table.refuse(step->mark, fmt::format("crank_step = {} {}", step->as_written(), problem.what()), problem.remedy);
-      }
+      keep.crank_step_deg =
+          table.quantity("crank_step", "degree", "\"2 degree\"", units_).value_or(keep.crank_step_deg);
     }
   }
 
@@ -372,13 +342,11 @@ class StudyReader : DocumentReader {
     if (value == nullptr) return;
     TomlTable table(*value, "[accuracy]", {"sample"}, faults_);
     study_.accuracy.sample = table.count("sample");
-    const TomlValue* sample = table.find("sample");
-    if (sample == nullptr) return;
     if (study_.compute == Compute::kGas) {
-      table.refuse(sample->key_mark, "accuracy.sample is about films, and compute = \"gas\" has none", "leave it out");
+      table.refuse_key("sample", "is about films, and compute = \"gas\" has none", "leave it out");
     } else if (study_.accuracy.sample > study::Accuracy::kLargestSample) {
-      table.refuse(sample->mark, fmt::format("accuracy.sample = {} is out of range", sample->as_written()),
-                   fmt::format("allowed is 0 to {}; 16 are usual", study::Accuracy::kLargestSample));
+      table.refuse_value("sample", "is out of range",
+                         fmt::format("allowed is 0 to {}; 16 are usual", study::Accuracy::kLargestSample));
     }
   }
 
@@ -389,8 +357,7 @@ class StudyReader : DocumentReader {
     study_.keep.quantities = table.texts("quantities");
     study_.keep.quantities_mark = quantities.mark;
     for (const std::string& name : study_.keep.quantities) {
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        table.refuse_word(quantities, "quantities", name, known);
+      if (std::find(known.begin(), known.end(), name) == known.end()) table.refuse_word("quantities", name, known);
     }
   }
 

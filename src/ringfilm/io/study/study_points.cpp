@@ -47,15 +47,12 @@ class PointsReader {
       table.refuse(table.find("name")->mark, fmt::format("two points have the name {}", point.name),
                    "give each a name of its own");
     }
-    const auto weight = table.number("weight");
-    if (!weight || !(*weight > 0)) {
-      const TomlValue* at = table.find("weight");
-      table.refuse(at == nullptr ? table.mark() : at->mark,
-                   at == nullptr ? "[[point]] has no weight"
-                                 : fmt::format("the weight of a point is above 0, not {}", at->as_written()),
+    const TomlValue* weight = table.need("weight", "0.3");
+    point.weight = table.number("weight").value_or(1);
+    if (!(point.weight > 0)) {
+      table.refuse(weight->mark, fmt::format("the weight of a point is above 0, not {}", weight->as_written()),
                    "write, for example, weight = 0.3");
     }
-    point.weight = weight.value_or(1);
     const TomlValue* values = table.find("values");
     if (values == nullptr || values->kind != TomlValue::Kind::kTable || values->members.empty()) {
       table.refuse(values == nullptr ? table.mark() : values->mark, "[[point]] has no values",

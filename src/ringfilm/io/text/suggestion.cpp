@@ -47,6 +47,11 @@ std::string nearest_word(const std::string& written, const std::vector<std::stri
   return nearest;
 }
 
+std::string did_you_mean(const std::string& written, const std::vector<std::string>& known) {
+  const std::string near = nearest_word(written, known);
+  return near.empty() ? "" : "; did you mean " + near + "?";
+}
+
 KeyProposal key_proposal(const std::string& written, const std::vector<std::string>& known) {
   const TradeTerm* const term = trade_term(written);
   if (term != nullptr && term->key.empty()) {

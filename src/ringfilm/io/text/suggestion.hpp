@@ -9,6 +9,9 @@ namespace ringfilm::io {
 /// of an earlier version (base/renamed.hpp) means its present name.
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known);
 
+/// The end of the sentence on an unknown word, "; did you mean speed?"; empty if no word of `known` is near.
+std::string did_you_mean(const std::string& written, const std::vector<std::string>& known);
+
 /// What to answer to an unknown key.
 struct KeyProposal {
   std::string near;     ///< the key that is most likely meant; empty for none

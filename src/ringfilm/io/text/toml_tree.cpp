@@ -181,6 +181,16 @@ FlatToml flatten(const TomlValue& root, const std::string& folder) {
   return flat;
 }
 
+Fault value_fault(const std::string& key, const TomlValue& value, const std::string& predicate,
+                  const std::string& remedy) {
+  return {value.mark, fmt::format("{} = {} {}", key, value.as_written(), predicate), remedy};
+}
+
+const TomlValue* TomlValue::find(const std::string& key) const {
+  const auto found = std::ranges::find(members, key, &TomlMember::key);
+  return found == members.end() ? nullptr : &found->value;
+}
+
 std::string TomlValue::as_written() const {
   constexpr std::size_t kLongest = 60;
   std::string written;

@@ -21,6 +21,10 @@ struct TomlValue {
   SourceMark key_mark;              ///< of the key in front of it; as `mark` for items of a list
   SourceMark mark;                  ///< of the value
 
+  /// Is it a number, whole or not?
+  bool is_number() const { return kind == Kind::kInteger || kind == Kind::kNumber; }
+  /// The value of a key of a table; nullptr if there is none.
+  const TomlValue* find(const std::string& key) const;
   /// As in the file, shortened, for messages: "12.5 N", [1, 2], 3.5.
   std::string as_written() const;
 };
@@ -51,6 +55,10 @@ TomlValue parse_toml(const SourceText& source);
 
 /// Parses the right-hand side of one key ("3.5", "\"wiebe\"", "[1, 2]"); throws InputError if it is not a TOML value.
 TomlValue parse_toml_value(const std::string& text);
+
+/// A fault of the value of a key, at its place: "ring.face_width = 1.2 has no unit".
+Fault value_fault(const std::string& key, const TomlValue& value, const std::string& predicate,
+                  const std::string& remedy);
 
 /// The keys of a tree and, apart, the sections that hold none. Tables inside lists stay values.
 struct FlatToml {

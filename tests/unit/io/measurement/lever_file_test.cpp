@@ -60,7 +60,7 @@ TEST(LeverFile, RequiresTheSectionForLoadsInNewtonsOnly) {
 TEST(LeverFile, ReportsEveryFaultWithItsPlace) {
   const std::string words =
       message_of_lever("shape = \"round\"\nlenght = \"450 um\"\ntip_height = 17\npoissons_ratio = \"a third\"\n");
-  EXPECT_THAT(words, HasSubstr("lever.toml:1:9: shape = \"round\" is unknown"));
+  EXPECT_THAT(words, HasSubstr("lever.toml:1:9: shape = \"round\" is not known"));
   EXPECT_THAT(words, HasSubstr("lever.toml:2:1: unknown key lenght"));
   EXPECT_THAT(words, HasSubstr("did you mean length?"));
   EXPECT_THAT(words, HasSubstr("length is missing"));

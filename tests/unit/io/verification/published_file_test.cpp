@@ -65,8 +65,8 @@ TEST(PublishedFile, RefusesWhatCannotBeCompared) {
   EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "19")), HasSubstr("unit"));
   EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "\"19 kg\"")), HasSubstr("19 kg"));
   EXPECT_THAT(refusal_of_published(replaced("\"19 kPa\"", "\"0 kPa\"")), HasSubstr("not 0"));
-  EXPECT_THAT(refusal_of_published(replaced("value = 1.18\n", "")), HasSubstr("published.value is missing"));
-  EXPECT_THAT(refusal_of_published(replaced("source =", "sauce =")), HasSubstr("unknown key published.sauce"));
+  EXPECT_THAT(refusal_of_published(replaced("value = 1.18\n", "")), HasSubstr("[[published]] has no value"));
+  EXPECT_THAT(refusal_of_published(replaced("source =", "sauce =")), HasSubstr("unknown key sauce in [[published]]"));
   EXPECT_THAT(refusal_of_published("title = \"nothing\"\n"), HasSubstr("[[published]]"));
 }
 
