@@ -10,6 +10,7 @@
 #include "ringfilm/io/case/case_checks.hpp"
 #include "ringfilm/io/case/case_data.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/case/case_tree.hpp"
 #include "ringfilm/io/case/case_values.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/text/source_text.hpp"
@@ -112,13 +113,10 @@ void read_oil(Case& c, const std::string& key_of_oil, const std::string& name, c
   c.files.push_back({kOil + "file", file.shown, source.sha256});
   const std::size_t end = file.shown.rfind('/');
   const std::string folder = end == std::string::npos ? "" : file.shown.substr(0, end);
-  for (const auto& [key, value] : parse_toml(source).members) {
-    if (names_oil(kOil + key) || value.kind == TomlValue::Kind::kTable) {
-      throw InputError({{value.key_mark, key + " has no place in an oil file",
-                         "it holds the keys of [lubricant], without sections"}});
-    }
-    put(c, known_field(kOil + key), {kOil + key, value, folder}, units);
-  }
+  std::vector<Fault> faults;
+  const std::vector<TomlEntry> entries = oil_entries(parse_toml(source), folder, faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
+  for (const TomlEntry& entry : entries) put(c, known_field(entry.key), entry, units);
 }
 
 bool has_two_forms(const Field& field) {

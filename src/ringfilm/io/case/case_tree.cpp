@@ -352,15 +352,10 @@ class Gatherer {
   void read_oil(const TomlEntry& naming, const NamedFile& file, const std::string& remedy) {
     const bool replaces = naming.value.mark.line == 0 && dropped_ != nullptr;
     const auto use = [&](const TomlValue& root) {
-      for (const auto& [name, value] : root.members) {
-        if (name == "file" || name == "grade" || value.kind == TomlValue::Kind::kTable) {
-          fault(value.key_mark, name + " has no place in an oil file",
-                "it holds the keys of [lubricant], without sections");
-          continue;
-        }
-        if (replaces) drop(kOilSection + name);
-        tree_.from_oil_file.insert(kOilSection + name);
-        add_of_oil({kOilSection + name, value, folder_of(file.shown)}, naming.key);
+      for (const TomlEntry& entry : oil_entries(root, folder_of(file.shown), tree_.faults)) {
+        if (replaces) drop(entry.key);
+        tree_.from_oil_file.insert(entry.key);
+        add_of_oil(entry, naming.key);
       }
     };
     read_named(naming.value.mark, naming.key, file, kOilFile, use, remedy);
@@ -481,6 +476,19 @@ class Gatherer {
 };
 
 }  // namespace
+
+std::vector<TomlEntry> oil_entries(const TomlValue& root, const std::string& folder, std::vector<Fault>& faults) {
+  std::vector<TomlEntry> entries;
+  for (const auto& [name, value] : root.members) {
+    if (name == "file" || name == "grade" || value.kind == TomlValue::Kind::kTable) {
+      faults.push_back({value.key_mark, name + " has no place in an oil file",
+                        "it holds the keys of [lubricant], without sections"});
+    } else {
+      entries.push_back({kOilSection + name, value, folder});
+    }
+  }
+  return entries;
+}
 
 CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides,
                         std::vector<DroppedKey>* dropped) {

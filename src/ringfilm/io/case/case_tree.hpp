@@ -28,6 +28,10 @@ struct CaseTree {
 CaseTree read_case_tree(const std::string& path, const std::vector<Override>& overrides,
                         std::vector<DroppedKey>* dropped = nullptr);
 
+/// The keys that an oil file states of [lubricant], by their whole names, and what has no place in it as faults.
+/// @param folder of the file
+std::vector<TomlEntry> oil_entries(const TomlValue& root, const std::string& folder, std::vector<Fault>& faults);
+
 /// The keys of the case of each ring, as a file of its own would have them.
 struct PackTrees {
   std::vector<CaseTree> trees;  ///< one where the case is not a ring pack
