@@ -23,70 +23,6 @@ void fit_to_width(std::vector<double>& x, double width) {
   if (!x.empty() && std::abs(x.front()) <= 1e-9 * width) x.front() = 0;
 }
 
-std::vector<DataFile> pad_files(const cycle::Pad& pad, const Units& units) {
-  std::vector<DataFile> files;
-  if (!pad.has_formula() && !pad.gap_file.empty()) {
-    files.push_back({"pad.gap", pad.gap_file, [&units](const NamedFile& file, Case& c) -> ReadData {
-                       GapFile gap = read_gap(file, units);
-                       c.pad.gap_x = std::move(gap.x);
-                       c.pad.gap_y = std::move(gap.y);
-                       c.pad.gap_height = std::move(gap.height);
-                       fit_to_width(c.pad.gap_x, c.pad.length);
-                       if (c.pad.width) fit_to_width(c.pad.gap_y, *c.pad.width);
-                       return {gap.sha256, gap.notes};
-                     }});
-  }
-  if (pad.separation_history_file) {
-    files.push_back(
-        {"pad.separation_history", *pad.separation_history_file, [&units](const NamedFile& file, Case& c) -> ReadData {
-           SeparationHistory history = read_separation_history(file, units);
-           c.pad.history_time = std::move(history.time);
-           c.pad.history_separation = std::move(history.separation);
-           return {history.sha256, history.notes};
-         }});
-  }
-  return files;
-}
-
-/// How the columns of a trace are read, after the keys of the case at that time.
-TraceColumns trace_columns(const cycle::Gas& gas, TracePlace place) {
-  if (place == TracePlace::kCylinder) {
-    return {gas.pressure_column, gas.angle_column, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place};
-  }
-  return {std::nullopt, std::nullopt, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place};
-}
-
-void append_gas_files(const cycle::Gas& gas, const Units& units, std::vector<DataFile>& files) {
-  if (gas.model == cycle::GasModel::kTrace && !gas.cylinder_pressure_file.empty()) {
-    files.push_back(
-        {"gas.cylinder_pressure", gas.cylinder_pressure_file, [&units](const NamedFile& file, Case& c) -> ReadData {
-           TraceFile trace = read_trace(file, trace_columns(c.gas, TracePlace::kCylinder), units);
-           c.gas.cylinder_pressure = std::move(trace.samples);
-           return {trace.sha256, trace.notes};
-         }});
-  }
-  if (gas.crankcase_pressure_file) {
-    files.push_back(
-        {"gas.crankcase_pressure", *gas.crankcase_pressure_file, [&units](const NamedFile& file, Case& c) -> ReadData {
-           TraceFile trace = read_trace(file, trace_columns(c.gas, TracePlace::kCrankcase), units);
-           c.gas.crankcase_trace = std::move(trace.samples);
-           return {trace.sha256, trace.notes};
-         }});
-  }
-}
-
-/// A piston land's pressure where it is a file.
-void append_land_file(const std::string& key, cycle::LandPressure cycle::Ring::*land, const cycle::Ring& ring,
-                      const Units& units, std::vector<DataFile>& files) {
-  const std::optional<std::string>& name = (ring.*land).file;
-  if (!name) return;
-  files.push_back({key, *name, [&units, land](const NamedFile& file, Case& to) -> ReadData {
-                     TraceFile trace = read_trace(file, trace_columns(to.gas, TracePlace::kCrankcase), units);
-                     (to.ring.*land).trace = std::move(trace.samples);
-                     return {trace.sha256, trace.notes};
-                   }});
-}
-
 /// What the case does not state of boundary friction is that of the pair.
 void take_pair(const models::FrictionPair& pair, Case& to) {
   to.contact.pair = pair;
@@ -94,78 +30,127 @@ void take_pair(const models::FrictionPair& pair, Case& to) {
   if (!to.stated.contains("contact.hardness")) to.contact.hardness = pair.hardness;
 }
 
+/// Gathers the files that a case names.
+class DataFiles {
+ public:
+  explicit DataFiles(const Units& units) : units_(units) {}
+
+  /// The file of a key where the case names one. @param put what puts the contents into a case
+  template <class Contents, class Put>
+  void add(const std::string& key, const std::optional<std::string>& name,
+           Contents (*read)(const NamedFile&, const Units&), const Put& put) {
+    if (!name || name->empty()) return;
+    files_.push_back({key, *name, [&units = units_, read, put](const NamedFile& file, Case& c) -> ReadData {
+                        Contents contents = read(file, units);
+                        put(contents, c);
+                        return {std::move(contents.sha256), std::move(contents.notes)};
+                      }});
+  }
+
+  /// A trace over crank angle, whose columns are read after the keys of the case at that time.
+  template <class Put>
+  void add_trace(const std::string& key, const std::optional<std::string>& name, TracePlace place, const Put& put) {
+    if (!name || name->empty()) return;
+    files_.push_back({key, *name, [&units = units_, place, put](const NamedFile& file, Case& c) -> ReadData {
+                        TraceFile trace = read_trace(file, trace_columns(c.gas, place), units);
+                        put(std::move(trace.samples), c);
+                        return {std::move(trace.sha256), std::move(trace.notes)};
+                      }});
+  }
+
+  /// The shipped pairs of coating and liner, for the one of that name.
+  void add_pair(const std::string& name) {
+    files_.push_back(
+        {"contact.friction_pair", kPairsFile, [&units = units_, name](const NamedFile& file, Case& c) -> ReadData {
+           const FrictionPairs all = read_friction_pairs(file, units);
+           take_pair(pair_of_name(all, name), c);
+           return {all.sha256, {}};
+         }});
+  }
+
+  std::vector<DataFile> files() && { return std::move(files_); }
+
+ private:
+  static TraceColumns trace_columns(const cycle::Gas& gas, TracePlace place) {
+    TraceColumns columns{{}, {}, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place};
+    if (place == TracePlace::kCylinder) {
+      columns.pressure_column = gas.pressure_column;
+      columns.angle_column = gas.angle_column;
+    }
+    return columns;
+  }
+
+  const Units& units_;
+  std::vector<DataFile> files_;
+};
+
+void add_pad_files(const cycle::Pad& pad, DataFiles& files) {
+  if (!pad.has_formula()) {
+    files.add("pad.gap", pad.gap_file, read_gap, [](GapFile& gap, Case& c) {
+      c.pad.gap_x = std::move(gap.x);
+      c.pad.gap_y = std::move(gap.y);
+      c.pad.gap_height = std::move(gap.height);
+      fit_to_width(c.pad.gap_x, c.pad.length);
+      if (c.pad.width) fit_to_width(c.pad.gap_y, *c.pad.width);
+    });
+  }
+  files.add("pad.separation_history", pad.separation_history_file, read_separation_history,
+            [](SeparationHistory& history, Case& c) {
+              c.pad.history_time = std::move(history.time);
+              c.pad.history_separation = std::move(history.separation);
+            });
+}
+
+void add_gas_files(const Case& c, DataFiles& files) {
+  using cycle::SampledTrace;
+  if (c.gas.model == cycle::GasModel::kTrace) {
+    files.add_trace("gas.cylinder_pressure", c.gas.cylinder_pressure_file, TracePlace::kCylinder,
+                    [](SampledTrace trace, Case& to) { to.gas.cylinder_pressure = std::move(trace); });
+  }
+  files.add_trace("gas.crankcase_pressure", c.gas.crankcase_pressure_file, TracePlace::kCrankcase,
+                  [](SampledTrace trace, Case& to) { to.gas.crankcase_trace = std::move(trace); });
+  files.add_trace("ring.pressure_above", c.ring.pressure_above.file, TracePlace::kCrankcase,
+                  [](SampledTrace trace, Case& to) { to.ring.pressure_above.trace = std::move(trace); });
+  files.add_trace("ring.pressure_below", c.ring.pressure_below.file, TracePlace::kCrankcase,
+                  [](SampledTrace trace, Case& to) { to.ring.pressure_below.trace = std::move(trace); });
+}
+
+/// Files of numbers in the order in which they are read.
+void add_files(const Case& c, DataFiles& files) {
+  if (c.problem == cycle::Problem::kPad) return add_pad_files(c.pad, files);
+  files.add("liner.distortion_map", c.liner.distortion_map, read_bore_map,
+            [](BoreMapFile& bore, Case& to) { to.liner.map = std::move(bore.map); });
+  files.add("ring.pressure_points", c.ring.pressure_points, read_pressure_points,
+            [](PressurePointsFile& points, Case& to) { to.ring.pressure_around = std::move(points.points); });
+  files.add("ring.free_shape", c.ring.free_shape, read_free_shape,
+            [](FreeShapeFile& shape, Case& to) { to.ring.free_ring = std::move(shape.ring); });
+  if (c.problem == cycle::Problem::kClosure) return;
+  files.add("liner.dynamic_distortion", c.liner.dynamic_distortion, read_dynamic_bore,
+            [](DynamicBoreFile& bore, Case& to) { to.liner.dynamic = std::move(bore.dynamic); });
+  add_gas_files(c, files);
+  if (c.ring.face.form == cycle::FaceForm::kPoints) {
+    files.add("ring.face.file", c.ring.face.points_file, read_face, [](FaceFile& points, Case& to) {
+      to.ring.face.x = std::move(points.x);
+      to.ring.face.height = std::move(points.height);
+      fit_to_width(to.ring.face.x, to.ring.face_width);
+    });
+  }
+  files.add("lubricant.table", c.lubricant.table_file, read_oil_table,
+            [](OilFile& oil, Case& to) { to.lubricant.table = std::move(oil.table); });
+  if (c.contact.model == cycle::ContactLaw::kTable) {
+    files.add(
+        "contact.law", c.contact.law_file, +[](const NamedFile& file, const Units&) { return read_contact_law(file); },
+        [](ContactLawFile& law, Case& to) { to.contact.law = std::move(law.law); });
+  }
+  if (c.contact.friction_pair) files.add_pair(*c.contact.friction_pair);
+}
+
 }  // namespace
 
 std::vector<DataFile> data_files(const Case& c, const Units& units) {
-  if (c.problem == cycle::Problem::kPad) return pad_files(c.pad, units);
-  std::vector<DataFile> files;
-  if (c.liner.distortion_map) {
-    files.push_back(
-        {"liner.distortion_map", *c.liner.distortion_map, [&units](const NamedFile& file, Case& to) -> ReadData {
-           BoreMapFile bore = read_bore_map(file, units);
-           to.liner.map = std::move(bore.map);
-           return {bore.sha256, bore.notes};
-         }});
-  }
-  if (c.ring.pressure_points) {
-    files.push_back(
-        {"ring.pressure_points", *c.ring.pressure_points, [&units](const NamedFile& file, Case& to) -> ReadData {
-           PressurePointsFile points = read_pressure_points(file, units);
-           to.ring.pressure_around = std::move(points.points);
-           return {points.sha256, points.notes};
-         }});
-  }
-  if (c.ring.free_shape) {
-    files.push_back({"ring.free_shape", *c.ring.free_shape, [&units](const NamedFile& file, Case& to) -> ReadData {
-                       FreeShapeFile shape = read_free_shape(file, units);
-                       to.ring.free_ring = std::move(shape.ring);
-                       return {shape.sha256, shape.notes};
-                     }});
-  }
-  if (c.problem == cycle::Problem::kClosure) return files;
-  if (c.liner.dynamic_distortion) {
-    files.push_back({"liner.dynamic_distortion", *c.liner.dynamic_distortion,
-                     [&units](const NamedFile& file, Case& to) -> ReadData {
-                       DynamicBoreFile bore = read_dynamic_bore(file, units);
-                       to.liner.dynamic = std::move(bore.dynamic);
-                       return {bore.sha256, bore.notes};
-                     }});
-  }
-  append_gas_files(c.gas, units, files);
-  append_land_file("ring.pressure_above", &cycle::Ring::pressure_above, c.ring, units, files);
-  append_land_file("ring.pressure_below", &cycle::Ring::pressure_below, c.ring, units, files);
-  if (c.ring.face.form == cycle::FaceForm::kPoints && !c.ring.face.points_file.empty()) {
-    files.push_back({"ring.face.file", c.ring.face.points_file, [&units](const NamedFile& file, Case& to) -> ReadData {
-                       FaceFile points = read_face(file, units);
-                       to.ring.face.x = std::move(points.x);
-                       to.ring.face.height = std::move(points.height);
-                       fit_to_width(to.ring.face.x, to.ring.face_width);
-                       return {points.sha256, points.notes};
-                     }});
-  }
-  if (c.lubricant.table_file) {
-    files.push_back({"lubricant.table", *c.lubricant.table_file, [&units](const NamedFile& file, Case& to) -> ReadData {
-                       OilFile oil = read_oil_table(file, units);
-                       to.lubricant.table = std::move(oil.table);
-                       return {oil.sha256, oil.notes};
-                     }});
-  }
-  if (c.contact.model == cycle::ContactLaw::kTable && !c.contact.law_file.empty()) {
-    files.push_back({"contact.law", c.contact.law_file, [](const NamedFile& file, Case& to) -> ReadData {
-                       ContactLawFile law = read_contact_law(file);
-                       to.contact.law = std::move(law.law);
-                       return {law.sha256, law.notes};
-                     }});
-  }
-  if (c.contact.friction_pair) {
-    const std::string name = *c.contact.friction_pair;
-    files.push_back({"contact.friction_pair", kPairsFile, [&units, name](const NamedFile& file, Case& to) -> ReadData {
-                       const FrictionPairs all = read_friction_pairs(file, units);
-                       take_pair(pair_of_name(all, name), to);
-                       return {all.sha256, {}};
-                     }});
-  }
-  return files;
+  DataFiles files(units);
+  add_files(c, files);
+  return std::move(files).files();
 }
 
 void read_data_file(const DataFile& data, Case& c) {
