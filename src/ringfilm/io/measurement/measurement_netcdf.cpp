@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 
@@ -28,7 +29,7 @@ class Layout {
   void table(const MeasuredTable& table) {
     const std::string rows = table.name + "_row";
     if (!table.row_labels.empty()) {
-      file_.texts(rows.c_str(), taken({rows, "", "", "label of each row of " + table.title, "", ""}), table.row_labels);
+      file_.texts(rows.c_str(), taken(text(rows, "label of each row of " + table.title)), table.row_labels);
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const std::string name = table.name + "_" + table.columns[i].name;
@@ -39,15 +40,14 @@ class Layout {
 
   void curve(const MeasuredCurve& curve) {
     const std::string along = curve.name + "_" + curve.x_axis.name, marks = curve.name + "_mark";
-    file_.numbers({along.c_str()}, taken({along, curve.x_axis.unit, "", curve.x_axis.long_name, "", ""}), curve.x);
+    file_.numbers({along.c_str()}, taken(described(along, curve.x_axis.unit, curve.x_axis.long_name)), curve.x);
     for (const MeasuredSeries& series : curve.series) {
       const std::string name = curve.name + "_" + series.name;
       const std::string& quantity = curve.y_axis.long_name;
       const bool is_obvious = series.label.empty() || series.label == quantity;
-      file_.numbers(
-          {along.c_str()},
-          taken({name, curve.y_axis.unit, "", is_obvious ? quantity : quantity + ", " + series.label, "", ""}),
-          series.y);
+      file_.numbers({along.c_str()},
+                    taken(described(name, curve.y_axis.unit, is_obvious ? quantity : quantity + ", " + series.label)),
+                    series.y);
       file_.describe(name, "title", curve.title);
     }
     std::vector<double> places;
@@ -57,23 +57,23 @@ class Layout {
       labels.push_back(mark.label);
     }
     if (places.empty()) return;
-    file_.numbers({marks.c_str()}, taken({marks + "_place", curve.x_axis.unit, "", "places distinguished", "", ""}),
+    file_.numbers({marks.c_str()}, taken(described(marks + "_place", curve.x_axis.unit, "places distinguished")),
                   places);
-    file_.texts(marks.c_str(), taken({marks + "_label", "", "", "text at each such place", "", ""}), labels);
+    file_.texts(marks.c_str(), taken(text(marks + "_label", "text at each such place")), labels);
   }
 
   void map(const MeasuredMap& map) {
     const std::string x = map.name + "_x", y = map.name + "_y";
-    file_.numbers({x.c_str()}, taken({x, "m", "", "place along a row", "x", ""}), places(map.points_x, map.step_x));
-    file_.numbers({y.c_str()}, taken({y, "m", "", "place of the row", "y", ""}), places(map.points_y, map.step_y));
-    file_.numbers({y.c_str(), x.c_str()}, taken({map.name, map.unit, "", map.long_name, "", ""}), map.values);
+    file_.numbers({x.c_str()}, taken(described(x, "m", "place along a row", "x")), places(map.points_x, map.step_x));
+    file_.numbers({y.c_str()}, taken(described(y, "m", "place of the row", "y")), places(map.points_y, map.step_y));
+    file_.numbers({y.c_str(), x.c_str()}, taken(described(map.name, map.unit, map.long_name)), map.values);
     file_.describe(map.name, "title", map.title);
     if (!map.frames.empty()) frames(map);
   }
 
   void texts(const char* name, const char* long_name, const std::vector<std::string>& lines) {
     // Not called as the dimension: long texts are not labels.
-    if (!lines.empty()) file_.texts(name, taken({name + std::string("_text"), "", "", long_name, "", ""}), lines);
+    if (!lines.empty()) file_.texts(name, taken(text(name + std::string("_text"), long_name)), lines);
   }
 
  private:
@@ -103,11 +103,11 @@ class Layout {
     const std::string frame = map.name + "_frame";
     std::vector<std::string> labels;
     for (const MeasuredFrame& one : map.frames) labels.push_back(one.label);
-    file_.texts(frame.c_str(), taken({frame, "", "", "label of each region", "", ""}), labels);
+    file_.texts(frame.c_str(), taken(text(frame, "label of each region")), labels);
     const auto column = [&](const char* name, const char* long_name, double MeasuredFrame::*member) {
       std::vector<double> values;
       for (const MeasuredFrame& one : map.frames) values.push_back(one.*member);
-      file_.numbers({frame.c_str()}, taken({frame + name, "m", "", long_name, "", ""}), values);
+      file_.numbers({frame.c_str()}, taken(described(frame + name, "m", long_name)), values);
     };
     column("_x", "left edge of the region", &MeasuredFrame::x);
     column("_y", "first row of the region", &MeasuredFrame::y);
@@ -140,7 +140,7 @@ void write_measurement(const std::string& path, const Measurement& measurement, 
   for (const MeasuredCurve& curve : measurement.curves) layout.curve(curve);
   for (const MeasuredMap& map : measurement.maps) layout.map(map);
   if (!measurement.fragment.empty()) {
-    file.scalar({"fragment", "", "", "TOML that a case includes", "", ""}, measurement.fragment);
+    file.scalar(text("fragment", "TOML that a case includes"), measurement.fragment);
   }
   write_atomically(path, file.bytes());
 }

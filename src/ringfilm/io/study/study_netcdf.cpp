@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/study/study_curves.hpp"
@@ -75,12 +76,12 @@ void write_head(ResultFileWriter& file, const StudyRows& rows) {
     paths.push_back(input.path);
     digests.push_back(input.sha256);
   }
-  file.texts("input_file", {"input_file_role", "", "", "for what a file was read", "", ""}, roles);
-  file.texts("input_file", {"input_file_path", "", "", "file as named", "", ""}, paths);
-  file.texts("input_file", {"input_file_sha256", "", "", "SHA-256 of its bytes", "", ""}, digests);
-  file.scalar({"plan", "", "", "all on which the numbers of the scenarios depend", "", ""}, rows.plan.digest_text());
+  file.texts("input_file", text("input_file_role", "for what a file was read"), roles);
+  file.texts("input_file", text("input_file_path", "file as named"), paths);
+  file.texts("input_file", text("input_file_sha256", "SHA-256 of its bytes"), digests);
+  file.scalar(text("plan", "all on which the numbers of the scenarios depend"), rows.plan.digest_text());
   const std::vector<std::string>& notes = rows.notes();
-  if (!notes.empty()) file.texts("note", {"plan_note", "", "", "what must be known about the plan", "", ""}, notes);
+  if (!notes.empty()) file.texts("note", text("plan_note", "what must be known about the plan"), notes);
 }
 
 /// The estimate of the numerical error, of the values themselves in their attributes.
@@ -90,18 +91,17 @@ void write_error(ResultFileWriter& file, const StudyRows& rows) {
   std::vector<double> scenarios;
   for (const std::uint64_t i : error.scenarios) scenarios.push_back(static_cast<double>(i));
   if (!scenarios.empty()) {
-    file.numbers({"accuracy_sample"},
-                 {"accuracy_scenario", "1", "", "scenario that was integrated again on a finer grid", "", ""},
+    file.numbers({"accuracy_sample"}, count("accuracy_scenario", "scenario that was integrated again on a finer grid"),
                  scenarios);
   }
   if (!error.asked.empty()) {
     file.numbers({"accuracy_asked"}, {"accuracy_asked", "%", "%", "accuracy asked for", "", ""}, error.asked);
   }
   if (const auto coverage = error.coverage()) {
-    file.scalar({"accuracy_coverage", "1", "", "share of the sampled values within the accuracy asked for", "",
-                 "eq-sampled-error"},
+    file.scalar(described("accuracy_coverage", "1", "share of the sampled values within the accuracy asked for", "",
+                          "eq-sampled-error"),
                 *coverage);
-    file.scalar({"accuracy_values", "1", "", "sampled values of which that is the share", "", ""},
+    file.scalar(count("accuracy_values", "sampled values of which that is the share"),
                 static_cast<double>(error.n_values));
   }
   const auto& quantities = rows.plan.values().quantities;
@@ -124,13 +124,12 @@ class BlockWriter {
     const study::Study& study = rows_.plan.study();
     std::vector<std::string> names;
     for (const study::Base& base : study.bases) names.push_back(base.name);
-    file_.texts("base_case", {"base_name", "", "", "name of the base case", "", ""}, names);
+    file_.texts("base_case", text("base_name", "name of the base case"), names);
     file_.dimension(kScenario, n_);
-    base_ =
-        column({"base", "", "", "base case of the scenario, counted from 0 in base_name", "", ""}, Stored::kInteger);
+    base_ = column(described("base", "", "base case of the scenario, counted from 0 in base_name"), Stored::kInteger);
     define_factors();
-    solved_ = column({"solved", "1", "", "1 where the scenario was solved", "", ""}, Stored::kByte);
-    sample_ = column({"sample", "1", "", study::kSampleWords, "", ""}, Stored::kByte);
+    solved_ = column(count("solved", "1 where the scenario was solved"), Stored::kByte);
+    sample_ = column(count("sample", study::kSampleWords), Stored::kByte);
     for (const auto& quantity : rows_.plan.values().quantities) {
       values_.push_back(column(quantity, Stored::kDouble));
       file_.describe(quantity.name, "coordinates", coordinates_);
@@ -139,11 +138,9 @@ class BlockWriter {
     if (n_unsolved > 0) {
       file_.dimension(kUnsolved, n_unsolved);
       const std::vector<std::size_t> piece = {std::min(n_unsolved, kRowsAtATime)};
-      unsolved_ =
-          file_.blocks({kUnsolved}, {"unsolved_scenario", "1", "", "scenario that was not solved, from 0", "", ""},
-                       Stored::kInteger, piece);
-      reasons_ =
-          file_.blocks({kUnsolved}, {"unsolved_reason", "", "", "why it was not solved", "", ""}, Stored::kText, piece);
+      unsolved_ = file_.blocks({kUnsolved}, count("unsolved_scenario", "scenario that was not solved, from 0"),
+                               Stored::kInteger, piece);
+      reasons_ = file_.blocks({kUnsolved}, text("unsolved_reason", "why it was not solved"), Stored::kText, piece);
     }
     define_notes();
     if (study.keep.curves == study::Curves::kAll) define_curves();
@@ -177,8 +174,7 @@ class BlockWriter {
       const std::vector<std::string> texts = choice_texts(factor);
       const std::string choices = choice_variable(variable);
       if (!texts.empty())
-        file_.texts(choices.c_str(),
-                    {choices, "", "", fmt::format("choices of {}, counted from 0", factor.name), "", ""}, texts);
+        file_.texts(choices.c_str(), text(choices, fmt::format("choices of {}, counted from 0", factor.name)), texts);
       coordinates_.append(" ").append(variable);
     }
   }
@@ -190,18 +186,16 @@ class BlockWriter {
       topics.push_back(note.topic);
       messages.push_back(note.shown().message);
     }
-    file_.texts(kTopic, {kTopic, "", "", "topic of notes on single results", "", ""}, topics);
+    file_.texts(kTopic, text(kTopic, "topic of notes on single results"), topics);
     file_.texts(kTopic,
-                {"note_message", "", "",
-                 "the note, with the figures of the scenario where it is worst, else of the first", "", ""},
+                text("note_message", "the note, with the figures of the scenario where it is worst, else of the first"),
                 messages);
-    note_scenario_ = file_.blocks(
-        {kTopic}, {"note_scenario", "1", "", "scenario with the note where it is worst, else the first one", "", ""},
-        Stored::kInteger, {notes_.size()});
-    note_count_ = file_.blocks({"base_case", kTopic},
-                               {"note_count", "1", "", "scenarios of the base that carry the note", "", ""},
+    note_scenario_ =
+        file_.blocks({kTopic}, count("note_scenario", "scenario with the note where it is worst, else the first one"),
+                     Stored::kInteger, {notes_.size()});
+    note_count_ = file_.blocks({"base_case", kTopic}, count("note_count", "scenarios of the base that carry the note"),
                                Stored::kInteger, {rows_.plan.study().bases.size(), notes_.size()});
-    has_note_ = file_.blocks({kScenario, kTopic}, {"has_note", "1", "", "1 where the result carries the note", "", ""},
+    has_note_ = file_.blocks({kScenario, kTopic}, count("has_note", "1 where the result carries the note"),
                              Stored::kByte, {static_cast<std::size_t>(std::min(n_, kRowsAtATime)), notes_.size()});
     file_.describe("has_note", "coordinates", coordinates_);
   }
@@ -320,11 +314,11 @@ void write_axes(ResultFileWriter& file, const StudyRows& rows) {
   file.numbers({kCrankAngle}, {kCrankAngle, "degree", "degree", "crank angle, 0 at firing TDC", "phi", ""},
                kept_angles(rows.plan.study().keep));
   if (!has_ring_axis(rows)) return;
-  file.numbers({kRing}, {kRing, "1", "", "ring, counted from the chamber", "", ""}, std::vector<double>{1});
+  file.numbers({kRing}, count(kRing, "ring, counted from the chamber"), std::vector<double>{1});
 }
 
 void write_bands(ResultFileWriter& file, const StudyRows& rows) {
-  file.numbers({"quantile"}, {"quantile", "1", "", "share of the scenarios below", "", ""}, band_shares());
+  file.numbers({"quantile"}, count("quantile", "share of the scenarios below"), band_shares());
   const std::vector<CurveBand> bands = curve_bands(rows);
   const std::size_t n_quantities = bands.size() / rows.plan.study().bases.size();
   for (std::size_t q = 0; q < n_quantities; ++q) {
@@ -351,8 +345,8 @@ void write_points(ResultFileWriter& file, const StudyRows& rows) {
     names.push_back(point.name);
     weights.push_back(point.weight);
   }
-  file.texts("operating_point", {"operating_point_name", "", "", "operating points, in their order", "", ""}, names);
-  file.numbers({"operating_point"}, {"operating_point_weight", "1", "", "weight of the point", "w", ""}, weights);
+  file.texts("operating_point", text("operating_point_name", "operating points, in their order"), names);
+  file.numbers({"operating_point"}, described("operating_point_weight", "1", "weight of the point", "w"), weights);
   const std::vector<cycle::Quantity>& quantities = rows.plan.values().quantities;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     cycle::Quantity quantity = quantities[i];
