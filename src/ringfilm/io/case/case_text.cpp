@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/case/accuracy.hpp"
 #include "ringfilm/case/conditions.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
@@ -94,9 +95,7 @@ std::string unit_words(const Field& field) {
 /// Range of a number, or the names of a choice.
 std::string allowed_words(const Field& field, const Units& units) {
   if (const auto* choice = std::get_if<cycle::ChoiceKind>(&field.kind)) {
-    std::string names;
-    for (const std::string& name : choice->names) names += (names.empty() ? "" : " | ") + name;
-    return names;
+    return joined(choice->names, " | ");
   }
   if (std::holds_alternative<cycle::FieldAnglesKind>(field.kind)) return "none | all | [angles]";
   const std::string range = range_words(field, units);

@@ -20,11 +20,7 @@ std::string exact_quantity(double value, const std::string& si_unit, const std::
   return si_unit == "1" ? exact_text(value) : fmt::format("\"{} {}\"", exact_text(value), si_unit);
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return fmt::format("[{}]", text);
-}
+std::string bracketed(const std::vector<std::string>& parts) { return fmt::format("[{}]", fmt::join(parts, ", ")); }
 
 /// Walks the kinds of keys; text, file names and choices come out in quotes.
 class Writer {
@@ -54,7 +50,7 @@ class Writer {
   std::string operator()(const cycle::NumberListKind& kind) {
     std::vector<std::string> parts;
     for (const double value : kind.ref(case_)) parts.push_back(exact_text(value));
-    return parts.empty() ? "" : joined(parts);
+    return parts.empty() ? "" : bracketed(parts);
   }
   std::string operator()(const cycle::TemperatureValuesKind& kind) {
     std::vector<std::string> parts;
@@ -62,7 +58,7 @@ class Writer {
       parts.push_back(
           fmt::format("{{ temperature = {}, value = {} }}", write_(temperature, "K", "degC"), number(value)));
     }
-    return parts.empty() ? "" : joined(parts);
+    return parts.empty() ? "" : bracketed(parts);
   }
   std::string operator()(const cycle::ConstantOrTemperatureValuesKind& kind) {
     const auto& constant = kind.constant(case_);
@@ -75,7 +71,7 @@ class Writer {
     for (const auto& [distance, value] : points) {
       parts.push_back(fmt::format("[{}, {}]", write_(distance, "m", "mm"), number(value)));
     }
-    return parts.empty() ? "" : joined(parts);
+    return parts.empty() ? "" : bracketed(parts);
   }
   std::string operator()(const cycle::FourierTermsKind& kind) {
     std::vector<std::string> parts;
@@ -84,7 +80,7 @@ class Writer {
                                   write_(term.phase_deg, "degree", "degree"),
                                   term.height ? ", height = " + write_(*term.height, "m", "mm") : ""));
     }
-    return parts.empty() ? "" : joined(parts);
+    return parts.empty() ? "" : bracketed(parts);
   }
   std::string operator()(const cycle::AnglesKind&) {
     const cycle::Output& output = case_.output;
@@ -102,7 +98,7 @@ class Writer {
   std::string angles(const std::vector<double>& angles_deg) const {
     std::vector<std::string> parts;
     for (const double angle : angles_deg) parts.push_back(write_(angle, "degree", "degree"));
-    return joined(parts);
+    return bracketed(parts);
   }
 
   const Field& field_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "ringfilm/case/keys/case_fields.hpp"
@@ -9,8 +10,6 @@
 
 namespace ringfilm::io {
 namespace {
-
-bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
 std::string comments(const std::vector<std::string>& heading) {
   std::string text;
@@ -29,10 +28,9 @@ std::string fragment(const cycle::Case& c, const std::vector<std::string>& reque
   const Units units;
   std::string text = comments(heading), section;
   for (const cycle::Field& field : cycle::case_fields()) {
-    bool is_requested = false;
-    for (const std::string& key : requested) {
-      is_requested = is_requested || (key.back() == '.' ? starts_with(field.key, key) : field.key == key);
-    }
+    const bool is_requested = std::ranges::any_of(requested, [&](const std::string& key) {
+      return key.back() == '.' ? field.key.starts_with(key) : field.key == key;
+    });
     if (!is_requested || !cycle::is_active(field, c)) continue;
     const std::string value = written_value(field, c, units);
     if (value.empty()) continue;

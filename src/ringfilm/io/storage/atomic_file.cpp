@@ -1,6 +1,7 @@
 #include "ringfilm/io/storage/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <signal.h>
 #include <sys/file.h>
 #include <sys/resource.h>
@@ -255,10 +256,8 @@ void AsideFile::append(std::string_view bytes) { write_directly(path_, bytes, O_
 
 void AsideFile::reserve(std::uint64_t bytes) {
   const auto refuse = [&](int error_number) {
-    const double megabytes = static_cast<double>(bytes) / 1e6;
-    char text[64] = "";
-    std::snprintf(text, sizeof text, "up to %.0f MB are required: ", megabytes);
-    fail_to_write(target_, std::string(text) + std::strerror(error_number));
+    fail_to_write(target_, fmt::format("up to {:.0f} MB are required: {}", static_cast<double>(bytes) / 1e6,
+                                       std::strerror(error_number)));
   };
   struct rlimit most {};
   if (::getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY && bytes > most.rlim_cur) refuse(EFBIG);
