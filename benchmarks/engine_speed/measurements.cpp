@@ -91,7 +91,6 @@ void register_peak(const Extent& extent) {
 void count_method(benchmark::State& state, const MethodCost& cost) {
   state.SetIterationTime(cost.seconds_per_cycle);
   state.counters["effort_per_step"] = cost.effort_per_step;
-  state.counters["films_per_step"] = cost.films_per_step;
   state.counters["failed_steps"] = cost.failed;
   state.counters["difference"] = cost.difference;
 }
@@ -188,14 +187,11 @@ void register_measurements(const Extent& extent) {
   for (const int cells : kCells) {
     for (const auto cavitation : {cycle::Cavitation::kReynoldsExit, cycle::Cavitation::kMassConserving}) {
       auto scenarios = std::make_shared<Once<Scenarios>>([=] { return Scenarios(cells, cavitation); });
-      auto steps = std::make_shared<Once<SampledSteps>>(
-          [=] { return SampledSteps((*scenarios)(), cells > 2 * kReferenceCells ? kSparseEvery : kSampleEvery); });
       if (cavitation == cycle::Cavitation::kReynoldsExit && cells <= extent.most_relaxed_cells) {
+        auto steps = std::make_shared<Once<SampledSteps>>(
+            [=] { return SampledSteps((*scenarios)(), cells > 2 * kReferenceCells ? kSparseEvery : kSampleEvery); });
         register_point_relaxation(extent, name_of("point-relaxation", cavitation, cells), steps);
       }
-      add(name_of("nested-secant", cavitation, cells), extent.repetitions, [steps](benchmark::State& state) {
-        for (auto _ : state) count_method(state, (*steps)().cost((*steps)().workspace(film::Method::kNestedSecant)));
-      });
       register_engine(extent, cavitation, cells, scenarios);
     }
   }

@@ -27,7 +27,7 @@ std::string name_of(const std::string& what, cycle::Cavitation cavitation, int c
 
 /// Registers all of them with Google Benchmark:
 ///   fma-peak, fma-peak-all-threads                           a floating-point operation
-///   point-relaxation/MODEL/CELLS, nested-secant/...          an integrated cycle, from sampled steps
+///   point-relaxation/MODEL/CELLS                             an integrated cycle, from sampled steps
 ///   coupled-newton/..., batched/..., batched-all-threads/... an integrated cycle
 ///   newton-sweep/MODEL/CELLS                                 a node of a block, all lanes
 ///   batch-of/COUNT                                           a scenario, set up and integrated

@@ -50,23 +50,22 @@ SampledSteps::SampledSteps(const Scenarios& scenarios, int every)
   for (int k = 0; k < kStepsPerCycle; ++k) integration_->advance(sampler);
 }
 
-MethodCost SampledSteps::cost(film::MethodWorkspace workspace) const {
+MethodCost SampledSteps::cost(film::RelaxationWorkspace workspace) const {
   MethodCost cost;
   film::FilmState state;
   for (const Step& step : steps_) {
     state = step.guess;
     const double start = processor_seconds();
-    const auto report = film::solve_film(integration_->problem(), step.inputs, step.previous, state, workspace);
+    const auto report =
+        film::solve_by_point_relaxation(integration_->problem(), step.inputs, step.previous, state, workspace);
     cost.seconds_per_cycle += processor_seconds() - start;
-    cost.effort_per_step += static_cast<double>(report.iterations + report.sweeps);
-    cost.films_per_step += report.outer_iterations;
+    cost.effort_per_step += static_cast<double>(report.sweeps);
     cost.failed += !report.converged;
     if (report.converged) cost.difference = std::max(cost.difference, std::abs(state.h_m / step.solution.h_m - 1));
   }
   const auto n_steps = static_cast<double>(steps_.size());
   cost.seconds_per_cycle *= kStepsPerCycle / n_steps;
   cost.effort_per_step /= n_steps;
-  cost.films_per_step /= n_steps;
   return cost;
 }
 

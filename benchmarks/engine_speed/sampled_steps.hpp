@@ -4,31 +4,27 @@
 #include <vector>
 
 #include "ringfilm/cycle/integration/time_integration.hpp"
-#include "ringfilm/film/solver/method.hpp"
+#include "ringfilm/film/solver/point_relaxation.hpp"
 #include "scenarios.hpp"
 
 namespace ringfilm::benchmarks {
 
-/// One method on all sampled steps.
+/// Point relaxation on all sampled steps.
 struct MethodCost {
   double seconds_per_cycle = 0;  ///< of processor time
-  double effort_per_step = 0;    ///< Newton iterations, or sweeps
-  double films_per_step = 0;     ///< films solved at one h_m each; 0: no such loop
+  double effort_per_step = 0;    ///< sweeps
   int failed = 0;                ///< steps without convergence
   double difference = 0;         ///< largest relative one of h_m from the coupled Newton's
 };
 
-/// Steps of an integrated cycle of the first scenario, one in `every`, for methods too slow for all of them: each
-/// solves the same steps from the coupled Newton's state before and the same guess, to the same tolerance.
+/// Steps of an integrated cycle of the first scenario, one in `every`, for a method too slow for all of them: it
+/// solves them from the coupled Newton's state before and the same guess, to the same tolerance.
 class SampledSteps {
  public:
   SampledSteps(const Scenarios& scenarios, int every);
 
   /// Processor time of the steps, times what makes a cycle of them.
-  MethodCost cost(film::MethodWorkspace workspace) const;
-  film::MethodWorkspace workspace(film::Method method) const {
-    return film::workspace_of(method, integration_->problem());
-  }
+  MethodCost cost(film::RelaxationWorkspace workspace) const;
 
   /// The fixed over-relaxation factor, of some tried, with which point relaxation needs the fewest sweeps and leaves no
   /// step unsolved; nothing: it fails with all of them.

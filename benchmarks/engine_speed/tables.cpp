@@ -19,9 +19,9 @@ class Printer {
       : figures_(figures), extent_(extent), threads_(std::to_string(extent.threads) + " threads") {}
 
   void times() const {
-    const Cells methods = {"point-relaxation", "nested-secant", "coupled-newton", "batched", "batched-all-threads"};
-    MarkdownTable table({"model", "cells", "point relaxation", "nested secant", "coupled Newton", "batched",
-                         "batched, " + threads_, "cycles/s, core", "set up"});
+    const Cells methods = {"point-relaxation", "coupled-newton", "batched", "batched-all-threads"};
+    MarkdownTable table({"model", "cells", "point relaxation", "coupled Newton", "batched", "batched, " + threads_,
+                         "cycles/s, core", "set up"});
     for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
         Cells values;
@@ -60,9 +60,8 @@ class Printer {
   }
 
   void effort() const {
-    MarkdownTable table({"model", "cells", "best factor", "sweeps/step", "failed", "secant: iter./step", "films/step",
-                         "failed", "coupled: iter./step", "batched: iter./step", "lanes occupied", "found alone",
-                         "stopped", "cycles/scenario"});
+    MarkdownTable table({"model", "cells", "best factor", "sweeps/step", "failed", "coupled: iter./step",
+                         "batched: iter./step", "lanes occupied", "found alone", "stopped", "cycles/scenario"});
     for (const auto model : {kReynolds, kFilmContent}) {
       for (const int cells : kCells) {
         const auto reported = [&](const char* format, const char* what, const char* counter) {
@@ -71,8 +70,7 @@ class Printer {
         table.row(
             {name_of(model), std::to_string(cells)},
             {reported("%.4g", "point-relaxation", "factor"), reported("%.0f", "point-relaxation", "effort_per_step"),
-             reported("%.0f", "point-relaxation", "failed_steps"), reported("%.2f", "nested-secant", "effort_per_step"),
-             reported("%.2f", "nested-secant", "films_per_step"), reported("%.0f", "nested-secant", "failed_steps"),
+             reported("%.0f", "point-relaxation", "failed_steps"),
              reported("%.3f", "coupled-newton", "iterations_per_step"),
              reported("%.3f", "batched", "iterations_per_step"),
              text("%.1f %%", Value(100) * of("batched", model, cells, "occupation")),

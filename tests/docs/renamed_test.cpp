@@ -19,7 +19,7 @@ TEST(Docs, TheListOfRenamedNamesIsThatOfTheProgram) {
 }
 
 TEST(Docs, RenamedNamesHaveOneMeaningAndAKnownKind) {
-  const std::set<std::string_view> kinds = {"key", "command", "option", "json", "csv", "netcdf"};
+  const std::set<std::string_view> kinds = {"key", "choice", "command", "option", "json", "csv", "netcdf"};
   std::map<std::string_view, std::string_view> present;
   for (const RenamedName& name : kRenamedNames) {
     EXPECT_TRUE(kinds.count(name.kind)) << name.kind;

@@ -6,7 +6,7 @@
 namespace ringfilm {
 
 struct RenamedName {
-  std::string_view kind;             ///< key, command, option, json, csv or netcdf
+  std::string_view kind;             ///< key, choice, command, option, json, csv or netcdf
   std::string_view before;           ///< name in earlier versions
   std::string_view now;              ///< present name
   std::string_view since = "0.1.0";  ///< version that renamed it
@@ -16,6 +16,7 @@ struct RenamedName {
 inline constexpr std::array kRenamedNames = std::to_array<RenamedName>({
     {"key", "ring.face.measured.invented_shape", "ring.face.measured.fit_artifact"},
     {"key", "contact.film_parameter", "contact.lambda_ratio"},
+    {"choice", "nested-secant", "coupled-newton"},
     {"json", "effort.cycles_marched", "effort.cycles_integrated"},
     {"json", "film_parameter", "lambda_ratio"},
     {"json", "film_parameter_at_peak_pressure", "lambda_ratio_at_peak_pressure"},

@@ -226,9 +226,8 @@ enum class CellLengths {
 
 /// `solver.method`: how film and load balance are solved.
 enum class Method {
-  kCoupledNewton,    ///< both at once by Newton's method
-  kPointRelaxation,  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
-  kNestedSecant      ///< the film at fixed h_m by Newton's method, in a secant on h_m
+  kCoupledNewton,   ///< both at once by Newton's method
+  kPointRelaxation  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
 };
 
 /// `solver.properties`: what the iteration asks for oil and contact.

@@ -122,12 +122,11 @@ FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
 }
 
 void FilmReport::add(const FilmReport& next) {
-  const int all_iterations = iterations + next.iterations, all_outer = outer_iterations + next.outer_iterations;
+  const int all_iterations = iterations + next.iterations;
   const long all_sweeps = sweeps + next.sweeps;
   const bool was_searched = route == Route::kSecant;
   *this = next;
   iterations = all_iterations;
-  outer_iterations = all_outer;
   sweeps = all_sweeps;
   if (was_searched) route = Route::kSecant;
 }

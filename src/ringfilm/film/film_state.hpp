@@ -176,7 +176,6 @@ struct FilmReport {
   Route route = Route::kNewton;
   bool exact_laws = false;   ///< solved with the laws themselves although the oil has fits: these do not reach so far
   int iterations = 0;        ///< Newton iterations, those of the fallback included
-  int outer_iterations = 0;  ///< films solved at one h_m each, by the methods that have a loop on h_m
   long sweeps = 0;           ///< of point relaxation
   double last_step = 0;      ///< last relative change of film or pressure [-]
   double thinnest_film = 0;  ///< of kRunsAway: the smallest h_m at which the film has a pressure [m]

@@ -266,10 +266,9 @@ void append_run_fields(std::vector<Field>& fields) {
                  .example = "1e-8",
                  .uses = {.pad = true}}),
           field({.key = "solver.method",
-                 .kind = choice<&Case::solver, &Solver::method>({{"coupled-newton", Method::kCoupledNewton},
-                                                                 {"point-relaxation", Method::kPointRelaxation},
-                                                                 {"nested-secant", Method::kNestedSecant}}),
-                 .help = "how film and load balance are solved: the fast way, the paper's, or two nested loops",
+                 .kind = choice<&Case::solver, &Solver::method>(
+                     {{"coupled-newton", Method::kCoupledNewton}, {"point-relaxation", Method::kPointRelaxation}}),
+                 .help = "how film and load balance are solved: the fast way, or the paper's",
                  .example = "\"coupled-newton\""}),
           field(
               {.key = "solver.properties",

@@ -26,9 +26,7 @@ void check_method(const Case& c, Breaches& breaches) {
   if (c.solver.method == Method::kCoupledNewton) return;
   breaches.push_back(
       {"solver.method",
-       "solver.method = \"" +
-           std::string(c.solver.method == Method::kPointRelaxation ? "point-relaxation" : "nested-secant") +
-           "\" solves the film across the face alone, not the unrolled one",
+       "solver.method = \"point-relaxation\" solves the film across the face alone, not the unrolled one",
        "take \"coupled-newton\", or film.dimension = \"face\""});
 }
 

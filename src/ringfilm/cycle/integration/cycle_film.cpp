@@ -66,18 +66,6 @@ std::optional<film::Film2dProblem> film_on_ring(const Setup& setup, const film::
   return problem;
 }
 
-film::Method film_method(Method method) {
-  switch (method) {
-    case Method::kPointRelaxation:
-      return film::Method::kPointRelaxation;
-    case Method::kNestedSecant:
-      return film::Method::kNestedSecant;
-    case Method::kCoupledNewton:
-      break;
-  }
-  return film::Method::kCoupledNewton;
-}
-
 }  // namespace
 
 film::FilmGrid face_grid(const Setup& setup) {
@@ -121,7 +109,8 @@ film::Film2dInputs CycleFilm::film2d_inputs(const RingConditions& at) const {
 
 CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm& film) {
   if (film.film2d_) return film::Film2dWorkspace(*film.film2d_);
-  return film::workspace_of(film_method(setup.input.solver.method), film.across_);
+  if (setup.input.solver.method == Method::kPointRelaxation) return film::RelaxationWorkspace();
+  return film::FilmWorkspace(film.across_);
 }
 
 CycleFilm::CycleFilm(const Setup& setup)

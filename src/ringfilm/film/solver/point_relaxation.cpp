@@ -96,7 +96,6 @@ bool PointRelaxation::solve(FilmReport& report) {
   double excess = 1;
   double move = 0;
   while (true) {  // until the sweeps are used up
-    ++report.outer_iterations;
     const double excess_before = excess;
     if (!relax(tolerance, kLoadShare * std::min(std::abs(excess), 1.0), report)) return false;
     excess = imbalance();
