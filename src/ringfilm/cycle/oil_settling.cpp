@@ -1,5 +1,6 @@
 #include "ringfilm/cycle/oil_settling.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -37,25 +38,6 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
   return d;
 }
 
-/// Solution of a small symmetric positive definite system, by Cholesky's method in place.
-std::vector<double> solution(std::vector<std::vector<double>> A, std::vector<double> b) {
-  const std::size_t n = b.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = A[i][j];
-      for (std::size_t k = 0; k < j; ++k) sum -= A[i][k] * A[j][k];
-      A[i][j] = i == j ? std::sqrt(sum) : sum / A[j][j];
-    }
-    for (std::size_t k = 0; k < i; ++k) b[i] -= A[i][k] * b[k];
-    b[i] /= A[i][i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= A[k][i] * b[k];
-    b[i] /= A[i][i];
-  }
-  return b;
-}
-
 }  // namespace
 
 void AndersonMixing::add(const std::vector<double>& argument, const std::vector<double>& image) {
@@ -71,15 +53,16 @@ std::vector<double> AndersonMixing::mixture() const {
   const Pair& now = history_.back();
   std::vector<double> mixed = now.image;
   const std::size_t n = history_.size() - 1;
-  std::vector<std::vector<double>> changes, normal(n, std::vector<double>(n));
-  std::vector<double> right(n);
+  std::vector<std::vector<double>> changes;
   for (std::size_t i = 0; i < n; ++i) changes.push_back(difference(now.moved, history_[i].moved));
+  Eigen::MatrixXd normal(n, n);
+  Eigen::VectorXd weight(n);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) normal[i][j] = product(changes[i], changes[j]);
-    normal[i][i] += kScatter * normal[i][i] + std::numeric_limits<double>::min();
-    right[i] = product(changes[i], now.moved);
+    for (std::size_t j = 0; j < n; ++j) normal(i, j) = product(changes[i], changes[j]);
+    normal(i, i) += kScatter * normal(i, i) + std::numeric_limits<double>::min();
+    weight(i) = product(changes[i], now.moved);
   }
-  const std::vector<double> weight = solution(std::move(normal), std::move(right));
+  weight = normal.llt().solve(weight);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] -= weight[i] * (now.image[c] - history_[i].image[c]);
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ringfilm::gas_path {
 namespace {
@@ -40,40 +39,15 @@ void lagrange_weights(double x, double (&weight)[4]) {
 const double RadauStep::kNodes[3] = {(4 - kRoot6) / 10, (4 + kRoot6) / 10, 1};
 const double RadauStep::kWeights[3] = {kTableau[2][0], kTableau[2][1], kTableau[2][2]};
 
-bool LuFactors::factorize(std::vector<double>& matrix, std::size_t n) {
-  n_ = n;
-  lu_.swap(matrix);
-  row_.resize(n);
-  double* const a = lu_.data();
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      if (std::abs(a[i * n + k]) > std::abs(a[pivot * n + k])) pivot = i;
-    }
-    row_[k] = pivot;
-    if (!(std::abs(a[pivot * n + k]) > 1e-300)) return false;
-    if (pivot != k) std::swap_ranges(a + pivot * n, a + pivot * n + n, a + k * n);
-    const double inverse = 1 / a[k * n + k];
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double factor = a[i * n + k] * inverse;
-      a[i * n + k] = factor;
-      if (factor == 0) continue;
-      for (std::size_t j = k + 1; j < n; ++j) a[i * n + j] -= factor * a[k * n + j];
-    }
-  }
-  return true;
+bool LuFactors::factorize(const std::vector<double>& matrix, std::size_t n) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  lu_.compute(Rows::Map(matrix.data(), n, n));
+  return (lu_.matrixLU().diagonal().array().abs() > 1e-300).all();
 }
 
 void LuFactors::solve(std::span<double> x) const {
-  const double* const a = lu_.data();
-  for (std::size_t k = 0; k < n_; ++k) std::swap(x[k], x[row_[k]]);
-  for (std::size_t i = 0; i < n_; ++i) {
-    for (std::size_t j = 0; j < i; ++j) x[i] -= a[i * n_ + j] * x[j];
-  }
-  for (std::size_t i = n_; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n_; ++j) x[i] -= a[i * n_ + j] * x[j];
-    x[i] /= a[i * n_ + i];
-  }
+  auto unknowns = Eigen::VectorXd::Map(x.data(), x.size());
+  unknowns = lu_.solve(unknowns);
 }
 
 RadauStep::Outcome RadauStep::solve(OdeSystem& system, double t, std::span<const double> y, double h,

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/LU>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -21,15 +22,13 @@ class OdeSystem {
 /// Factors of a square matrix with row exchanges.
 class LuFactors {
  public:
-  /// @param matrix row by row, overwritten @returns false where the matrix is singular
-  bool factorize(std::vector<double>& matrix, std::size_t n);
+  /// @param matrix row by row @returns false where the matrix is singular
+  bool factorize(const std::vector<double>& matrix, std::size_t n);
   /// Replaces the right-hand side by the solution.
   void solve(std::span<double> x) const;
 
  private:
-  std::size_t n_ = 0;
-  std::vector<double> lu_;
-  std::vector<std::size_t> row_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
 
 /// One step of the Radau IIA method of order 5 @cite hairer1996, section IV.8: three stages, L-stable, solved together

@@ -1,10 +1,10 @@
 #include "ringfilm/models/conformity/closure_search.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "ringfilm/models/conformity/contact_guess.hpp"
-#include "ringfilm/models/conformity/linear_solution.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -187,7 +187,7 @@ bool ClosureSearch::find_edges() {
     const std::vector<double> miss = residuals(unknown);
     double reach = kProbe;
     for (const LiftOff& span : spans_) reach = std::min(reach, 0.1 * (span.to() - span.from()));
-    std::vector<std::vector<double>> slopes(n, std::vector<double>(n));
+    Eigen::MatrixXd slopes(n, n);
     for (std::size_t j = 0; j < n; ++j) {
       const SoughtContact& one = contacts_[unknown[j].contact];
       // An arc may be shorter than the probe: edges move outwards.
@@ -196,11 +196,13 @@ bool ClosureSearch::find_edges() {
       shift(unknown[j], probe);
       update_spans();
       const std::vector<double> probed = residuals(unknown);
-      for (std::size_t row = 0; row < n; ++row) slopes[row][j] = (probed[row] - miss[row]) / probe;
+      for (std::size_t row = 0; row < n; ++row) slopes(row, j) = (probed[row] - miss[row]) / probe;
       contacts_ = kept;
     }
-    std::vector<double> step = linear_solution(std::move(slopes), miss);
-    for (double& one : step) one = -one;
+    Eigen::FullPivLU<Eigen::MatrixXd> factors(slopes);
+    factors.setThreshold(0.0);  // an unknown that no residual depends on stays, but no other
+    std::vector<double> step(n);
+    Eigen::VectorXd::Map(step.data(), step.size()) = -factors.solve(Eigen::VectorXd::Map(miss.data(), miss.size()));
     const double share = allowed_share(unknown, step);
     double longest = 0;
     for (std::size_t j = 0; j < n; ++j) {

@@ -1,5 +1,6 @@
 #include "ringfilm/models/conformity/free_shape.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,7 +10,6 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/models/conformity/linear_solution.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -152,9 +152,9 @@ class NearestShape {
     bool is_at_rest = false;
     for (int step = 0; step < kMostSteps; ++step) {
       linearise();
-      const std::vector<double> change = linear_solution(A_, b_);
+      const Eigen::VectorXd change = A_.ldlt().solve(b_);
       double moved = 0;
-      for (std::size_t k = 0; k < change.size(); ++k) {
+      for (std::size_t k = 0; k < unknowns_.size(); ++k) {
         unknowns_[k] += scale_[k] * change[k];
         moved = std::max(moved, std::abs(change[k]) / std::sqrt(static_cast<double>(points_.size())));
       }
@@ -174,11 +174,10 @@ class NearestShape {
   std::vector<double> deviations() const {
     const auto left = static_cast<double>(points_.size()) - static_cast<double>(unknowns_.size());
     const double variance = left > 0 ? sum_ / left : std::numeric_limits<double>::infinity();
+    const Eigen::MatrixXd inverse = A_.ldlt().solve(Eigen::MatrixXd::Identity(A_.rows(), A_.cols()));
     std::vector<double> all;
     for (std::size_t k = kRigid; k < unknowns_.size(); ++k) {
-      std::vector<double> unit(unknowns_.size(), 0.0);
-      unit[k] = 1;
-      all.push_back(scale_[k] * std::sqrt(variance * linear_solution(A_, unit)[k]));
+      all.push_back(scale_[k] * std::sqrt(variance * inverse(k, k)));
     }
     return all;
   }
@@ -268,17 +267,14 @@ class NearestShape {
       for (std::size_t k = 0; k < n; ++k) scale_[k] += row[k] * row[k];
     }
     for (double& scale : scale_) scale = 1 / std::sqrt(scale);
-    A_.assign(n, std::vector<double>(n, 0.0));
-    b_.assign(n, 0.0);
+    A_.setZero(n, n);
+    b_.setZero(n);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       for (std::size_t k = 0; k < n; ++k) {
         const double value = scale_[k] * rows[i][k];
         b_[k] += value * missed[i];
-        for (std::size_t l = 0; l <= k; ++l) A_[k][l] += value * scale_[l] * rows[i][l];
+        for (std::size_t l = 0; l <= k; ++l) A_(k, l) += value * scale_[l] * rows[i][l];
       }
-    }
-    for (std::size_t k = 0; k < n; ++k) {
-      for (std::size_t l = 0; l < k; ++l) A_[l][k] = A_[k][l];
     }
   }
 
@@ -288,8 +284,9 @@ class NearestShape {
   std::vector<double> fine_;                ///< of arcs between them, too [rad]
   std::vector<std::size_t> kept_;           ///< which of these the points are
   std::vector<std::vector<double>> turns_;  ///< by each unit of force, at the places of arcs [rad/N]
-  std::vector<double> unknowns_, scale_, b_;
-  std::vector<std::vector<double>> A_;
+  std::vector<double> unknowns_, scale_;
+  Eigen::MatrixXd A_;  ///< of the normal equations; its lower half
+  Eigen::VectorXd b_;
   double sum_ = 0;  ///< of the squares of the distances [m2]
 };
 
