@@ -16,6 +16,10 @@ inline constexpr double kCavityThreshold = 10 * kBeyondKink;
 
 inline constexpr double kLargestPressureRise = 20;  // scales in one step: the viscosity is exponential in it
 
+/// For what is written over the type of number, as of a pack.
+RINGFILM_INLINE double min(double a, double b) { return a < b ? a : b; }
+RINGFILM_INLINE double max(double a, double b) { return a > b ? a : b; }
+
 /// The gap through which the wall carries the oil of a node upstream of a face, theta of the node times that gap being
 /// what passes, and the slope of this product in theta [m].
 template <class Real>
@@ -35,12 +39,6 @@ RINGFILM_INLINE CarriedGap<Real> carried_gap(Real theta, Real at_node, Real at_f
   const Real filled = max(Real(0), theta);  // less than nothing, in the iteration, moves on as it is
   const Real cube = filled * filled * filled;
   return {at_face + excess * (Real(1) - cube), at_face + excess * (Real(1) - Real(4) * cube)};
-}
-RINGFILM_INLINE CarriedGap<double> carried_gap(double theta, double at_node, double at_face) {
-  const double excess = at_node - at_face, most = kMostExcess * at_face;
-  const double filled = theta < 0 ? 0 : theta, cube = filled * filled * filled;
-  const double limited = excess > most ? most : excess < -most ? -most : excess;
-  return {at_face + limited * (1 - cube), at_face + limited * (1 - 4 * cube)};
 }
 
 /// Mass flow of the moving wall through a face, per sum of the densities of its two nodes [m2/s].
@@ -83,7 +81,6 @@ template <class Real>
 RINGFILM_INLINE Real carried_share(Real filled, Real carry) {
   return min(Real(1), carry * filled);
 }
-inline double carried_share(double filled, double carry) { return carry * filled < 1 ? carry * filled : 1; }
 
 /// Flux through a face, and its slopes in z of its two nodes and in h.
 template <class Real>

@@ -514,43 +514,40 @@ class AlongFace {
     Some load{0}, beyond{0}, area{0};
 
     /// @param counted nodes that have not been counted yet
-    RINGFILM_INLINE void add(const FilmView& film, const FittedContactView& contact, int i,
-                             typename Some::Mask counted) {
+    template <class View>
+    RINGFILM_INLINE void add(const FilmView& film, const View& contact, int i, typename Some::Mask counted) {
       const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
       const typename Some::Mask inside = Some::both(gap < Some(contact.reach), counted);
       if (!Some::any(inside)) return;
-      // Far ones count for nothing, but must be numbers.
-      const Some t = min(Some(1), max(Some(0), gap) * Some(contact.per_gap) - Some(1));
-      Some root_52(contact.F_52[kContactTerms - 1]);
-      Some root_2(contact.F_2[kContactTerms - 1]);
-#pragma GCC unroll 32
-      for (int k = kContactTerms - 2; k >= 0; --k) {
-        root_52 = root_52 * t + Some(contact.F_52[k]);
-        root_2 = root_2 * t + Some(contact.F_2[k]);
-      }
+      const Roots root = roots(contact, max(Some(0), gap) * Some(contact.per_gap));
       const Some weight = select(inside, Some::load(film.share + i), Some(0));
-      const Some p = weight * eighth_power(root_52);
+      const Some p = weight * eighth_power(root.pressure);
       load += p;
       beyond += select(gap > Some(contact.turning_gap), p, Some(0));
-      area += weight * eighth_power(root_2);
+      area += weight * eighth_power(root.area);
     }
-    RINGFILM_INLINE void add(const FilmView& film, const TabulatedContactView& contact, int i,
-                             typename Some::Mask counted) {
-      const Some gap = Some(film.h_m) + Some(contact.spread) * Some::load(film.node_height + i);
-      const typename Some::Mask inside = Some::both(gap < Some(contact.reach), counted);
-      if (!Some::any(inside)) return;
-      const Some place = min(max(Some(0), gap) * Some(contact.per_gap), Some(contact.end));
-      const OnPieces<Some> on(place);
-      const Some weight = select(inside, Some::load(film.share + i), Some(0));
-      const Some p = weight * eighth_power(cubic(on, contact.pressure));
-      load += p;
-      beyond += select(gap > Some(contact.turning_gap), p, Some(0));
-      area += weight * eighth_power(cubic(on, contact.area));
+
+   private:
+    /// Eighth roots of what a node adds to load and area.
+    struct Roots {
+      Some pressure, area;
+    };
+    RINGFILM_INLINE static Roots roots(const FittedContactView& contact, Some place) {
+      // Far ones count for nothing, but must be numbers.
+      const Some t = min(Some(1), place - Some(1));
+      Roots root;
+      base::sum_of_powers<kContactTerms, 1>(contact.F_52, &t, &root.pressure);
+      base::sum_of_powers<kContactTerms, 1>(contact.F_2, &t, &root.area);
+      return root;
+    }
+    RINGFILM_INLINE static Roots roots(const TabulatedContactView& contact, Some place) {
+      const OnPieces<Some> on(min(place, Some(contact.end)));
+      return {cubic(on, contact.pressure), cubic(on, contact.area)};
     }
     RINGFILM_INLINE static Some cubic(const OnPieces<Some>& on, const double* cubics) {
       Some c[4];
       on.coefficients([cubics](int) RINGFILM_INLINE_BODY { return cubics; }, c);
-      return c[0] + on.within * (c[1] + on.within * (c[2] + on.within * c[3]));
+      return on.value(c);
     }
     RINGFILM_INLINE static Some eighth_power(Some root) {
       const Some square = root * root;

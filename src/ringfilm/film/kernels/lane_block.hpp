@@ -47,6 +47,9 @@ struct OnPieces {
     for (int lane = 0; lane < Real::kWidth; ++lane) row[lane] = cubics(lane) + 4 * piece[lane];
     Real::turn_rows(row, c);
   }
+  RINGFILM_INLINE Real value(const Real (&c)[4]) const {
+    return c[0] + within * (c[1] + within * (c[2] + within * c[3]));
+  }
 };
 
 /// Newton's iteration of the films in all lanes. Nodal arrays hold the value of node i in lane l at [i * width + l].

@@ -1,4 +1,6 @@
 #pragma once
+#include <type_traits>
+
 #include "ringfilm/film/kernels/lane_block.hpp"
 
 /// One iteration of the coupled Newton method for the films in all lanes of a block, in one pass up the face (oil,
@@ -10,15 +12,6 @@ inline constexpr double kLargestFall = -0.916290731874155;  // ln 0.4: trust reg
 inline constexpr double kLargestRise = 0.916290731874155;   // ln 2.5
 inline constexpr double kSignOnlyStep = 0.2;                // in ln h_m, where the load seems to rise with the film
 
-template <bool kFirst, class A, class B>
-struct Choice {
-  using Type = A;
-};
-template <class A, class B>
-struct Choice<false, A, B> {
-  using Type = B;
-};
-
 /// @tparam Real a pack with a film in each lane
 /// @tparam Wide the widest pack of the machine: what has no neighbours is worked out along the face where Real is one
 template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity, Terms kTerms>
@@ -26,7 +19,7 @@ class NewtonSweep {
   static constexpr int kWidth = Real::kWidth;
   static constexpr bool kAlongFace = kWidth == 1;
   /// Of nodes visited at a time: a lane is a film, or along the face a node.
-  using Visitor = typename Choice<kAlongFace, Wide, Real>::Type;
+  using Visitor = std::conditional_t<kAlongFace, Wide, Real>;
   /// Packs whose polynomials are summed side by side, so that no sum waits for its last term.
   static constexpr int kAbreast = kAlongFace ? 2 : 4;
   static constexpr int kNodesAbreast = kAbreast * Visitor::kWidth / kWidth;
@@ -154,7 +147,7 @@ class NewtonSweep {
     const Visitor per_gap = of_lanes(b_.contact_per_gap);
     Visitor lowest[kAbreast], t[kAbreast], root[kAbreast], root_slope[kAbreast];
     for (int a = 0; a < kAbreast; ++a) {
-      lowest[a] = max(Visitor(0), gap[a]);  // load continues along its tangent for negative gaps
+      lowest[a] = max(Visitor(0), gap[a]);
       // Lanes out of reach count for nothing, but must be numbers.
       t[a] = min(Visitor(1), lowest[a] * per_gap - Visitor(1));
     }
@@ -162,13 +155,8 @@ class NewtonSweep {
     base::sum_of_powers<kContactSlopeTerms, kAbreast>(b_.contact_slope_of, t, root_slope);
     const Visitor scale = of_lanes(b_.contact_scale);
     for (int a = 0; a < kAbreast; ++a) {
-      const Visitor square = root[a] * root[a];
-      const Visitor fourth = square * square;
-      const Visitor dF = Visitor(8) * fourth * square * root[a] * root_slope[a] * per_gap;
-      const Visitor F = fourth * fourth + dF * (gap[a] - lowest[a]);
       const Visitor weight = select(gap[a] < reach, seen(b_.share, i, a) * scale, Visitor(0));
-      load_ += weight * F;
-      slope_ += weight * dF;
+      add_asperity_load(weight, root[a], root_slope[a], per_gap, gap[a] - lowest[a]);
     }
   }
 
@@ -185,15 +173,22 @@ class NewtonSweep {
       const OnPieces<Visitor> on(place);
       Visitor c[4];
       on.coefficients([&](int lane) RINGFILM_INLINE_BODY { return b_.table[kAlongFace ? 0 : lane]; }, c);
-      const Visitor value = c[0] + on.within * (c[1] + on.within * (c[2] + on.within * c[3]));
       const Visitor root_slope = c[1] + on.within * (c[2] + c[2] + Visitor(3) * on.within * c[3]);
-      const Visitor square = value * value, fourth = square * square;
-      const Visitor dF = Visitor(8) * fourth * square * value * root_slope * per_gap;
-      const Visitor F = fourth * fourth + dF * (gap - lowest);
       const Visitor weight = select(gap < reach, seen(b_.share, i, a) * scale, Visitor(0));
-      load_ += weight * F;
-      slope_ += weight * dF;
+      add_asperity_load(weight, on.value(c), root_slope, per_gap, gap - lowest);
     }
+  }
+
+  /// Asperity load of one pack of nodes. @param weight share of the face times the scale of the pressure; 0: out of
+  /// reach
+  /// @param root eighth root of the pressure  @param root_slope its slope in the argument of the law
+  /// @param below part of the gap below 0, where load continues along its tangent
+  RINGFILM_INLINE void add_asperity_load(Visitor weight, Visitor root, Visitor root_slope, Visitor per_gap,
+                                         Visitor below) {
+    const Visitor square = root * root, fourth = square * square;
+    const Visitor dF = Visitor(8) * fourth * square * root * root_slope * per_gap;
+    load_ += weight * (fourth * fourth + dF * below);
+    slope_ += weight * dF;
   }
 
   /// Node `i`, in slot `k` of its stretch.

@@ -136,7 +136,6 @@ film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip) 
 void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, FilmState& state) {
   const int n_across = problem.n_across();
   const models::OilAtTemperature& oil = *inputs.strip.oil;
-  const bool fitted = state.laws == LaneLaws::kFitted;
   const std::vector<double> rise = rise_of_strips(problem, inputs, state.ring);
   state.mass_per_area.resize(problem.n_nodes());
   state.factors = inputs.strip.factors;
@@ -147,8 +146,7 @@ void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, Fi
     const double h_m = state.h_m + (rise.empty() ? 0.0 : rise[j]);
     for (int i = 0; i < n_across; ++i) {
       const auto node = static_cast<std::size_t>(j) * n_across + i;
-      const double p = state.p[node];
-      const double rho = fitted ? oil.fit()->at(p).rho : oil.density(p);
+      const double rho = density_at(oil, state.laws, state.p[node]);
       const double gap = h_m + problem.gap.node[node] + stored(node);
       state.mass_per_area[node] = rho * film_content(problem.strip.cavitation, state.deficit[node]) * gap;
     }
