@@ -163,10 +163,11 @@ void UnrolledRecorder::keep_fields(const TimeIntegration& integration, const Ins
   const film::Film2dProblem& problem = *integration.film2d();
   const film::FilmState& state = *instant.state;
   const bool local = problem.strip.contact_spread == film::ContactSpread::kLocal;
+  const double closed = film::closed_film(problem);
   const int n = problem.n_across();
   for (int j = 0; j < problem.around.n_strips(); ++j) {
     const double separation = state.h_m + integration.rise(state, j);
-    const double of_contact = film::closed_separation(separation, film::closed_film(problem));
+    const double of_contact = film::closed_separation(separation, closed);
     for (int k = 0; k < n; ++k) {
       const std::size_t at = static_cast<std::size_t>(j) * n + (instant.at.axis == Axis::kFromChamber ? k : n - 1 - k);
       const double height = problem.gap.node[at], h = separation + height;

@@ -65,17 +65,17 @@ double FilmHeating::rise(double conductivity, double specific_heat) const {
 FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip,
                          double rise) {
   const FilmView film = view_of_strip(problem, state, strip, rise);
-  return film_heating(problem, inputs, film, state.laws, sums_of_full_cells(problem, inputs, state.laws, film));
+  return film_heating(problem, inputs, GasReach(problem.grid, inputs), film, state.laws,
+                      sums_of_full_cells(problem, inputs, state.laws, film));
 }
 
-FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmView& film, LaneLaws laws,
-                         const HeatingSums& full) {
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const GasReach& reach,
+                         const FilmView& film, LaneLaws laws, const HeatingSums& full) {
   const FilmGrid& grid = problem.grid;
   FilmHeating sums{full.dissipation, full.conductance, 0};
   double length = full.length, flow = full.flow;
   // In the part of a cell in which the film ends or begins pressure falls to that of the cavity.
   const int n = grid.n_cells();
-  const GasReach reach(grid, inputs);
   for (int i = 0; i < n;) {
     const bool cavity = is_cavity(film.deficit[i]);
     i = problem.kernels->next_node(film.deficit, i + 1, n + 1, !cavity);

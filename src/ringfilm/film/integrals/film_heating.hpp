@@ -1,5 +1,6 @@
 #pragma once
 #include "ringfilm/film/film_state.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 
 namespace ringfilm::film {
 
@@ -21,7 +22,7 @@ FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, c
                          double rise = 0);
 
 /// The same of a film across the face. @param full sums over its full cells
-FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmView& film, LaneLaws laws,
-                         const HeatingSums& full);
+FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const GasReach& reach,
+                         const FilmView& film, LaneLaws laws, const HeatingSums& full);
 
 }  // namespace ringfilm::film

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "ringfilm/film/cavitation.hpp"
@@ -15,28 +16,24 @@
 namespace ringfilm::film {
 namespace {
 
-/// The same of a law of cubics.
-void add_tabulated_contact(const FilmProblem& problem, const models::ContactPieces& law, const FilmView& film,
-                           FilmIntegrals& sums) {
-  const double pieces = static_cast<double>(law.pressure.size());
-  const ContactSums of = problem.kernels->tabulated_contact(
-      film, {law.pressure.front().data(), law.area.front().data(), law.reach, pieces / law.reach, law.pressure_scale,
-             law.area_scale, std::nextafter(pieces, 0.0), problem.contact_spread == ContactSpread::kLocal ? 1.0 : 0.0,
-             problem.contact->trusted_up_to()});
-  sums.asperity_load = of.load;
-  sums.asperity_load_beyond_polynomial = of.load_beyond;
-  sums.asperity_area = of.area;
-}
-
-void add_fitted_contact(const FilmProblem& problem, const models::FittedContact& contact, const FilmView& film,
-                        FilmIntegrals& sums) {
-  const ContactSums contact_sums = problem.kernels->contact(
-      film, {contact.fit->P52.data(), contact.fit->P2.data(), contact.reach, 2 / contact.reach, contact.pressure_scale,
-             contact.area_scale, problem.contact_spread == ContactSpread::kLocal ? 1.0 : 0.0,
-             problem.contact->trusted_up_to()});
-  sums.asperity_load = contact_sums.load;
-  sums.asperity_load_beyond_polynomial = contact_sums.load_beyond;
-  sums.asperity_area = contact_sums.area;
+/// Contact by the fits of its law or by its cubics; nothing where it has neither.
+std::optional<ContactSums> contact_of_kernels(const FilmProblem& problem, const FilmInputs& inputs,
+                                              const FilmView& film) {
+  if (problem.contact == nullptr) return std::nullopt;
+  const double spread = problem.contact_spread == ContactSpread::kLocal ? 1 : 0;
+  const double turning_gap = problem.contact->trusted_up_to();
+  const auto fitted = problem.contact->fitted();
+  if (fitted && inputs.oil->fit() != nullptr) {
+    return problem.kernels->contact(film,
+                                    {fitted->fit->P52.data(), fitted->fit->P2.data(), fitted->reach, 2 / fitted->reach,
+                                     fitted->pressure_scale, fitted->area_scale, spread, turning_gap});
+  }
+  const models::ContactPieces* law = problem.contact->pieces();
+  if (law == nullptr || !(film.h_m >= 0)) return std::nullopt;
+  const auto pieces = static_cast<double>(law->pressure.size());
+  return problem.kernels->tabulated_contact(
+      film, {law->pressure.front().data(), law->area.front().data(), law->reach, pieces / law->reach,
+             law->pressure_scale, law->area_scale, std::nextafter(pieces, 0.0), spread, turning_gap});
 }
 
 /// Where the flow is reported: through the first and the last face, and through the middle of the gap, which lies
@@ -81,12 +78,12 @@ void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmSt
   sums.mass_defect += sums.flow_right - sums.flow_left;
 }
 
-void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, FilmIntegrals& sums) {
+void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const GasReach& reach, const FilmState& state,
+                  FilmIntegrals& sums) {
   const FilmGrid& grid = problem.grid;
   const int n = grid.n_cells();
   const double* deficit = state.deficit.data();
   const auto next = [&](int i, bool cavity) { return problem.kernels->next_node(deficit, i, n, cavity); };
-  const GasReach reach(grid, inputs);
   const auto front = [&](int inside, int outside) {
     const double bound = reach.pressure_bound(outside);
     return front_position(grid, state.p.data(), bound, inside, outside, ends_level(problem, inputs, inside < outside));
@@ -127,8 +124,7 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Fi
 
 /// The deficit where shear is counted by it; 1 where gas fills the gap: the thin film there lies on the liner. Where
 /// both gases may be, so does what is less than half of the gap.
-std::vector<double> shear_deficit(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
-  const GasReach reach(problem.grid, inputs);
+std::vector<double> shear_deficit(const GasReach& reach, const FilmState& state) {
   std::vector<double> sheared = state.deficit;
   for (std::size_t i = 0; i < sheared.size(); ++i) {
     const int node = static_cast<int>(i);
@@ -179,9 +175,10 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
                              const FilmState& state) {
   FilmIntegrals sums;
   FilmView film = film_view(problem, inputs, state);
+  const GasReach reach(problem.grid, inputs);
   std::vector<double> sheared;
   if (inputs.has_gas()) {
-    sheared = shear_deficit(problem, inputs, state);
+    sheared = shear_deficit(reach, state);
     film.shear_deficit = sheared.data();
   }
   FlowFaces flow(problem.grid);
@@ -197,19 +194,18 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
     sums.shear_poiseuille = shear.half_difference;
   }
   sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit, of_film.peak_shear_squared);
-  sums.heating = film_heating(problem, inputs, film, state.laws, of_film.heating);
+  sums.heating = film_heating(problem, inputs, reach, film, state.laws, of_film.heating);
   sums.mass_defect = of_film.storage;
   sums.peak_pressure = peak_pressure(problem.grid, state.p, of_film.peak_pressure);
-  const auto fitted = problem.contact != nullptr ? problem.contact->fitted() : std::nullopt;
-  if (fitted && inputs.oil->fit() != nullptr) {
-    add_fitted_contact(problem, *fitted, film, sums);
-  } else if (problem.contact != nullptr && problem.contact->pieces() != nullptr && state.h_m >= 0) {
-    add_tabulated_contact(problem, *problem.contact->pieces(), film, sums);
+  if (const auto contact = contact_of_kernels(problem, inputs, film)) {
+    sums.asperity_load = contact->load;
+    sums.asperity_load_beyond_polynomial = contact->load_beyond;
+    sums.asperity_area = contact->area;
   } else if (problem.contact != nullptr) {
     set_contact(problem, state.h_m, sums);
   }
   add_flow(problem, inputs, previous, state, flow, sums);
-  add_cavities(problem, inputs, state, sums);
+  add_cavities(problem, inputs, reach, state, sums);
   return sums;
 }
 
