@@ -6,7 +6,7 @@
 #include "case_values.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"

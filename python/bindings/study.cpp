@@ -9,7 +9,7 @@
 #include "interpreter.hpp"
 #include "record.hpp"
 #include "result_object.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/io/study/factor_notes.hpp"
 #include "ringfilm/io/study/study_file.hpp"
 #include "ringfilm/io/study/study_result.hpp"

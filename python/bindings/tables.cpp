@@ -1,7 +1,7 @@
 #include "bindings.hpp"
 #include "case_values.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/data/shipped_pairs.hpp"

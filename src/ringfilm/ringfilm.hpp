@@ -29,7 +29,7 @@
 
 // A case, whatever its problem: run::run_case. Below it the parts that it is made of, lives, batches, studies.
 #include "ringfilm/case/case.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that the page on notes lists every topic of a note that the program has, in its order, and no other.
 
-usage: note_topics.py TABLE PAGE      src/ringfilm/cycle/checks/note_topics.cpp, docs/manual/guide/notes.md
+usage: note_topics.py TABLE PAGE      src/ringfilm/cycle/advice/note_topics.cpp, docs/manual/guide/notes.md
 """
 import re
 import sys

@@ -6,7 +6,7 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"

@@ -8,8 +8,8 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
-#include "ringfilm/cycle/checks/validity.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
+#include "ringfilm/cycle/advice/validity.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ringfilm/cycle/checks/advice.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
-#include "ringfilm/cycle/checks/validity.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
+#include "ringfilm/cycle/advice/validity.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/integration/sampling.hpp"
 

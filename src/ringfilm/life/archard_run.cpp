@@ -8,7 +8,7 @@
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/life/coefficient_fit.hpp"
 #include "ringfilm/life/duty_batch.hpp"
 #include "ringfilm/life/duty_wear.hpp"

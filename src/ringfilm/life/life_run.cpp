@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/life/archard_run.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "ringfilm/cycle/checks/limits.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/limits.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 
 namespace ringfilm::pad {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/case/case_face.hpp"
-#include "ringfilm/cycle/checks/contact_plausibility.hpp"
+#include "ringfilm/cycle/advice/contact_plausibility.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"

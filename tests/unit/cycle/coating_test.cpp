@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/checks/validity.hpp"
+#include "ringfilm/cycle/advice/validity.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "styles_case.hpp"
 

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "styles_case.hpp"

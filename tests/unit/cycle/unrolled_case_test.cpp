@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"

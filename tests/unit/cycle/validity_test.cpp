@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/validity.hpp"
+#include "ringfilm/cycle/advice/validity.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "styles_case.hpp"
 

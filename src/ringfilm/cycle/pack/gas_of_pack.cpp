@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/setup/land_pressure.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"

@@ -8,8 +8,8 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/data/trace_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"

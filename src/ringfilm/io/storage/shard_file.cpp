@@ -23,7 +23,7 @@
 #include <tuple>
 #include <utility>
 
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/study/design/kept_curves.hpp"

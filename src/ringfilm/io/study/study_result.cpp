@@ -13,7 +13,7 @@
 #include <numeric>
 #include <set>
 
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/study/factor_notes.hpp"
 #include "ringfilm/io/study/study_stopping_rule.hpp"

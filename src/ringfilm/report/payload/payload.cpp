@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <variant>
 
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "ringfilm/base/number_text.hpp"
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/design/wording.hpp"
 #include "ringfilm/study/sampling/hash.hpp"

@@ -6,7 +6,7 @@
 
 #include "../styles_case.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/ring_conditions.hpp"
 #include "ringfilm/cycle/simulate.hpp"

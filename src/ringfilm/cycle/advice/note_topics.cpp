@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/note_topics.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/contact_plausibility.hpp"
+#include "ringfilm/cycle/advice/contact_plausibility.hpp"
 
 #include <algorithm>
 #include <cctype>

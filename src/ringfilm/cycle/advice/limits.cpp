@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/limits.hpp"
+#include "ringfilm/cycle/advice/limits.hpp"
 
 #include <cstdio>
 

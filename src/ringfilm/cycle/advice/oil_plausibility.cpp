@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/oil_plausibility.hpp"
+#include "ringfilm/cycle/advice/oil_plausibility.hpp"
 
 #include <cstdio>
 

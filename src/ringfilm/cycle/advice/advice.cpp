@@ -1,14 +1,14 @@
-#include "ringfilm/cycle/checks/advice.hpp"
+#include "ringfilm/cycle/advice/advice.hpp"
 
 #include <algorithm>
 #include <cstdio>
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/case/accuracy.hpp"
-#include "ringfilm/cycle/checks/contact_plausibility.hpp"
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
-#include "ringfilm/cycle/checks/note_topics.hpp"
-#include "ringfilm/cycle/checks/oil_plausibility.hpp"
+#include "ringfilm/cycle/advice/contact_plausibility.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/note_topics.hpp"
+#include "ringfilm/cycle/advice/oil_plausibility.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
 #include "ringfilm/cycle/setup/free_ring.hpp"
 

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
 
 #include <algorithm>
 #include <cmath>

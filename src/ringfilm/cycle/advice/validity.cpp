@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/checks/validity.hpp"
+#include "ringfilm/cycle/advice/validity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "ringfilm/cycle/checks/gas_plausibility.hpp"
-#include "ringfilm/cycle/checks/limits.hpp"
+#include "ringfilm/cycle/advice/gas_plausibility.hpp"
+#include "ringfilm/cycle/advice/limits.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/film/load_balance.hpp"
 
