@@ -5,6 +5,9 @@ namespace ringfilm::base {
 /// Standard atmosphere: the zero of gauge pressures and the reference of the density law [Pa].
 inline constexpr double kAtmosphere = 101325;
 
+/// Zero of the Celsius scale [K].
+inline constexpr double kZeroCelsius = 273.15;
+
 /// The four-stroke cycle in crank angle [degree].
 inline constexpr double kCycleDeg = 720;
 

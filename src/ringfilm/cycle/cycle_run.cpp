@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -138,15 +137,14 @@ void CycleRun::check_approach() {
     distances_.clear();
     return;
   }
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
+  throw ConvergenceError(
+      formatted("the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
                 "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger %s",
                 n, distance, allowed_distance(), kCyclesToHalve,
                 setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner
                     ? "solver.step_error, or supply.reach that leaves the ring more oil"
-                    : "solver.tolerance or a smaller solver.crank_step");
-  throw ConvergenceError(text, crank_angle_deg());
+                    : "solver.tolerance or a smaller solver.crank_step"),
+      crank_angle_deg());
 }
 
 void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failure> failure) {
@@ -174,9 +172,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
   Setup graded = setup;
   graded.cells = CellsOfFace::kGraded;
   const film::FilmGrid grid = face_grid(graded);
-  char cells[160];
-  std::snprintf(cells, sizeof cells,
-                "computed on %d cells that are graded towards the lowest places of the face, down to %.3g um, since ",
+  const std::string cells =
+      formatted("computed on %d cells that are graded towards the lowest places of the face, down to %.3g um, since ",
                 grid.n_cells(), *std::min_element(grid.spacing.begin(), grid.spacing.end()) * 1e6);
   graded.notes.push_back({kCellsGraded, cells + stop.message, 1});
   return graded;

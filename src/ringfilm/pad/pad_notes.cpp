@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/advice/limits.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
 
@@ -28,7 +29,9 @@ constexpr double kThickestFilm = 0.1;  // of the length of the pad
 /// Films that were solved and that no oil forms, with the limits of the cycle.
 void append_limit_notes(const PadFilm& film, PadResult& result) {
   const double length = film.setup().input.pad.length;
-  const auto where = [&](const Sample& s) { return result.is_history ? text(" (at %.4g s)", s.time) : std::string(); };
+  const auto where = [&](const Sample& s) {
+    return result.is_history ? formatted(" (at %.4g s)", s.time) : std::string();
+  };
   const auto thickness = [](const Sample& s) { return s.min_film_thickness; };
   const auto stress = [&](const Sample& s) {
     return std::max(std::abs(s.friction_moving), std::abs(s.friction_fixed)) / length;
@@ -62,19 +65,21 @@ void append_notes(const PadFilm& film, PadResult& result) {
   const Sample last = has_film ? result.samples.back() : Sample{};
   if (has_film && !pad.load && setup.lowest_gap > 0 && last.separation > 0) {
     note("separation-adds-to-gap",
-         text("the separation of %.6g um adds to the gap, whose lowest place is %.6g um: the smallest film is %.6g um",
-              last.separation * um, setup.lowest_gap * um, last.min_film_thickness * um));
+         formatted(
+             "the separation of %.6g um adds to the gap, whose lowest place is %.6g um: the smallest film is %.6g um",
+             last.separation * um, setup.lowest_gap * um, last.min_film_thickness * um));
   }
   if (const double missed = film.lowest_height(); has_film && missed > kMissed * last.min_film_thickness) {
     note("gap-finer-than-cells",
-         text("the lowest place of the gap lies between the places that the cells see, which are %.3g um higher: take "
-              "more %s",
-              missed * um, cell_keys(setup)));
+         formatted(
+             "the lowest place of the gap lies between the places that the cells see, which are %.3g um higher: take "
+             "more %s",
+             missed * um, cell_keys(setup)));
   }
   if (has_film && pad.load && last.separation < -kMissed * last.min_film_thickness) {
     note("pressed-closer-than-gap",
-         text("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
-              -last.separation * um, last.min_film_thickness * um));
+         formatted("the load presses the pad %.6g um closer than the gap is given, to a smallest film of %.6g um",
+                   -last.separation * um, last.min_film_thickness * um));
   }
   result.notes.insert(result.notes.end(), setup.notes.begin(), setup.notes.end());
   append_limit_notes(film, result);
@@ -85,8 +90,9 @@ void append_notes(const PadFilm& film, PadResult& result) {
   }
   if (setup.p_cavitation < setup.input.film.cavitation_pressure) {
     note("cavitation-pressure-lowered",
-         text("the film ruptures at %.6g Pa, the lower edge pressure, and not at film.cavitation_pressure = %.6g Pa",
-              setup.p_cavitation, setup.input.film.cavitation_pressure));
+         formatted(
+             "the film ruptures at %.6g Pa, the lower edge pressure, and not at film.cavitation_pressure = %.6g Pa",
+             setup.p_cavitation, setup.input.film.cavitation_pressure));
   }
   const long broken = std::count_if(result.samples.begin(), result.samples.end(),
                                     [](const Sample& s) { return s.gas_breakthrough > 0; });
@@ -100,10 +106,11 @@ void append_notes(const PadFilm& film, PadResult& result) {
     const std::vector<double>& h = result.profiles.back().film_thickness;
     const double inlet = setup.runs_left() ? h.back() : h.front();
     if (2 * *supply > inlet) {
-      note("supply-beyond-inlet",
-           text("a film of %.4g um comes in, and the gap of %.4g um at the inlet takes %.4g um of it: the inlet is "
-                "flooded",
-                *supply * um, inlet * um, 0.5 * inlet * um));
+      note(
+          "supply-beyond-inlet",
+          formatted("a film of %.4g um comes in, and the gap of %.4g um at the inlet takes %.4g um of it: the inlet is "
+                    "flooded",
+                    *supply * um, inlet * um, 0.5 * inlet * um));
     }
   }
   const auto worst =
@@ -113,9 +120,10 @@ void append_notes(const PadFilm& film, PadResult& result) {
                                     [](const Sample& s) { return s.mass_residual > kMassLost; });
   if (losing > 0 && setup.input.film.cavitation == cycle::Cavitation::kMassConserving) {
     note("mass-residual",
-         text("mass is kept to no better than %.2g of the largest flow: gaps, viscosities or pressures differ too much "
-              "for these numbers to be trusted",
-              worst->mass_residual),
+         formatted(
+             "mass is kept to no better than %.2g of the largest flow: gaps, viscosities or pressures differ too much "
+             "for these numbers to be trusted",
+             worst->mass_residual),
          losing);
   }
   if (losing > 0 && setup.input.film.cavitation == cycle::Cavitation::kReynoldsExit) {

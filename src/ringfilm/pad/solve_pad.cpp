@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/pad/load_search.hpp"
 #include "ringfilm/pad/pad_notes.hpp"
@@ -81,8 +82,8 @@ class TimeIntegration {
       const double to = k == n_steps ? end : begin + static_cast<double>(k) * dt;
       if (!advance(from, to, 0)) {
         append_notes(film_, result_);
-        throw StoppedPad(text("between %.6g s and %.6g s no film was found, with 1/%d of the time step either", from,
-                              to, 1 << kMostHalvings),
+        throw StoppedPad(formatted("between %.6g s and %.6g s no film was found, with 1/%d of the time step either",
+                                   from, to, 1 << kMostHalvings),
                          std::move(result_));
       }
       ++result_.effort.time_steps;
@@ -144,7 +145,7 @@ bool any_separation_carries(PadFilms& films, const film::FilmState& state, Effor
 std::string limit_of_pressure(const PadSetup& setup) {
   const auto [eta, deta_dp] = viscosity(setup);
   if (!(deta_dp > 0)) return "";
-  return text(
+  return formatted(
       "; where viscosity grows with pressure there is no film above a pressure of about 1/alpha = %.3g bar as a "
       "constant viscosity would make it",
       1e-5 * eta / deta_dp);
@@ -157,20 +158,21 @@ std::string no_film_at(const PadSetup& setup) {
 }
 
 std::string no_film_under(const PadSetup& setup, double load, const LoadSearch& search) {
-  std::string message = text(
+  std::string message = formatted(
       "no separation was found at which the film carries %.6g N/m; films were searched from %.4g um, the length "
       "of the pad, to %.4g um, that of molecules",
       load, 1e6 * search.thickest, 1e6 * search.thinnest);
-  if (search.n_unsolved > 0) message += text(", of which %d were not found", search.n_unsolved);
+  if (search.n_unsolved > 0) message += formatted(", of which %d were not found", search.n_unsolved);
   if (!search.most) return message;
   if (search.least->load == search.most->load) {
-    return message + text("; each carries %.6g N/m: the gap makes no pressure of its own in this direction of motion",
-                          search.most->load);
+    return message +
+           formatted("; each carries %.6g N/m: the gap makes no pressure of its own in this direction of motion",
+                     search.most->load);
   }
   const auto [least, thickness_of_least] = *search.least;
   const auto [most, thickness_of_most] = *search.most;
-  message += text("; the largest load is %.6g N/m (smallest film %.4g um), the smallest one %.6g N/m (%.4g um)", most,
-                  1e6 * thickness_of_most, least, 1e6 * thickness_of_least);
+  message += formatted("; the largest load is %.6g N/m (smallest film %.4g um), the smallest one %.6g N/m (%.4g um)",
+                       most, 1e6 * thickness_of_most, least, 1e6 * thickness_of_least);
   if (search.n_unsolved > 0) message += limit_of_pressure(setup);
   if (load > least && load < most) {
     message +=
@@ -206,8 +208,9 @@ void append_grid_note(const PadSetup& setup, const film::FilmState& state, const
   if (!solve_at_separation(*film, setup.steady_inputs(), 0, before, coarse, result.effort)) return;
   const double change = film->load(coarse) / fine.load - 1;
   if (!(std::abs(change) > kReportedChange)) return;
-  result.notes.push_back({"coarse-grid", text("with half the cells the same film carries %.2g %% %s: take more %s",
-                                              std::abs(100 * change), change > 0 ? "more" : "less", cell_keys(setup))});
+  result.notes.push_back(
+      {"coarse-grid", formatted("with half the cells the same film carries %.2g %% %s: take more %s",
+                                std::abs(100 * change), change > 0 ? "more" : "less", cell_keys(setup))});
 }
 
 /// A film, and how many others there are.
@@ -233,10 +236,10 @@ FirstFilm first_film(PadFilms& films, PadResult& result) {
   LoadSearch search = steady_film_under(films, *pad.load, result.effort);
   if (!search.film) stop(no_film_under(setup, *pad.load, search));
   if (any_separation_carries(films, *search.film, result.effort)) {
-    stop(
-        text("any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
-             "its own; state pad.separation",
-             *pad.load));
+    stop(formatted(
+        "any separation carries the load of %.6g N/m: the pressures at the edges do, and the gap makes none of "
+        "its own; state pad.separation",
+        *pad.load));
   }
   append_load_notes(search, result.notes);
   return {*search.film, static_cast<double>(search.n_stable)};

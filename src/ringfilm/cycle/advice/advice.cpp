@@ -1,7 +1,6 @@
 #include "ringfilm/cycle/advice/advice.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/case/accuracy.hpp"
@@ -19,13 +18,13 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
   if (!c.is_unrolled() || !c.ring.end_gap) return;
   const double reached = strips_of(c).spacing.front();
   if (reached <= kEndCellMissed * c.end_cell()) return;
-  char text[512];
-  std::snprintf(
-      text, sizeof text,
-      "the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few to grow "
-      "from there by %.1f times each; take more solver.cells_y",
-      reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, film::kSteepestGrowth);
-  notes.push_back({"end-cells-long", text, 1});
+  notes.push_back(
+      {"end-cells-long",
+       formatted(
+           "the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few to grow "
+           "from there by %.1f times each; take more solver.cells_y",
+           reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, film::kSteepestGrowth),
+       1});
 }
 
 /// Bending breaks a ring that is more tense than 1 MPa; on the narrow lands of oil rings, with a spring behind them, it
@@ -95,14 +94,14 @@ void append_bore_note(const Case& c, std::vector<Note>& notes) {
 void append_free_shape_note(const Case& c, std::vector<Note>& notes) {
   if (!c.ring.free_shape) return;
   const models::FreeShapeFit fit = free_ring(c);
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "ring.free_shape is smoothed over %.3g mm: its points lie %.3g um (rms) from the shape that is left, "
-                "and by that scatter the tangential force of %.4g N is known to %.2g %%, the pressure around the ring "
-                "to %.2g %% of its mean (one standard deviation)",
-                1e3 * c.ring.free_shape_smoothing, 1e6 * fit.residual, fit.tangential_force, 100 * fit.force_deviation,
-                100 * fit.pressure_deviation);
-  notes.push_back({"free-shape-smoothed", text, 1});
+  notes.push_back(
+      {"free-shape-smoothed",
+       formatted("ring.free_shape is smoothed over %.3g mm: its points lie %.3g um (rms) from the shape that is left, "
+                 "and by that scatter the tangential force of %.4g N is known to %.2g %%, the pressure around the ring "
+                 "to %.2g %% of its mean (one standard deviation)",
+                 1e3 * c.ring.free_shape_smoothing, 1e6 * fit.residual, fit.tangential_force, 100 * fit.force_deviation,
+                 100 * fit.pressure_deviation),
+       1});
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "ringfilm/cycle/advice/limits.hpp"
 
-#include <cstdio>
-
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/film/load_balance.hpp"
 
 namespace ringfilm::cycle {
@@ -17,9 +16,7 @@ const Limit kShearStressHigh = {Limit::Allowed::kBelow, "shear-stress-high", 10e
                                 "%.0f MPa, their Eyring stress, and the friction is too high"};
 
 Note limit_note(const Limit& limit, double extreme, const std::string& where, long n) {
-  char message[512];
-  std::snprintf(message, sizeof message, limit.format, extreme / limit.unit, where.c_str(), limit.value / limit.unit);
-  return {limit.topic, message, n};
+  return {limit.topic, formatted(limit.format, extreme / limit.unit, where.c_str(), limit.value / limit.unit), n};
 }
 
 }  // namespace ringfilm::cycle

@@ -1,8 +1,7 @@
 #include "ringfilm/cycle/advice/oil_plausibility.hpp"
 
-#include <cstdio>
-
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 
@@ -22,7 +21,7 @@ constexpr double kOtherOils = 5;
 
 double viscosity_of_grade(const GradeLine& grade, double temperature, double density) {
   models::OilLaws laws;
-  laws.viscosity_temperature = {kZeroCelsius + 40, kZeroCelsius + 100};
+  laws.viscosity_temperature = {base::kZeroCelsius + 40, base::kZeroCelsius + 100};
   laws.kinematic_viscosity = {grade.at_40, grade.at_100};
   laws.density = {{temperature}, {density}};
   return models::oil_state(laws, temperature).eta_T;
@@ -42,12 +41,12 @@ void append_viscosity_notes(const OilSetup& oil, std::vector<Note>& notes) {
     const double lowest = viscosity_of_grade(kThinnest, T, density) / kOtherOils;
     if (viscosity >= lowest && viscosity <= highest) continue;
     const bool high = viscosity > highest;
-    char text[256];
-    std::snprintf(text, sizeof text, "the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
-                  viscosity * 1e3, celsius(T).c_str(), high ? "above" : "below", (high ? highest : lowest) * 1e3,
-                  high ? "5 times that of" : "a fifth of that of", high ? kThickest.name : kThinnest.name,
-                  "is the unit of its viscosity right?");
-    notes.push_back({high ? "viscosity-high" : "viscosity-low", text, 1});
+    notes.push_back({high ? "viscosity-high" : "viscosity-low",
+                     formatted("the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
+                               viscosity * 1e3, celsius(T).c_str(), high ? "above" : "below",
+                               (high ? highest : lowest) * 1e3, high ? "5 times that of" : "a fifth of that of",
+                               high ? kThickest.name : kThinnest.name, "is the unit of its viscosity right?"),
+                     1});
     return;
   }
 }

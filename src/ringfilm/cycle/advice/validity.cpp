@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
+#include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/advice/limits.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
@@ -22,13 +23,6 @@ constexpr double kSmoothGapNeeds = 1.0;
 /// Newtonian flow is an assumption above this shear rate (docs/theory/assumptions.md).
 constexpr double kNewtonianUpTo = 1e6;  // [1/s]
 
-template <typename... Values>
-std::string text(const char* format, Values... values) {
-  char buffer[512];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
 template <typename Condition>
 long count(const std::vector<Sample>& base, Condition condition) {
   return std::count_if(base.begin(), base.end(), condition);
@@ -42,11 +36,12 @@ void append_face_note(const Setup& setup, std::vector<Note>& notes) {
   const double rise =
       std::max(setup.ring.face.height(0), setup.ring.face.height(width)) - setup.ring.face.minimum().height;
   if (rise <= kSteepestFace * width) return;
-  notes.push_back({"face-too-steep",
-                   text("the face rises to %.4g mm on a width of %.4g mm: is it used beyond the width to which it was "
-                        "fitted, or with other units?",
-                        rise * 1e3, width * 1e3),
-                   1});
+  notes.push_back(
+      {"face-too-steep",
+       formatted("the face rises to %.4g mm on a width of %.4g mm: is it used beyond the width to which it was "
+                 "fitted, or with other units?",
+                 rise * 1e3, width * 1e3),
+       1});
 }
 
 /// Of the thinnest film or the roughness, as an error of the straight lines between points of the face: there the
@@ -80,12 +75,13 @@ void append_points_note(const Setup& setup, double thinnest_film, std::vector<No
   }
   const double error = error_between_points(face), film = std::max(thinnest_film, setup.ring.sigma);
   if (error <= kCoarsePoints * film) return;
-  notes.push_back({"face-points-few",
-                   text("the straight lines between the points next to the lowest place of the face are %.2g um away "
-                        "from a curve through them, where the film is %.2g um thin: give more points there (of a "
-                        "curved face), or smooth their noise",
-                        error * 1e6, thinnest_film * 1e6),
-                   1});
+  notes.push_back(
+      {"face-points-few",
+       formatted("the straight lines between the points next to the lowest place of the face are %.2g um away "
+                 "from a curve through them, where the film is %.2g um thin: give more points there (of a "
+                 "curved face), or smooth their noise",
+                 error * 1e6, thinnest_film * 1e6),
+       1});
 }
 
 /// With fewer cells peak film pressures of the shipped cases are off by more than 1 %, their friction by more than 0.1
@@ -96,11 +92,12 @@ void append_grid_note(const Setup& setup, std::vector<Note>& notes) {
   const int cells = setup.input.solver.cells;
   const bool is_chosen = setup.input.solver.accuracy.has_value();  // by an accuracy that was measured
   if (setup.cells == CellsOfFace::kGraded || is_chosen || cells >= kFewestCells) return;
-  notes.push_back({"coarse-grid",
-                   text("%d cells across the face are few: friction is off by up to 0.2 %% with 32 cells, 1 %% with 16 "
-                        "and 30 %% with 8, the peak film pressure by 2, 14 and 30 %%: take %d solver.cells or more",
-                        cells, kFewestCells),
-                   1});
+  notes.push_back(
+      {"coarse-grid",
+       formatted("%d cells across the face are few: friction is off by up to 0.2 %% with 32 cells, 1 %% with 16 "
+                 "and 30 %% with 8, the peak film pressure by 2, 14 and 30 %%: take %d solver.cells or more",
+                 cells, kFewestCells),
+       1});
 }
 
 /// From this share on the modulus below the coating moves E' by about as much as moduli are known.
@@ -117,11 +114,12 @@ void append_coating_note(const Setup& setup, double lowest_lambda_ratio, std::ve
   const double radius = models::contact_spot_radius(c.contact.asperity_radius, setup.ring.sigma, lambda);
   const double share = models::share_below_coating(radius, *coating.thickness, coating.poissons_ratio);
   if (share <= kCoatingFelt) return;
-  notes.push_back({"coating-thin",
-                   text("the coating of %.3g um is thin for contact spots of %.3g um radius: about %.0f %% of their "
-                        "approach comes from below it, and E' has the coating's modulus alone",
-                        *coating.thickness * 1e6, radius * 1e6, 100 * share),
-                   1});
+  notes.push_back(
+      {"coating-thin",
+       formatted("the coating of %.3g um is thin for contact spots of %.3g um radius: about %.0f %% of their "
+                 "approach comes from below it, and E' has the coating's modulus alone",
+                 *coating.thickness * 1e6, radius * 1e6, 100 * share),
+       1});
 }
 
 void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
@@ -132,8 +130,8 @@ void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, 
   if (steps == 0) return;
   notes.push_back(
       {"oil-table-left",
-       text("film pressures go beyond the %.4g bar at which the oil table ends: its last slopes are continued",
-            highest / 1e5),
+       formatted("film pressures go beyond the %.4g bar at which the oil table ends: its last slopes are continued",
+                 highest / 1e5),
        steps});
 }
 
@@ -162,10 +160,10 @@ void append_breakthrough_note(const Case& c, const std::vector<Sample>& base, st
   const auto last = std::find_if(base.rbegin(), base.rend(), broken);
   notes.push_back(
       {"gas-breaks-through",
-       text("gas of an edge reaches the lowest place of the face, first at %.0f and last at %.0f degree: the "
-            "film does not hold it there%s",
-            first->crank_angle_deg, last->crank_angle_deg,
-            c.gas_path.passes_films() ? "" : ", and how much gas blows through is not computed"),
+       formatted("gas of an edge reaches the lowest place of the face, first at %.0f and last at %.0f degree: the "
+                 "film does not hold it there%s",
+                 first->crank_angle_deg, last->crank_angle_deg,
+                 c.gas_path.passes_films() ? "" : ", and how much gas blows through is not computed"),
        count(base, broken)});
 }
 
@@ -186,13 +184,13 @@ void append_heating_note(const Setup& setup, const std::vector<Sample>& base, st
   notes.push_back(
       {"viscous-heating-high",
        is_heated
-           ? text("viscous heating would make the film warmer than the %.0f degC up to which its oil is prepared: "
-                  "that temperature is taken",
-                  setup.ring.oil.hottest - 273.15)
-           : text("viscous heating makes the film up to %.3g K warmer than its walls (at %.0f degree), and its "
-                  "viscosity is that at their temperature; thermal.viscous_heating = \"in-film\" takes the rise "
-                  "into account",
-                  warmest->viscous_heating_rise, warmest->crank_angle_deg),
+           ? formatted("viscous heating would make the film warmer than the %.0f degC up to which its oil is prepared: "
+                       "that temperature is taken",
+                       setup.ring.oil.hottest - base::kZeroCelsius)
+           : formatted("viscous heating makes the film up to %.3g K warmer than its walls (at %.0f degree), and its "
+                       "viscosity is that at their temperature; thermal.viscous_heating = \"in-film\" takes the rise "
+                       "into account",
+                       warmest->viscous_heating_rise, warmest->crank_angle_deg),
        steps});
 }
 
@@ -202,8 +200,8 @@ constexpr double kSteepestAsperity = 0.2;
 void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
   const std::optional<double>& stated = setup.input.contact.hardness;
   const double hardness = stated.value_or(kUsualHardness);
-  const std::string of_softer = text("the hardness of the softer face, %.3g GPa (%s)", hardness / 1e9,
-                                     stated ? "contact.hardness" : "assumed: grey iron; state contact.hardness");
+  const std::string of_softer = formatted("the hardness of the softer face, %.3g GPa (%s)", hardness / 1e9,
+                                          stated ? "contact.hardness" : "assumed: grey iron; state contact.hardness");
   const auto& pair = setup.ring.asperities;
   const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
   if (pair && !summits) {
@@ -221,23 +219,25 @@ void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, 
   const auto beyond = [&](const Sample& s) { return s.mean_real_pressure > hardness; };
   const bool is_elastic = setup.input.contact.is_elastic();
   if (is_elastic && beyond(*highest)) {
-    notes.push_back({"contact-beyond-hardness",
-                     text("mean pressure on the real area of contact up to %.3g GPa (at %.0f degree), beyond %s: the "
-                          "load against film is a fit, real area and spot size are too small",
-                          highest->mean_real_pressure / 1e9, highest->crank_angle_deg, of_softer.c_str()),
-                     count(base, beyond)});
+    notes.push_back(
+        {"contact-beyond-hardness",
+         formatted("mean pressure on the real area of contact up to %.3g GPa (at %.0f degree), beyond %s: the "
+                   "load against film is a fit, real area and spot size are too small",
+                   highest->mean_real_pressure / 1e9, highest->crank_angle_deg, of_softer.c_str()),
+         count(base, beyond)});
   } else if (is_elastic && psi > 1 && highest->mean_real_pressure > 0) {
-    notes.push_back({"contact-plastic",
-                     text("plasticity index %.2f with %s: above 1 asperities deform plastically, while the contact is "
-                          "computed as elastic",
-                          psi, of_softer.c_str()),
-                     1});
+    notes.push_back(
+        {"contact-plastic",
+         formatted("plasticity index %.2f with %s: above 1 asperities deform plastically, while the contact is "
+                   "computed as elastic",
+                   psi, of_softer.c_str()),
+         1});
   }
   if (slope > kSteepestAsperity && highest->mean_real_pressure > 0) {
     notes.push_back({"asperity-slopes-high",
-                     text("N, beta and sigma are those of a surface with rms slopes of %.2f; elastic contact of "
-                          "half-spaces holds for slopes up to about %.1f",
-                          slope, kSteepestAsperity),
+                     formatted("N, beta and sigma are those of a surface with rms slopes of %.2f; elastic contact of "
+                               "half-spaces holds for slopes up to about %.1f",
+                               slope, kSteepestAsperity),
                      1});
   }
 }
@@ -258,18 +258,20 @@ void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& b
     return a.min_film_thickness < b.min_film_thickness;
   });
   if (below(*thinnest)) {
-    notes.push_back({"contact-law-left",
-                     text("the film is down to %.3g um thin (at %.0f degree), and contact.law begins at %.3g um: its "
-                          "pressure is extrapolated below that; compute smaller separations",
-                          thinnest->min_film_thickness * 1e6, thinnest->crank_angle_deg, first * 1e6),
-                     count(base, below)});
+    notes.push_back(
+        {"contact-law-left",
+         formatted("the film is down to %.3g um thin (at %.0f degree), and contact.law begins at %.3g um: its "
+                   "pressure is extrapolated below that; compute smaller separations",
+                   thinnest->min_film_thickness * 1e6, thinnest->crank_angle_deg, first * 1e6),
+         count(base, below)});
   }
   if (beyond > kMuchExtrapolated) {
-    notes.push_back({"contact-law-extrapolated",
-                     text("%.2g %% of the load that asperities carry over the cycle comes from separations beyond %.3g "
-                          "um, where few or no spots of the maps of contact.law touch: there it is extrapolated",
-                          100 * beyond, (contact.law->last_supported_separation + shift) * 1e6),
-                     1});
+    notes.push_back(
+        {"contact-law-extrapolated",
+         formatted("%.2g %% of the load that asperities carry over the cycle comes from separations beyond %.3g "
+                   "um, where few or no spots of the maps of contact.law touch: there it is extrapolated",
+                   100 * beyond, (contact.law->last_supported_separation + shift) * 1e6),
+         1});
   }
 }
 
@@ -292,19 +294,20 @@ void append_measured_flow_notes(const Setup& setup, const std::vector<Sample>& b
   if (share(below) > 0) {
     notes.push_back(
         {"flow-factors-left",
-         text("over %.3g %% of the crank angles the film is thinner than %.3g um, where the flow factors of "
-              "contact.law begin: they keep their first values there; compute smaller separations",
-              share(below), flow.first() * 1e6),
+         formatted("over %.3g %% of the crank angles the film is thinner than %.3g um, where the flow factors of "
+                   "contact.law begin: they keep their first values there; compute smaller separations",
+                   share(below), flow.first() * 1e6),
          count(base, below)});
   }
   const double difference = std::abs(flow.pressure_flow(flow.last()) - 1);
   if (share(beyond) > 0 || difference > kMuchBeyondLast) {
-    notes.push_back({"flow-factors-extrapolated",
-                     text("the flow factors of contact.law end at %.3g um, with phi_x %.3g %% from 1; beyond it this "
-                          "falls with the square of the film thickness; over %.3g %% of the crank angles the whole "
-                          "face is there",
-                          flow.last() * 1e6, 100 * difference, share(beyond)),
-                     count(base, beyond)});
+    notes.push_back(
+        {"flow-factors-extrapolated",
+         formatted("the flow factors of contact.law end at %.3g um, with phi_x %.3g %% from 1; beyond it this "
+                   "falls with the square of the film thickness; over %.3g %% of the crank angles the whole "
+                   "face is there",
+                   flow.last() * 1e6, 100 * difference, share(beyond)),
+         count(base, beyond)});
   }
 }
 
@@ -316,16 +319,17 @@ void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, CellsO
   if (rise <= kUnseen * thinnest.min_film_thickness) return;
   const std::string remedy =
       cells == CellsOfFace::kUniform
-          ? text("take more solver.cells than %d", grid.n_cells())
-          : text(
+          ? formatted("take more solver.cells than %d", grid.n_cells())
+          : formatted(
                 "the %d cells are graded for films of %.3g nm already; check face, load and oil, which make a thinner "
                 "film",
                 grid.n_cells(), film::kAtom * 1e9);
-  notes.push_back({"cells-too-long",
-                   text("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
-                        "(at %.0f degree): %s",
-                        rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, remedy.c_str()),
-                   1});
+  notes.push_back(
+      {"cells-too-long",
+       formatted("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
+                 "(at %.0f degree): %s",
+                 rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, remedy.c_str()),
+       1});
 }
 
 /// Results that are numbers, but not those of a ring in an engine.
@@ -337,7 +341,7 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
     return std::max(std::abs(s.viscous_friction_liner), std::abs(s.viscous_friction_ring)) /
            (length * setup.input.ring.face_width);
   };
-  const auto where = [](const Sample& s) { return text(" (at %.0f degree)", s.crank_angle_deg); };
+  const auto where = [](const Sample& s) { return formatted(" (at %.0f degree)", s.crank_angle_deg); };
   const auto film = [](const Sample& s) { return s.min_film_thickness; };
   const auto pressure = [](const Sample& s) { return s.peak_film_pressure; };
   const Limit too_thick = {
@@ -351,11 +355,12 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
   append_limit_note(kFilmPressureHigh, base, pressure, where, notes);
   append_limit_note(kShearStressHigh, base, stress, where, notes);
   if (fmep > kWholeEngine) {
-    notes.push_back({"friction-too-high",
-                     text("the ring alone has a friction mean effective pressure of %.3g kPa, more than the %.0f kPa "
-                          "that an engine delivers: units, oil temperature or load are not those of an engine",
-                          fmep / 1e3, kWholeEngine / 1e3),
-                     1});
+    notes.push_back(
+        {"friction-too-high",
+         formatted("the ring alone has a friction mean effective pressure of %.3g kPa, more than the %.0f kPa "
+                   "that an engine delivers: units, oil temperature or load are not those of an engine",
+                   fmep / 1e3, kWholeEngine / 1e3),
+         1});
   }
 }
 
@@ -368,26 +373,27 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
       base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.lambda_ratio < b.lambda_ratio; });
   const auto below = [&](double limit) { return count(base, [&](const Sample& s) { return s.lambda_ratio < limit; }); };
   if (lowest->lambda_ratio < kContactModelNeeds) {
-    notes.push_back({"lambda-ratio-too-low",
-                     text("lambda ratio down to %.2f (at %.0f degree): below %.1f neither the contact model nor the "
-                          "smooth-gap film holds",
-                          lowest->lambda_ratio, lowest->crank_angle_deg, kContactModelNeeds),
-                     below(kContactModelNeeds)});
+    notes.push_back(
+        {"lambda-ratio-too-low",
+         formatted("lambda ratio down to %.2f (at %.0f degree): below %.1f neither the contact model nor the "
+                   "smooth-gap film holds",
+                   lowest->lambda_ratio, lowest->crank_angle_deg, kContactModelNeeds),
+         below(kContactModelNeeds)});
   } else if (lowest->lambda_ratio < kSmoothGapNeeds && setup.input.film.flow_factors != Roughness::kMeasured) {
     notes.push_back({"lambda-ratio-low",
-                     text("lambda ratio down to %.2f (at %.0f degree): below %.1f %s", lowest->lambda_ratio,
-                          lowest->crank_angle_deg, kSmoothGapNeeds,
-                          setup.input.film.flow_factors == Roughness::kNone
-                              ? "the flow through the roughness differs from that of a smooth gap"
-                              : "the flow factors are at the end of what they were fitted to"),
+                     formatted("lambda ratio down to %.2f (at %.0f degree): below %.1f %s", lowest->lambda_ratio,
+                               lowest->crank_angle_deg, kSmoothGapNeeds,
+                               setup.input.film.flow_factors == Roughness::kNone
+                                   ? "the flow through the roughness differs from that of a smooth gap"
+                                   : "the flow factors are at the end of what they were fitted to"),
                      below(kSmoothGapNeeds)});
   }
   const auto fastest = std::max_element(base.begin(), base.end(),
                                         [](const Sample& a, const Sample& b) { return shear_rate(a) < shear_rate(b); });
   if (!setup.input.lubricant.thins() && shear_rate(*fastest) > kNewtonianUpTo) {
     notes.push_back({"shear-rate-high",
-                     text("shear rate U/h up to %.1e 1/s (at %.0f degree) while the oil is taken as Newtonian",
-                          shear_rate(*fastest), fastest->crank_angle_deg),
+                     formatted("shear rate U/h up to %.1e 1/s (at %.0f degree) while the oil is taken as Newtonian",
+                               shear_rate(*fastest), fastest->crank_angle_deg),
                      count(base, [](const Sample& s) { return shear_rate(s) > kNewtonianUpTo; })});
   }
   append_origin_note(setup.input, notes);
@@ -405,11 +411,12 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_coating_note(setup, lowest->lambda_ratio, notes);
   append_oil_table_note(setup, base, notes);
   if (untrusted.steps > 0) {
-    notes.push_back({"polynomial-beyond-range",
-                     text("the F5/2 polynomial as printed rises again beyond a lambda ratio of 1.911: up to %.0f %% "
-                          "of the asperity load comes from there",
-                          100 * untrusted.largest_share),
-                     untrusted.steps});
+    notes.push_back(
+        {"polynomial-beyond-range",
+         formatted("the F5/2 polynomial as printed rises again beyond a lambda ratio of 1.911: up to %.0f %% "
+                   "of the asperity load comes from there",
+                   100 * untrusted.largest_share),
+         untrusted.steps});
   }
 }
 
@@ -465,28 +472,30 @@ void append_step_note(const Setup& setup, const std::vector<Sample>& base, const
       *std::max_element(steps.begin(), steps.end(), [](const auto& a, const auto& b) { return a.error < b.error; });
   const double effect = effect_of(base, errors_in_time(base, steps, setup.input.ring.face_width));
   const double accuracy = setup.input.solver.accuracy.value_or(kUsualAccuracy) / 100;
-  const std::string place = steps.size() == 1
-                                ? text("at %.1f degree", worst.crank_angle_deg)
-                                : text("between %.1f and %.1f degree", first->crank_angle_deg, last->crank_angle_deg);
+  const std::string place =
+      steps.size() == 1 ? formatted("at %.1f degree", worst.crank_angle_deg)
+                        : formatted("between %.1f and %.1f degree", first->crank_angle_deg, last->crank_angle_deg);
   const auto percent = [](double share) -> std::string {
     if (share > 10) return "more than 1000 %";  // without a limit where no error is known
-    return text(share < 0.095 ? "%.1g %%" : "%.0f %%", 100 * share);
+    return formatted(share < 0.095 ? "%.1g %%" : "%.0f %%", 100 * share);
   };
-  notes.push_back({effect < accuracy ? "step-control-without-effect" : "step-control-at-its-limit",
-                   text("steps of 1/%d of the crank step with an error in time of more than %.3g %%, %s, the largest "
-                        "%s: friction work and smallest film of the cycle may be off by %s (accuracy %.3g %%)",
-                        TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError, place.c_str(),
-                        percent(worst.error).c_str(), percent(effect).c_str(), 100 * accuracy),
-                   static_cast<long>(steps.size())});
+  notes.push_back(
+      {effect < accuracy ? "step-control-without-effect" : "step-control-at-its-limit",
+       formatted("steps of 1/%d of the crank step with an error in time of more than %.3g %%, %s, the largest "
+                 "%s: friction work and smallest film of the cycle may be off by %s (accuracy %.3g %%)",
+                 TimeIntegration::kTicksPerBaseStep, 100 * TimeIntegration::kUncontrolledError, place.c_str(),
+                 percent(worst.error).c_str(), percent(effect).c_str(), 100 * accuracy),
+       static_cast<long>(steps.size())});
 }
 
 Note settling_note(double cycles, double oil_ahead) {
-  return {"oil-not-settled",
-          text("after %.0f cycles one differs little from the next, but all further ones are estimated to move up to "
-               "%.2g %% of the oil on the liner: friction and films of a nearly dry ring may be off by several times "
-               "that",
-               cycles, std::min(100.0, 100 * oil_ahead)),
-          1};
+  return {
+      "oil-not-settled",
+      formatted("after %.0f cycles one differs little from the next, but all further ones are estimated to move up to "
+                "%.2g %% of the oil on the liner: friction and films of a nearly dry ring may be off by several times "
+                "that",
+                cycles, std::min(100.0, 100 * oil_ahead)),
+      1};
 }
 
 void append_effort_notes(const Effort& effort, const TimeIntegration::Totals& totals, std::vector<Note>& notes) {

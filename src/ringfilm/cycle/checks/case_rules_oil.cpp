@@ -3,9 +3,11 @@
 #include <optional>
 #include <string>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
+#include "ringfilm/models/oil/oil_temperature.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
 
 namespace ringfilm::cycle {
@@ -20,12 +22,12 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
                   Breaches& breaches) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].temperature == points[i - 1].temperature) {
-      breaches.push_back({key, key + " has two values at " + number_text(points[i].temperature - 273.15) + " degC",
-                          "keep one of them"});
+      breaches.push_back(
+          {key, key + " has two values at " + models::in_degC(points[i].temperature), "keep one of them"});
     } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
       breaches.push_back({key,
-                          key + " does not fall from " + number_text(points[i - 1].temperature - 273.15) + " to " +
-                              number_text(points[i].temperature - 273.15) + " degC",
+                          key + " does not fall from " + number_text(points[i - 1].temperature - base::kZeroCelsius) +
+                              " to " + models::in_degC(points[i].temperature),
                           "the viscosity of an oil falls with temperature; are two values exchanged?"});
     }
   }
@@ -60,8 +62,8 @@ void check_coldest_film(const Case& c, Breaches& breaches) {
   const std::string of_wall = c.thermal.film == FilmTemperature::kRing ? "thermal.ring" : "thermal.liner";
   breaches.push_back(
       {walls ? of_wall : "operating.oil_temperature",
-       "the film is as cold as " + number_text(coldest - 273.15) + " degC, where this oil has " +
-           number_text(*viscosity) + " Pa s: it does not flow",
+       "the film is as cold as " + models::in_degC(coldest) + ", where this oil has " + number_text(*viscosity) +
+           " Pa s: it does not flow",
        "above " + number_text(kNoLongerFlows) + " Pa s it is taken to be below its pour point; check the " +
            (walls ? "temperatures in [thermal]" : "temperature") + " and lubricant.kinematic_viscosity"});
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/load_balance.hpp"
@@ -36,60 +36,52 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
                                            : 0.5 * (inputs.left.pressure + inputs.right.pressure);
   const double load = inputs.load / 1e3;
   const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
-  char text[400];
   switch (report.failure) {
     case film::Failure::kOverloaded:
-      std::snprintf(text, sizeof text,
-                    "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
-                    "separation: asperities carry at most %.4g, the pressures at the edges %.4g (computed on %d "
-                    "cells, the shortest %.3g um long; solver.cells = %d)",
-                    load, film::asperity_load(problem, film::kThinnest) / 1e3, at_edges * grid.width / 1e3,
-                    grid.n_cells(), smallest_cell * 1e6, setup.input.solver.cells);
-      return text;
+      return formatted(
+          "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
+          "separation: asperities carry at most %.4g, the pressures at the edges %.4g (computed on %d "
+          "cells, the shortest %.3g um long; solver.cells = %d)",
+          load, film::asperity_load(problem, film::kThinnest) / 1e3, at_edges * grid.width / 1e3, grid.n_cells(),
+          smallest_cell * 1e6, setup.input.solver.cells);
     case film::Failure::kLiftedOff:
       if (at_edges > pressing) {
-        std::snprintf(
-            text, sizeof text,
+        return formatted(
             "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face press it away with %.3g bar "
             "more than the %.4g bar that press it on",
             inputs.left.pressure / 1e5, inputs.right.pressure / 1e5, (at_edges - pressing) / 1e5, pressing / 1e5);
-      } else {
-        std::snprintf(text, sizeof text,
-                      "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
-                      "%.3g mm: face, speed, oil and load are not those of a ring",
-                      load, film::thickest(problem) * 1e3);
       }
-      return text;
+      return formatted(
+          "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
+          "%.3g mm: face, speed, oil and load are not those of a ring",
+          load, film::thickest(problem) * 1e3);
     case film::Failure::kRunsAway:
-      std::snprintf(text, sizeof text,
-                    "no film carries the load of %.4g N per mm of circumference: at about %.3g um viscosity rises with "
-                    "pressure until the oil is solid, and Reynolds' equation has no solution "
-                    "(lubricant.viscosity_pressure = \"%s\")",
-                    load, report.thinnest_film * 1e6,
-                    models::viscosity_law(setup.input.lubricant.viscosity_pressure).name.c_str());
-      return text;
+      return formatted(
+          "no film carries the load of %.4g N per mm of circumference: at about %.3g um viscosity rises with "
+          "pressure until the oil is solid, and Reynolds' equation has no solution "
+          "(lubricant.viscosity_pressure = \"%s\")",
+          load, report.thinnest_film * 1e6,
+          models::viscosity_law(setup.input.lubricant.viscosity_pressure).name.c_str());
     default:
       break;
   }
-  const int written = std::snprintf(
-      text, sizeof text, "film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
+  const std::string text =
+      formatted("film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
   constexpr double kMostAtTips = 100;  // of the mean load, of what rings of the paper press in a point
   if (!setup.input.bends() || problem.contact == nullptr) return text;
   if (film::asperity_load(problem, 0) > kMostAtTips * inputs.load) return text;
-  std::snprintf(
-      text + written, sizeof text - written,
-      "; a ring that bends presses in a point where its tips meet a crest of the bore, and asperities carry at "
-      "most %.3g N per mm of circumference there (the mean load is %.3g N): turn ring.gap_position off the "
-      "crest, or state rougher surfaces",
-      film::asperity_load(problem, 0) / 1e3, load);
-  return text;
+  return text +
+         formatted(
+             "; a ring that bends presses in a point where its tips meet a crest of the bore, and asperities carry at "
+             "most %.3g N per mm of circumference there (the mean load is %.3g N): turn ring.gap_position off the "
+             "crest, or state rougher surfaces",
+             film::asperity_load(problem, 0) / 1e3, load);
 }
 
 NoBalance no_balance(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
                      const film::FilmReport& report, double crank_angle_deg) {
-  char place[64];
-  std::snprintf(place, sizeof place, "at %.6g degree ", wrapped(crank_angle_deg));
-  return {place + reason(setup, problem, inputs, report), wrapped(crank_angle_deg), report.failure};
+  return {formatted("at %.6g degree ", wrapped(crank_angle_deg)) + reason(setup, problem, inputs, report),
+          wrapped(crank_angle_deg), report.failure};
 }
 
 const film::EdgeState& chamber_edge(const RingConditions& at) {

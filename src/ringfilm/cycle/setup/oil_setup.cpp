@@ -1,7 +1,6 @@
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
@@ -121,11 +121,7 @@ double range_of_fits(double largest_mean_pressure) {
 
 }  // namespace
 
-std::string celsius(double temperature) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f degC", temperature - kZeroCelsius);
-  return text;
-}
+std::string celsius(double temperature) { return formatted("%.1f degC", temperature - base::kZeroCelsius); }
 
 PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallTemperatures> walls,
                          const OilConditions& conditions) {
@@ -177,11 +173,9 @@ PreparedOil own_oil(const std::string& name, std::shared_ptr<const models::OilAt
 void fit_properties(PreparedOil& oil, double largest_mean_pressure) {
   const double high = range_of_fits(largest_mean_pressure);
   if (oil.range->fit(high) || oil.range->fit(high / 2)) return;
-  char allowed[32];
-  std::snprintf(allowed, sizeof allowed, "%.0e", models::kFitError);
   oil.notes.push_back(
       {"properties-exact",
-       "no polynomials follow the oil's laws within a relative " + std::string(allowed) +
+       "no polynomials follow the oil's laws within a relative " + formatted("%.0e", models::kFitError) +
            ", as solver.properties = \"fitted\" requires: the laws themselves are used, which takes longer",
        1});
 }

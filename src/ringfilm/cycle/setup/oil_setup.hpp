@@ -16,8 +16,6 @@ inline bool is_oil_density(double density) { return density > 100 && density < 5
 /// The same for messages.
 inline constexpr const char* kAllowedOilDensity = "allowed is above 100 to below 5000 kg/m3";
 
-inline constexpr double kZeroCelsius = 273.15;  ///< [K]
-
 /// "120.0 degC", for messages.
 std::string celsius(double temperature);
 
