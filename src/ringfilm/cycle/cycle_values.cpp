@@ -133,11 +133,13 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.mean_viscous_power = curves.mean([](const Sample& s) { return s.viscous_friction * std::abs(s.piston_velocity); });
   v.archard_wear_load = curves.mean([](const Sample& s) { return s.archard_wear_load_rate; }) * duration;
 
+  const auto put = [](const BetweenSamples::Place& place, double& value, double& angle) {
+    value = place.value;
+    angle = place.angle_deg;
+  };
   const auto mean_and_peak = [&](double Sample::*part, double& average, double& peak, double& angle) {
     average = curves.mean(part);
-    const BetweenSamples::Place p = curves.largest(part);
-    peak = p.value;
-    angle = p.angle_deg;
+    put(curves.largest(part), peak, angle);
   };
   mean_and_peak(&Sample::boundary_friction, v.mean_boundary_friction, v.peak_boundary_friction,
                 v.peak_boundary_friction_angle);
@@ -145,24 +147,14 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
                 v.peak_viscous_friction_angle);
   mean_and_peak(&Sample::total_friction, v.mean_total_friction, v.peak_total_friction, v.peak_total_friction_angle);
 
-  const BetweenSamples::Place heating = curves.largest(&Sample::viscous_heating_rise);
-  v.peak_viscous_heating_rise = heating.value;
-  v.peak_viscous_heating_rise_angle = heating.angle_deg;
-  const BetweenSamples::Place deformation = curves.largest(&Sample::max_local_deformation);
-  v.peak_local_deformation = deformation.value;
-  v.peak_local_deformation_angle = deformation.angle_deg;
-  const BetweenSamples::Place flash = curves.largest(&Sample::flash_temperature);
-  v.peak_flash_temperature = flash.value;
-  v.peak_flash_temperature_angle = flash.angle_deg;
+  put(curves.largest(&Sample::viscous_heating_rise), v.peak_viscous_heating_rise, v.peak_viscous_heating_rise_angle);
+  put(curves.largest(&Sample::max_local_deformation), v.peak_local_deformation, v.peak_local_deformation_angle);
+  put(curves.largest(&Sample::flash_temperature), v.peak_flash_temperature, v.peak_flash_temperature_angle);
 
-  const BetweenSamples::Place mu = curves.largest(&Sample::friction_coefficient);
-  v.peak_friction_coefficient = mu.value;
-  v.peak_friction_coefficient_angle = mu.angle_deg;
+  put(curves.largest(&Sample::friction_coefficient), v.peak_friction_coefficient, v.peak_friction_coefficient_angle);
   v.peak_friction_coefficient_firing = curves.largest_within(kFiringWindowDeg, &Sample::friction_coefficient).value;
 
-  const BetweenSamples::Place thinnest = curves.smallest(&Sample::min_film_thickness);
-  v.min_film_thickness = thinnest.value;
-  v.min_film_thickness_angle = thinnest.angle_deg;
+  put(curves.smallest(&Sample::min_film_thickness), v.min_film_thickness, v.min_film_thickness_angle);
   v.max_film_thickness = curves.largest(&Sample::min_film_thickness).value;
   v.min_lambda_ratio = curves.smallest(&Sample::lambda_ratio).value;
   v.peak_mean_real_pressure = curves.largest(&Sample::mean_real_pressure).value;
