@@ -12,117 +12,112 @@
 namespace ringfilm::io {
 namespace {
 
-std::string header(const std::string& name, const std::string& unit) {
-  return unit == "1" ? name : name + " [" + unit + "]";
-}
-
 std::string exact_number(double value) {
   return std::isnan(value) ? "nan" : fmt::format("{}", value + 0.0);  // the sign of a NaN or a zero has no meaning
 }
 
-}  // namespace
+/// What a column of the curves is of all rings together.
+enum class OfPack { kSum, kSameOfEachRing, kNone };
 
-std::string result_csv(const std::vector<cycle::Sample>& samples, const std::optional<study::ErrorEstimate>& errors,
-                       const std::vector<cycle::UnrolledSample>& unrolled) {
-  const auto& quantities = cycle::curve_quantities();
-  const bool has_errors = errors && study::has_values(*errors);
-  std::string csv;
-  const char* separator = "";
-  const auto add = [&](const std::string& cell) {
-    csv += separator + cell;
-    separator = ",";
-  };
-  for (const auto& quantity : quantities) add(header(quantity.name, quantity.unit));
-  for (const auto& quantity : cycle::unrolled_quantities()) {
-    if (!unrolled.empty()) add(header(quantity.name, quantity.unit));
-  }
-  for (const auto& quantity : quantities) {
-    if (has_errors && study::has_error(quantity)) add(header(quantity.name + "_error", quantity.unit));
-  }
-  csv += '\n';
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    separator = "";
-    for (const auto& quantity : quantities) add(exact_number(samples[k].*quantity.value));
-    for (const auto& quantity : cycle::unrolled_quantities()) {
-      if (!unrolled.empty()) add(exact_number(unrolled[k].*quantity.value));
-    }
-    for (const auto& quantity : quantities) {
-      if (has_errors && study::has_error(quantity)) add(exact_number(errors->samples[k].*quantity.value));
-    }
-    csv += '\n';
-  }
-  return csv;
-}
-
-namespace {
-
-/// Is the sum over the rings that of the pack?
-bool adds_up(const cycle::CurveQuantity& quantity) {
-  static const std::set<std::string> names = {
+OfPack of_pack(const cycle::CurveQuantity& quantity) {
+  static const std::set<std::string> sums = {
       "hydrodynamic_load",     "asperity_load",  "boundary_friction", "viscous_friction", "viscous_friction_liner",
       "viscous_friction_ring", "total_friction", "friction_on_liner", "power_loss",       "archard_wear_load_rate",
       "applied_load"};
-  return names.contains(quantity.name);
+  static const std::set<std::string> of_engine = {"crank_angle", "piston_position", "piston_velocity",
+                                                  "sliding_distance"};
+  if (sums.contains(quantity.name)) return OfPack::kSum;
+  return of_engine.contains(quantity.name) ? OfPack::kSameOfEachRing : OfPack::kNone;
 }
 
-/// Is it the same for each ring?
-bool is_of_engine(const cycle::CurveQuantity& quantity) {
-  static const std::set<std::string> names = {"crank_angle", "piston_position", "piston_velocity", "sliding_distance"};
-  return names.contains(quantity.name);
+struct Column {
+  std::string header;
+  OfPack of_pack = OfPack::kNone;
+  std::vector<double> values;
+};
+
+using Errors = std::optional<study::ErrorEstimate>;
+
+std::vector<Column> columns_of(const std::vector<cycle::Sample>& samples, const Errors& errors,
+                               const std::vector<cycle::UnrolledSample>& unrolled) {
+  std::vector<Column> columns;
+  const auto add = [&columns](const std::string& name, const std::string& unit, OfPack kind, const auto& rows,
+                              auto member) {
+    Column& column = columns.emplace_back(Column{unit == "1" ? name : name + " [" + unit + "]", kind, {}});
+    for (const auto& row : rows) column.values.push_back(row.*member);
+  };
+  for (const auto& q : cycle::curve_quantities()) add(q.name, q.unit, of_pack(q), samples, q.value);
+  for (const auto& q : cycle::unrolled_quantities()) {
+    if (!unrolled.empty()) add(q.name, q.unit, OfPack::kNone, unrolled, q.value);
+  }
+  for (const auto& q : cycle::curve_quantities()) {
+    if (errors && study::has_values(*errors) && study::has_error(q))
+      add(q.name + "_error", q.unit, OfPack::kNone, errors->samples, q.value);
+  }
+  return columns;
 }
 
-/// Rows of the sums over all rings, where each has been computed for the same crank angles.
-std::string rows_of_all(const ResultDocument& pack) {
-  const auto& first = pack.rings.front().result.samples;
-  const auto has_all = [&](const ResultDocument& ring) { return ring.result.samples.size() == first.size(); };
-  if (pack.rings.size() < 2 || !pack.result.complete || !std::ranges::all_of(pack.rings, has_all)) return "";
-  std::vector<cycle::Sample> sums = first;
-  for (std::size_t k = 0; k < sums.size(); ++k) {
-    for (const auto& quantity : cycle::curve_quantities()) {
-      if (is_of_engine(quantity)) continue;
-      double& value = sums[k].*quantity.value;
-      value = adds_up(quantity) ? 0 : std::numeric_limits<double>::quiet_NaN();
-      for (const ResultDocument& ring : pack.rings) {
-        if (adds_up(quantity)) value += ring.result.samples[k].*quantity.value;
-      }
+std::vector<Column> columns_of(const ResultDocument& ring) {
+  return columns_of(ring.result.samples, ring.errors, ring.result.unrolled_samples);
+}
+
+std::string header_of(const std::vector<Column>& columns) {
+  std::string line;
+  for (const Column& column : columns) line += (line.empty() ? "" : ",") + column.header;
+  return line + "\n";
+}
+
+std::string row_of(const std::vector<Column>& columns, std::size_t k) {
+  std::string line;
+  for (const Column& column : columns) line += (line.empty() ? "" : ",") + exact_number(column.values[k]);
+  return line + "\n";
+}
+
+/// The sums over all rings, where each has been computed for the same crank angles; else no rows.
+std::vector<Column> columns_of_all(const ResultDocument& pack) {
+  std::vector<Column> all = columns_of(pack.rings.front());
+  const std::size_t n = all.front().values.size();
+  const auto has_all = [&](const ResultDocument& ring) { return ring.result.samples.size() == n; };
+  if (pack.rings.size() < 2 || !pack.result.complete || !std::ranges::all_of(pack.rings, has_all)) return {};
+  for (Column& column : all) {
+    if (column.of_pack != OfPack::kSameOfEachRing)
+      column.values.assign(n, column.of_pack == OfPack::kSum ? 0 : std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const ResultDocument& ring : pack.rings) {
+    const std::vector<Column> own = columns_of(ring);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].of_pack != OfPack::kSum) continue;
+      for (std::size_t k = 0; k < n; ++k) all[i].values[k] += own[i].values[k];
     }
   }
-  std::string rows;
-  const bool has_errors = pack.rings.front().errors && study::has_values(*pack.rings.front().errors);
-  for (const cycle::Sample& sample : sums) {
-    rows += "all";
-    for (const auto& quantity : cycle::curve_quantities()) rows += "," + exact_number(sample.*quantity.value);
-    for (std::size_t i = 0; i < cycle::unrolled_quantities().size(); ++i) {
-      if (!pack.rings.front().result.unrolled_samples.empty()) rows += ",nan";
-    }
-    for (const auto& quantity : cycle::curve_quantities()) {
-      if (has_errors && study::has_error(quantity)) rows += ",nan";
-    }
-    rows += '\n';
-  }
-  return rows;
+  return all;
 }
 
 }  // namespace
 
+std::string result_csv(const std::vector<cycle::Sample>& samples, const Errors& errors,
+                       const std::vector<cycle::UnrolledSample>& unrolled) {
+  const std::vector<Column> columns = columns_of(samples, errors, unrolled);
+  std::string csv = header_of(columns);
+  for (std::size_t k = 0; k < samples.size(); ++k) csv += row_of(columns, k);
+  return csv;
+}
+
 std::string result_csv(const ResultDocument& document) {
-  const auto of = [](const ResultDocument& one) {
-    return result_csv(one.result.samples, one.errors, one.result.unrolled_samples);
+  if (!document.is_pack())
+    return result_csv(document.result.samples, document.errors, document.result.unrolled_samples);
+  std::string csv = "ring," + header_of(columns_of(document.rings.front()));
+  const auto add = [&csv](const std::string& ring, const std::vector<Column>& columns) {
+    for (std::size_t k = 0; !columns.empty() && k < columns.front().values.size(); ++k)
+      csv += ring + "," + row_of(columns, k);
   };
-  if (!document.is_pack()) return of(document);
-  std::string all;
   const std::vector<std::size_t> numbers = ring_numbers(document);
   for (std::size_t i = 0; i < document.rings.size(); ++i) {
     const long rail = document.rings[i].rail;
-    const std::string number = fmt::format("{}{}", numbers[i], rail > 0 ? fmt::format(".{}", rail) : "");
-    const std::string csv = of(document.rings[i]);
-    std::size_t begin = 0;
-    for (std::size_t end = csv.find('\n'); end != std::string::npos; begin = end + 1, end = csv.find('\n', begin)) {
-      if (begin == 0 && i > 0) continue;  // the header, which all rings have
-      all += (begin == 0 ? "ring" : number) + "," + csv.substr(begin, end + 1 - begin);
-    }
+    add(fmt::format("{}{}", numbers[i], rail > 0 ? fmt::format(".{}", rail) : ""), columns_of(document.rings[i]));
   }
-  return all + rows_of_all(document);
+  add("all", columns_of_all(document));
+  return csv;
 }
 
 }  // namespace ringfilm::io
