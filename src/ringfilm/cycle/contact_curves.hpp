@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/case/case.hpp"
 
 /// The contact law of a case against the separation, next to other laws of the same surfaces: for pictures.
@@ -30,6 +32,33 @@ struct ContactCurves {
   /// Flow factors of the case or of the file of its law; empty: smooth walls [-].
   std::vector<double> phi_x, phi_y, phi_s;
 };
+
+/// The words of a law, as all outputs have them.
+constexpr auto members(const ContactCurves::Law*) {
+  using L = ContactCurves::Law;
+  return std::tuple{Member{"name", "", "contact law, that of the case first", &L::name},
+                    Member{"label", "", "the same in words", &L::label}};
+}
+
+/// The curves of each law, as all outputs have them.
+constexpr auto curves_of_laws() {
+  using C = ContactCurves;
+  return std::tuple{Member{"pressure", "Pa", "contact pressure of the law", &C::pressure, "p_a", "eq-asperity-load"},
+                    Member{"log_deviation", "1",
+                           "standard deviation of the logarithm of that pressure by what was measured, NaN: not known",
+                           &C::log_deviation, "s(ln p)", "eq-law-band"}};
+}
+
+/// The curves of the case alone, as all outputs have them.
+constexpr auto members(const ContactCurves*) {
+  using C = ContactCurves;
+  return std::tuple{
+      Member{"real_area", "1", "real contact area over the nominal one, law of the case", &C::real_area, "A"},
+      Member{"phi_x", "1", "pressure flow factor along the motion", &C::phi_x, "phi_x", "eq-average-flow"},
+      Member{"phi_y", "1", "pressure flow factor across the motion", &C::phi_y, "phi_y", "eq-average-flow"},
+      Member{"phi_s", "1", "shear flow factor, first surface at rest", &C::phi_s, "phi_s", "eq-average-flow"}};
+}
+
 inline constexpr double kLambdaOfCurves = 4;
 inline constexpr int kPlacesOfCurves = 81;
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -46,6 +47,12 @@ struct FaceDistance {
   double half_width = 0;  ///< to both sides of the middle [m]
   double rms = 0;         ///< [m]
 };
+
+/// The members of a distance, as all outputs have them.
+constexpr auto members(const FaceDistance*) {
+  return std::tuple{Member{"half_width", "m", "half width compared, about the middle", &FaceDistance::half_width},
+                    Member{"rms", "m", "rms distance of both faces", &FaceDistance::rms}};
+}
 
 /// The ring after one of the reported running times.
 struct LifeState {

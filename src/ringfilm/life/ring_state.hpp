@@ -1,6 +1,8 @@
 #pragma once
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/life/life.hpp"
 
 /// What changes of a ring over its life, and its interpolation between measured states (docs/theory/life.md).
@@ -22,6 +24,15 @@ struct RingState {
   double boundary_shear_strength_coefficient = 0;  ///< zeta [-]
   EndGapWear gap = {};                             ///< with the face; used where a pack is given
 };
+
+/// The numbers of the contact, as all outputs have them.
+constexpr auto members(const RingState*) {
+  return std::tuple{Member{"asperity_density", "m-2", "asperity peaks per area", &RingState::asperity_density, "N"},
+                    Member{"asperity_radius", "m", "mean radius of the peaks", &RingState::asperity_radius, "beta"},
+                    Member{"roughness", "m", "composite roughness", &RingState::roughness, "sigma"},
+                    Member{"boundary_shear_strength_coefficient", "1", "coefficient of boundary shear strength",
+                           &RingState::boundary_shear_strength_coefficient, "zeta"}};
+}
 
 /// Which of the three a mixture takes from a later state.
 enum class Part { kFace, kRoughness, kShearStrength };

@@ -1,7 +1,9 @@
 #pragma once
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 
 /// What a pad gives: the film between a fixed pad of stated shape and a flat surface that moves past it. Everything is
@@ -60,6 +62,14 @@ struct Profile {
   std::vector<double> film_content;    ///< theta [-]
 };
 
+/// The members of a profile, by the names of profile_quantities().
+constexpr auto members(const Profile*) {
+  return std::tuple{Member{"time", "s", "time", &Profile::time},
+                    Member{"film_thickness", "m", "film thickness", &Profile::film_thickness},
+                    Member{"pressure", "Pa", "film pressure, counted from the zero of the case", &Profile::pressure},
+                    Member{"film_content", "1", "liquid share of the gap", &Profile::film_content}};
+}
+
 /// Time and the columns of a profile, named as in result files.
 const std::vector<cycle::Quantity>& profile_quantities();
 /// Place across the pad, as result files name it.
@@ -73,6 +83,17 @@ struct Effort {
   long eased_starts = 0;       ///< steady films that were reached by raising the speed little by little
   double max_newton_step = 0;  ///< last relative Newton step accepted, the worst of all solves [-]
 };
+
+/// The members of the effort, as all outputs have them.
+constexpr auto members(const Effort*) {
+  return std::tuple{Member{"time_steps", "1", "whole steps", &Effort::time_steps},
+                    Member{"sub_steps", "1", "steps solved, those that were cut included", &Effort::sub_steps},
+                    Member{"newton_iterations", "1", "Newton iterations", &Effort::newton_iterations},
+                    Member{"cut_steps", "1", "steps solved after they were cut", &Effort::cut_steps},
+                    Member{"eased_starts", "1", "steady films reached by raising the speed", &Effort::eased_starts},
+                    Member{"max_newton_step", "1", "largest Newton step accepted as the last one, relative",
+                           &Effort::max_newton_step}};
+}
 
 struct PadResult {
   std::vector<Sample> samples;    ///< one for a steady film; else one for each time of the result, the last at the end

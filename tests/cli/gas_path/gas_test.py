@@ -348,7 +348,7 @@ class GasTest(program.ProgramTest):
         self.assertIn("blow-by", " ".join(note["message"] for note in rings[0]["notes"]))
         # Each value of the gas in the same unit as of the gas alone; the page has the same.
         self.assertEqual(pack["gas"], {key: value for key, value in gas.items() if key in pack["gas"]})
-        self.assertEqual(set(gas) - set(pack["gas"]), {"title", "notes", "assumed", "program", "commit"})
+        self.assertEqual(set(gas) - set(pack["gas"]), {"title", "notes", "assumed", "program", "commit", "compiler"})
         self.run_well("report", "pack.nc", "-o", "pack.html")
         page = (self.folder / "pack.html").read_text()
         for name in ("largest_static_twist", "unseated_share", "mass_back_per_cycle", "relaxation_sweeps"):

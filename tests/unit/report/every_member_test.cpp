@@ -5,16 +5,20 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "page_data.hpp"
+#include "result_example.hpp"
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/life/life_output.hpp"
 #include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/input_members.hpp"
 #include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/report/html.hpp"
 #include "ringfilm/report/life_page.hpp"
 
-/// Each output has each member of the records of a pack, of its gas and of a life. Python reads the JSON.
+/// Each output has each member of the records of a result, of a pack, of its gas and of a life. Python reads the JSON.
 namespace ringfilm::report {
 namespace {
 
@@ -56,6 +60,8 @@ io::LifeDocument life_of_one_state() {
   state.point_gas = {gas_path::gas_sums(gas_of_two_regions(), 287)};
   state.worn = life::worn_profile({1e-6, 2e-6}, 1.5e-9, 20e-6);
   state.worn->blow_by = 1e-5;
+  state.least_wear.resize(1);
+  state.from_measured.resize(1);
   state.other_paths = {state.values};
   state.other_worn = {state.worn};
   document.result.other_paths.resize(1);
@@ -67,11 +73,24 @@ void expect_each(const Quantities& quantities, const Check& has) {
   for (const cycle::Quantity& quantity : quantities) EXPECT_TRUE(has(quantity.name)) << quantity.name;
 }
 
+/// Does an object have each member of a record, whatever its value?
+template <class Record, class Object>
+void expect_members(const Object& object) {
+  for_each_member<Record>([&](const auto& member) { EXPECT_TRUE(object.contains(member.name)) << member.name; });
+}
+
+/// Does a result file have them behind a prefix? Names of variables are plain text in NetCDF-4.
+template <class Record>
+void expect_variables(const std::string& file, const std::string& prefix) {
+  for_each_member<Record>([&](const auto& member) {
+    EXPECT_NE(file.find(prefix + member.name), std::string::npos) << prefix << member.name;
+  });
+}
+
 auto in_object(const ordered_json& object) {
   return [&object](const std::string& name) { return object.contains(name) && !object[name].is_null(); };
 }
 
-/// Names of variables are plain text in NetCDF-4.
 auto in_text(const std::string& text, const std::string& before) {
   return [&text, before](const std::string& name) { return text.find(before + name) != std::string::npos; };
 }
@@ -79,6 +98,55 @@ auto in_text(const std::string& text, const std::string& before) {
 /// A description of a quantity in the data of a page.
 auto on_page(const std::string& page) {
   return [&page](const std::string& name) { return page.find("\"name\":\"" + name + "\"") != std::string::npos; };
+}
+
+TEST(EveryMember, OfTheRecordsOfAResultIsInJson) {
+  const io::ResultDocument document = io::example_document();
+  const ordered_json json = ordered_json::parse(io::result_json(document)), &entry = json["ledger"][1];
+  expect_members<io::Provenance>(json);
+  expect_members<cycle::Note>(json["notes"][1]);
+  expect_members<study::GridRun>(json["error_estimate"]["runs"][0]);
+  expect_members<study::LedgerEntry>(entry);
+  expect_members<study::LedgerVariant>(entry["variants"][0]);
+  expect_members<study::PublishedValue>(json["comparison"][0]);
+  expect_members<study::ComparisonRow>(json["comparison"][0]);
+
+  const ordered_json check =
+      ordered_json::parse(io::check_json({"example.toml", document.inputs, {document.ledger}, document.result.notes}));
+  expect_members<io::CaseEntry>(check["stated"][0]);
+  expect_members<io::CaseEntry>(check["default_inputs"][0]);
+  expect_members<study::LedgerEntry>(check["modelling_assumptions"][0]);
+  expect_members<cycle::Note>(check["notes"][0]);
+}
+
+TEST(EveryMember, OfTheRecordsOfAResultIsInFilesAndOnPages) {
+  io::ResultDocument document = io::example_document();
+  document.contact.phi_s = document.contact.phi_x;
+  const std::string file = io::result_bytes(document);
+  expect_variables<io::Provenance>(file, "");
+  expect_variables<cycle::Note>(file, "note_");
+  expect_variables<study::GridRun>(file, "grid_run_");
+  expect_variables<study::LedgerEntry>(file, "ledger_");
+  expect_variables<study::LedgerVariant>(file, "variant_");
+  expect_variables<study::PublishedValue>(file, "comparison_");
+  expect_variables<study::ComparisonRow>(file, "comparison_");
+  expect_variables<io::CaseEntry>(file, "input_");
+  expect_variables<cycle::InputFile>(file, "file_");
+  expect_variables<cycle::ContactCurves>(file, "contact_law_");
+  expect_variables<cycle::ContactCurves::Law>(file, "contact_law_");
+
+  const nlohmann::json data = example::data_of(report_page({document}, {})), &page = data["cases"][0];
+  expect_members<io::Provenance>(page["provenance"]);
+  expect_members<cycle::Note>(page["notes"][0]);
+  expect_members<study::GridRun>(page["errors"]["runs"][0]);
+  expect_members<study::LedgerEntry>(page["ledger"][1]);
+  expect_members<study::LedgerVariant>(page["ledger"][1]["variants"][0]);
+  expect_members<study::PublishedValue>(page["comparison"][0]);
+  expect_members<study::ComparisonRow>(page["comparison"][0]);
+  expect_members<io::CaseEntry>(page["inputs"][0]);
+  expect_members<cycle::InputFile>(page["files"][0]);
+  expect_members<cycle::ContactCurves>(page["contact"]);
+  expect_members<cycle::ContactCurves::Law>(page["contact"]["laws"][0]);
 }
 
 TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
@@ -119,6 +187,9 @@ TEST(EveryMember, OfALifeIsInEachOutput) {
     expect_each(life::life_quantities(), in_object(object));
     expect_each(life::worn_quantities(), in_object(object));
   }
+  expect_members<life::RingState>(state);
+  expect_members<life::WearBound>(state["least_wear"][0]);
+  expect_members<life::FaceDistance>(state["measured_face_distance"][0]);
   expect_each(life::life_quantities(), in_object(state["points"][0]));
   expect_each(cycle::gas_sum_quantities(), in_object(state["points"][0]));
 
@@ -129,6 +200,7 @@ TEST(EveryMember, OfALifeIsInEachOutput) {
   std::remove(path.c_str());
   expect_each(life::life_quantities(), in_text(file, ""));
   expect_each(life::worn_quantities(), in_text(file, ""));
+  expect_variables<life::RingState>(file, "");
 
   const std::string page = life_page(document);
   expect_each(life::life_quantities(), on_page(page));

@@ -4,7 +4,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
+
+#include "ringfilm/base/members.hpp"
 
 /// What one engine cycle gives. Two tables name every quantity once: `curve_quantities` over crank angle and
 /// `cycle_quantities` for the cycle as a whole; CSV, JSON, NetCDF, report and Python walk them.
@@ -277,6 +280,13 @@ struct Note {
   std::string message;  ///< a sentence with figures and units
   long count = 1;       ///< crank steps or evaluations concerned
 };
+
+/// The members of a note, as all outputs have them.
+constexpr auto members(const Note*) {
+  return std::tuple{Member{"topic", "", "stable word for the note", &Note::topic},
+                    Member{"message", "", "what the user must know about this result", &Note::message},
+                    Member{"count", "1", "crank steps or evaluations concerned", &Note::count}};
+}
 
 /// What the integration cost, and how well it kept its tolerances.
 struct Effort {

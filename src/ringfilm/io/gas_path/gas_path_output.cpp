@@ -12,6 +12,7 @@
 #include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/result/result_file_layout.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
@@ -36,15 +37,6 @@ bool is_gas_entry(const CaseEntry& entry, const cycle::Case& c) {
   if (is_of_oil_ring && field->key == "ring.youngs_modulus") return false;
   // What only the film requires has no value where the case does not state it.
   return !(entry.assumed && field->need == cycle::Need::kRequired);
-}
-
-ordered_json gas_notes_array(const GasPathDocument& document) {
-  ordered_json notes = ordered_json::array();
-  for (const std::string& message : document.input_notes) notes.push_back({{"topic", "input"}, {"message", message}});
-  for (const auto& [topic, message, count] : document.notes) {
-    notes.push_back({{"topic", topic}, {"message", message}, {"count", count}});
-  }
-  return notes;
 }
 
 std::string column_name(const std::string& what, std::string name) {
@@ -77,15 +69,10 @@ GasPathDocument gas_path_document(const cycle::Case& c, const gas_path::Pack& pa
 std::string gas_path_json(const GasPathDocument& document) {
   ordered_json object = {{"title", document.title}};
   object.update(gas_object(document.gas));
-  object["notes"] = gas_notes_array(document);
-  ordered_json assumed = ordered_json::object();
-  for (const CaseEntry& entry : document.inputs) {
-    if (entry.assumed) assumed[entry.key] = entry.shown;
-  }
-  object["assumed"] = assumed;
-  object["program"] = document.provenance.program;
-  object["commit"] = document.provenance.commit;
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  object["notes"] = notes_array(document.input_notes, document.notes);
+  object["assumed"] = assumed_object(document.inputs);
+  put_provenance(document.provenance, object);
+  return json_text(object);
 }
 
 void write_gas_path(const std::string& path, const GasPathDocument& document) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ringfilm/io/case/case_file.hpp"
-#include "ringfilm/io/life/wear_json.hpp"
+#include "ringfilm/io/result/record_json.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -67,14 +67,14 @@ std::string face_comparison_json(const FaceComparison& comparison) {
   for (const FacePair& pair : comparison.pairs) {
     object["pairs"].push_back({{"earlier", pair.earlier},
                                {"later", pair.later},
-                               {"level", bounds_array(pair.level)},
-                               {"tilted", bounds_array(pair.tilted)},
-                               {"turned", bounds_array(pair.turned)}});
+                               {"level", record_array(pair.level)},
+                               {"tilted", record_array(pair.tilted)},
+                               {"turned", record_array(pair.turned)}});
   }
-  object["units"] = bound_units();
+  put_member_units<life::WearBound>(object["units"]);
   for (const char* name : {"from", "to", "height"}) object["units"][name] = "m";
   object["notes"] = {"lower bounds: more wear is always possible, and what the edges lost must be added to the middle"};
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 }  // namespace ringfilm::io

@@ -7,8 +7,8 @@
 
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/life/wear_json.hpp"
-#include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
+#include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 #include "ringfilm/io/result/result_file_writer.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
@@ -64,10 +64,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
   for (const char* name : {"worn_area", "largest_worn_depth"}) object[name] = nullptr;
   if (state.worn) put_lost(*state.worn, object);
   object.update(values_object(state.values));
-  object["asperity_density"] = state.ring.asperity_density;
-  object["asperity_radius"] = state.ring.asperity_radius;
-  object["roughness"] = state.ring.roughness;
-  object["boundary_shear_strength_coefficient"] = state.ring.boundary_shear_strength_coefficient;
+  put_members(state.ring, object);
   object["face_height_chamber_edge"] = state.face_height.front();
   object["face_height_crankcase_edge"] = state.face_height.back();
   object["face_height"] = state.face_height;
@@ -75,10 +72,8 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     object["worn_depth"] = state.worn->depth;
     if (!state.worn->liner_depth.empty()) object["liner_worn_depth"] = state.worn->liner_depth;
   }
-  if (!state.least_wear.empty()) object["least_wear"] = bounds_array(state.least_wear);
-  for (const life::FaceDistance& distance : state.from_measured) {
-    object["measured_face_distance"].push_back({{"half_width", distance.half_width}, {"rms", distance.rms}});
-  }
+  if (!state.least_wear.empty()) object["least_wear"] = record_array(state.least_wear);
+  if (!state.from_measured.empty()) object["measured_face_distance"] = record_array(state.from_measured);
   if (!state.other_paths.empty()) {
     object["band"] = band_object(state);
     ordered_json& others = object["interpolations"] = ordered_json::object();
@@ -97,7 +92,7 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
     const life::OperatingPoint& point = document.file.life.points[i];
     ordered_json one = {{"name", point.name}, {"share", point.share}};
     one.update(values_object(state.points[i]));
-    if (!state.point_gas.empty()) put_gas_sums(state.point_gas[i], one);
+    if (!state.point_gas.empty()) put_quantities(cycle::gas_sum_quantities(), state.point_gas[i], one);
     points.push_back(std::move(one));
   }
   return object;
@@ -106,10 +101,6 @@ ordered_json state_object(const LifeDocument& document, const life::LifeState& s
 ordered_json units_object() {
   ordered_json units = {{"hours", "h"},
                         {"share", "1"},
-                        {"asperity_density", "m-2"},
-                        {"asperity_radius", "m"},
-                        {"roughness", "m"},
-                        {"boundary_shear_strength_coefficient", "1"},
                         {"x", "m"},
                         {"worn_depth", "m"},
                         {"liner_worn_depth", "m"},
@@ -117,14 +108,13 @@ ordered_json units_object() {
                         {"face_height", "m"},
                         {"face_height_chamber_edge", "m"},
                         {"face_height_crankcase_edge", "m"}};
-  units.update(bound_units());
+  put_member_units<life::RingState>(units);
+  put_member_units<life::WearBound>(units);
+  put_member_units<life::FaceDistance>(units);
   units.update(wear_units());
-  const auto put = [&units](const auto& table) {
-    for (const cycle::Quantity& quantity : table) units[quantity.name] = quantity.unit;
-  };
-  put(cycle::gas_sum_quantities());
-  put(life::worn_quantities());
-  put(life::life_quantities());
+  put_units(cycle::gas_sum_quantities(), units);
+  put_units(life::worn_quantities(), units);
+  put_units(life::life_quantities(), units);
   return units;
 }
 
@@ -167,15 +157,10 @@ void put_ring(ResultFileWriter& file, const LifeDocument& document) {
   file.numbers({"x"}, described("x", "m", "distance from the chamber edge", "x"), states.front().x);
   file.numbers({kTime, "x"}, described("face_height", "m", "height of the face above its lowest point", "h_s"),
                heights);
-  put_over_time(file, described("asperity_density", "m-2", "asperity peaks per area", "N"), document,
-                [](const life::LifeState& state) { return state.ring.asperity_density; });
-  put_over_time(file, described("asperity_radius", "m", "mean radius of the peaks", "beta"), document,
-                [](const life::LifeState& state) { return state.ring.asperity_radius; });
-  put_over_time(file, described("roughness", "m", "composite roughness", "sigma"), document,
-                [](const life::LifeState& state) { return state.ring.roughness; });
-  put_over_time(file,
-                described("boundary_shear_strength_coefficient", "1", "coefficient of boundary shear strength", "zeta"),
-                document, [](const life::LifeState& state) { return state.ring.boundary_shear_strength_coefficient; });
+  for_each_member<life::RingState>([&](const auto& member) {
+    put_over_time(file, described("", member), document,
+                  [&member](const life::LifeState& state) { return state.ring.*member.value; });
+  });
 }
 
 /// The quantity with a suffix to its name and its long name.
@@ -261,16 +246,10 @@ std::string life_json(const LifeDocument& document) {
   if (wears) object["wear"] = wear_object(document);
   if (!result.ends.empty()) object["end_of_life"] = ends_array(document);
   object["units"] = units_object();
-  ordered_json& notes = object["notes"] = ordered_json::array();
-  for (const cycle::Note& note : result.notes) {
-    notes.push_back({{"topic", note.topic}, {"message", note.message}, {"count", note.count}});
-  }
+  object["notes"] = record_array(result.notes);
   object["cycles"] = result.cycles;
-  object["program"] = document.provenance.program;
-  object["commit"] = document.provenance.commit;
-  object["kernels"] = document.provenance.kernels;
-  // A title in another encoding than UTF-8 must not lose the result.
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  put_provenance(document.provenance, object);
+  return json_text(object);
 }
 
 void write_life(const std::string& path, const LifeDocument& document) {
@@ -280,7 +259,6 @@ void write_life(const std::string& path, const LifeDocument& document) {
   file.attribute("ringfilm_life_schema", kSchema);
   file.attribute("title", document.file.life.title);
   exchange_provenance(file, document.provenance);
-  file.attribute("kernels", document.provenance.kernels);
   file.rows(kTime, document.result.states);
   put_over_time(file, described(kTime, "h", "running time", "t"), document,
                 [](const life::LifeState& state) { return state.time / life::kHour; });

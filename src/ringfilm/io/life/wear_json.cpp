@@ -28,38 +28,10 @@ ordered_json fit_object(const life::CoefficientFit& fit) {
 
 }  // namespace
 
-ordered_json bounds_array(const std::vector<life::WearBound>& bounds) {
-  ordered_json rows = ordered_json::array();
-  for (const life::WearBound& bound : bounds) {
-    rows.push_back({{"untrusted_margin", bound.margin},
-                    {"depth_at_middle", bound.depth_at_middle},
-                    {"largest_worn_depth", bound.largest_depth},
-                    {"worn_area", bound.area},
-                    {"tilt", bound.tilt}});
-  }
-  return rows;
-}
-
-ordered_json bound_units() {
-  return {{"untrusted_margin", "m"},
-          {"depth_at_middle", "m"},
-          {"largest_worn_depth", "m"},
-          {"worn_area", "m2"},
-          {"tilt", "rad"}};
-}
-
 ordered_json wear_units() {
-  return {{"coefficient", "m2/N"},
-          {"running_in_coefficient", "m2/N"},
-          {"implied_coefficient", "m2/N"},
-          {"running_in_hours", "h"},
-          {"coating_worn_through_hours", "h"},
-          {"wedge_gone_hours", "h"},
-          {"stage_difference", "m"},
-          {"volume_balance_error", "1"},
-          {"largest_worn_area", "m2"},
-          {"half_width", "m"},
-          {"rms", "m"}};
+  return {{"coefficient", "m2/N"},   {"running_in_coefficient", "m2/N"},  {"implied_coefficient", "m2/N"},
+          {"running_in_hours", "h"}, {"coating_worn_through_hours", "h"}, {"wedge_gone_hours", "h"},
+          {"stage_difference", "m"}, {"volume_balance_error", "1"},       {"largest_worn_area", "m2"}};
 }
 
 ordered_json hours_or_null(const std::optional<double>& time) {

@@ -6,11 +6,7 @@
 
 namespace ringfilm::io {
 
-/// Rows of lower bounds, SI.
-nlohmann::ordered_json bounds_array(const std::vector<life::WearBound>& bounds);
-
-/// Units of the names in those rows, and of those in wear_object() that no state has.
-nlohmann::ordered_json bound_units();
+/// Units of the names in wear_object() that no state has.
 nlohmann::ordered_json wear_units();
 
 /// How a scenario of wear was integrated, and its coefficients.

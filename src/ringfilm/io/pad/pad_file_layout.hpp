@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,16 +26,16 @@ void put_pad_fields(File& file, const pad::PadResult& result) {
     dimensions = {"time", "y", "x"};
   }
   const std::vector<pad::Profile>& instants = result.y.empty() ? result.profiles : result.fields;
-  const auto put = [&](const char* name, std::vector<double> pad::Profile::*member) {
-    std::vector<double> values;
-    for (const pad::Profile& instant : instants) {
-      values.insert(values.end(), (instant.*member).begin(), (instant.*member).end());
+  for_each_member<pad::Profile>([&](const auto& member) {
+    if constexpr (std::is_same_v<decltype(member.value), std::vector<double> pad::Profile::*>) {
+      std::vector<double> values;
+      for (const pad::Profile& instant : instants) {
+        const std::vector<double>& of_instant = instant.*member.value;
+        values.insert(values.end(), of_instant.begin(), of_instant.end());
+      }
+      file.numbers(dimensions, find(member.name), std::move(values));
     }
-    file.numbers(dimensions, find(name), std::move(values));
-  };
-  put("film_thickness", &pad::Profile::film_thickness);
-  put("pressure", &pad::Profile::pressure);
-  put("film_content", &pad::Profile::film_content);
+  });
 }
 
 template <class File>
@@ -57,7 +58,6 @@ void put_pad(File& file, const PadDocument& document) {
   file.attribute("ringfilm_pad_schema", kPadSchema);
   file.attribute("title", document.title);
   exchange_provenance(file, document.provenance);
-  file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
   for (const pad::PadQuantity& quantity : pad::reported_quantities(document.result)) {
     std::vector<double> values;

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/io/result/record_json.hpp"
+
 namespace ringfilm::io {
 namespace {
 
@@ -26,24 +28,6 @@ ordered_json history_object(const pad::PadResult& result) {
   return history;
 }
 
-ordered_json notes_array(const PadDocument& document) {
-  ordered_json notes = ordered_json::array();
-  for (const std::string& message : document.input_notes) notes.push_back({{"topic", "input"}, {"message", message}});
-  for (const auto& [topic, message, count] : document.result.notes) {
-    notes.push_back({{"topic", topic}, {"message", message}, {"count", count}});
-  }
-  return notes;
-}
-
-ordered_json effort_object(const pad::Effort& effort) {
-  return {{"time_steps", effort.time_steps},
-          {"sub_steps", effort.sub_steps},
-          {"newton_iterations", effort.newton_iterations},
-          {"cut_steps", effort.cut_steps},
-          {"eased_starts", effort.eased_starts},
-          {"max_newton_step", effort.max_newton_step}};
-}
-
 }  // namespace
 
 std::string pad_json(const PadDocument& document) {
@@ -61,19 +45,12 @@ std::string pad_json(const PadDocument& document) {
   }
   if (result.is_history) object["history"] = history_object(result);
   object["units"] = units;
-  object["notes"] = notes_array(document);
-  ordered_json assumed = ordered_json::object();
-  for (const CaseEntry& entry : document.inputs) {
-    if (entry.assumed) assumed[entry.key] = entry.shown;
-  }
-  object["assumed"] = assumed;
-  object["effort"] = effort_object(result.effort);
-  object["program"] = document.provenance.program;
-  object["commit"] = document.provenance.commit;
-  object["kernels"] = document.provenance.kernels;
+  object["notes"] = notes_array(document.input_notes, result.notes);
+  object["assumed"] = assumed_object(document.inputs);
+  object["effort"] = record_object(result.effort);
+  put_provenance(document.provenance, object);
   object["complete"] = result.complete;
-  // A title in another encoding than UTF-8 must not lose the result.
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 std::string pad_csv(const pad::PadResult& result) {

@@ -91,7 +91,7 @@ void give_back(const std::string& path, const VariantTable& table, std::vector<s
     if (row.entry < 0 || row.entry >= static_cast<long>(ledger.size())) {
       throw InputError(path + ": cannot be read as a result: a ledger variant belongs to no entry");
     }
-    study::LedgerVariant variant{row.setting, {}, row.solved, row.reason};
+    study::LedgerVariant variant = row;
     for (const cycle::CycleQuantity* quantity : columns) variant.values.*quantity->value = *value++;
     ledger[static_cast<std::size_t>(row.entry)].variants.push_back(variant);
   }
@@ -128,7 +128,7 @@ VariantTable variant_table(const std::vector<study::LedgerEntry>& ledger) {
   }
   for (std::size_t i = 0; i < ledger.size(); ++i) {
     for (const study::LedgerVariant& variant : ledger[i].variants) {
-      table.rows.push_back({static_cast<long>(i), variant.setting, variant.solved, variant.reason});
+      table.rows.push_back({variant, static_cast<long>(i)});
       for (const auto& quantity : cycle::cycle_quantities()) table.values.push_back(variant.values.*quantity.value);
     }
   }

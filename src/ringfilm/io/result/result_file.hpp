@@ -1,8 +1,10 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/contact_curves.hpp"
 #include "ringfilm/cycle/result/result.hpp"
@@ -21,6 +23,15 @@ struct Provenance {
   std::string compiler;  ///< name, version, build type
   std::string kernels;   ///< inner loops that found the films, and how many at once: "avx512, 1 lane"; of a run alone
 };
+
+/// The members of a provenance, as all outputs have them; what is not known is empty and omitted.
+constexpr auto members(const Provenance*) {
+  return std::tuple{Member{"program", "", "program and its version", &Provenance::program},
+                    Member{"commit", "", "commit of its sources", &Provenance::commit},
+                    Member{"compiler", "", "name, version and build type of the compiler", &Provenance::compiler},
+                    Member{"kernels", "", "inner loops, and how many films at once", &Provenance::kernels}};
+}
+
 Provenance this_program();  ///< of this build
 
 /// The same for a run of this program that integrates by itself, in one lane.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ringfilm/cycle/result/effort_quantities.hpp"
+#include "ringfilm/io/result/input_members.hpp"
 #include "ringfilm/io/result/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
 #include "ringfilm/io/result/result_file.hpp"
@@ -19,18 +20,14 @@ namespace ringfilm::io {
 constexpr long kResultSchema = 6;
 
 /// A ledger variant as a row of a table; its values are a row of `variant_values`.
-struct VariantRow {
+struct VariantRow : study::LedgerVariant {
   long entry = 0;  ///< row of the ledger entry it belongs to
-  std::string setting;
-  bool solved = true;
-  std::string reason;
 };
 
 template <class File, class Document>
 void exchange_attributes(File& file, Document& document) {
   file.attribute("title", document.title);
   exchange_provenance(file, document.provenance);
-  file.attribute("kernels", document.provenance.kernels);
   file.attribute("complete", document.result.complete);
   file.attribute("ledger_computed", document.ledger_computed);
   if constexpr (File::kReads) {
@@ -54,32 +51,20 @@ void exchange_curves(File& file, Result& result) {
   for (const auto& quantity : cycle::cycle_quantities()) {
     file.scalar(cycle_variable(quantity), result.values.*quantity.value);
   }
-  const auto& derived = cycle::derived_quantities();
-  file.scalars("derived_", derived, result.derived);
+  exchange_scalars(file, "derived_", cycle::derived_quantities(), result.derived);
 }
 
 /// Nothing where the errors were not asked for: a file without grid runs has none.
 template <class File, class Document>
 void exchange_errors(File& file, Document& document) {
-  using study::GridRun;
   if constexpr (File::kReads) {
-    std::vector<GridRun> runs;
+    std::vector<study::GridRun> runs;
     file.rows("grid_run", runs);
     if (!runs.empty()) document.errors = study::no_estimate(document.result.samples.size());
   }
   if (!document.errors) return;
   auto& errors = *document.errors;
-  file.rows("grid_run", errors.runs);
-  file.column("grid_run", count("grid_run_cells", "cells across the face of an integration for the error estimate"),
-              errors.runs, &GridRun::cells);
-  file.column("grid_run", count("grid_run_cells_y", "cells around the ring of an unrolled film, else 0"), errors.runs,
-              &GridRun::cells_y);
-  file.column("grid_run", described("grid_run_crank_step", "degree", "its crank step"), errors.runs,
-              &GridRun::crank_step_deg);
-  file.column("grid_run", described("grid_run_step_error", "1", "error that one of its steps may make"), errors.runs,
-              &GridRun::step_error);
-  file.column("grid_run", count("grid_run_solved", "1 where it was solved"), errors.runs, &GridRun::solved);
-  file.column("grid_run", text("grid_run_reason", "why it was not solved"), errors.runs, &GridRun::reason);
+  exchange_rows(file, "grid_run", "grid_run_", errors.runs);
   for (const auto& quantity : cycle::curve_quantities()) {
     if (!study::has_error(quantity)) continue;
     file.column("crank_angle", error_variable(quantity), errors.samples, quantity.value);
@@ -113,14 +98,10 @@ void exchange_fields(File& file, Result& result) {
   file.numbers(
       grid, described("asperity_pressure", "Pa", "asperity contact pressure along the face", "p_a", "eq-asperity-load"),
       fields.asperity_pressure);
-  const cycle::Quantity deformation =
-      described("local_deformation", "m", "local deformation of face and liner, over that at the edges", "delta",
-                "eq-local-deformation");
-  if constexpr (File::kReads) {
-    if (file.has_variable(deformation.name)) file.numbers(grid, deformation, fields.local_deformation);
-  } else {
-    if (!fields.local_deformation.empty()) file.numbers(grid, deformation, fields.local_deformation);
-  }
+  exchange_present(file, grid,
+                   described("local_deformation", "m", "local deformation of face and liner, over that at the edges",
+                             "delta", "eq-local-deformation"),
+                   fields.local_deformation);
   auto& stroke = result.stroke;
   file.numbers({"liner_position"},
                described("liner_position", "m", "distance below the position of the ring at TDC", "s"),
@@ -130,33 +111,15 @@ void exchange_fields(File& file, Result& result) {
                          "w", "eq-archard-wear-load"),
                stroke.archard_wear_load_density);
   for (const cycle::StrokeFilm& film : cycle::stroke_films()) {
-    auto& values = (stroke.*film.films)[film.stroke];
-    if constexpr (File::kReads) {
-      if (file.has_variable(film.name)) file.numbers({"liner_position"}, film, values);
-    } else {
-      if (!values.empty()) file.numbers({"liner_position"}, film, values);
-    }
+    exchange_present(file, {"liner_position"}, film, (stroke.*film.films)[film.stroke]);
   }
 }
 
 /// The inputs of a case and the files that it was read from.
 template <class File, class Document>
 void exchange_inputs(File& file, Document& document) {
-  file.rows("input", document.inputs);
-  file.column("input", text("input_key", "key of the case"), document.inputs, &CaseEntry::key);
-  file.column("input", text("input_value", "value in SI as in a case file"), document.inputs, &CaseEntry::value);
-  file.column("input", described("input_value_si", "", "value in its SI unit, see input_unit; NaN if not a number", ""),
-              document.inputs, &CaseEntry::value_si);
-  file.column("input", text("input_unit", "SI unit of input_value_si"), document.inputs, &CaseEntry::unit);
-  file.column("input", text("input_shown", "value in the unit people use"), document.inputs, &CaseEntry::shown);
-  file.column("input", count("input_assumed", "1 where the case does not state the key and the default was taken"),
-              document.inputs, &CaseEntry::assumed);
-  file.column("input", text("input_help", "meaning of the key"), document.inputs, &CaseEntry::help);
-
-  file.rows("file", document.files);
-  file.column("file", text("file_role", "what the file was read for"), document.files, &cycle::InputFile::role);
-  file.column("file", text("file_path", "name of the file"), document.files, &cycle::InputFile::path);
-  file.column("file", text("file_sha256", "SHA-256 of its bytes"), document.files, &cycle::InputFile::sha256);
+  exchange_rows(file, "input", "input_", document.inputs);
+  exchange_rows(file, "file", "file_", document.files);
 }
 
 template <class File, class Document>
@@ -169,23 +132,12 @@ void exchange_case(File& file, Document& document) {
 /// @param table the variants of all entries one after the other, a row of `values` each
 template <class File, class Ledger, class VariantTable>
 void exchange_ledger(File& file, Ledger& ledger, VariantTable& table) {
-  using study::LedgerEntry;
-  file.rows("ledger_entry", ledger);
-  file.column("ledger_entry", text("ledger_topic", "stable word for the assumption"), ledger, &LedgerEntry::topic);
-  file.column("ledger_entry", text("ledger_statement", "what is assumed"), ledger, &LedgerEntry::statement);
-  file.column("ledger_entry", text("ledger_consequence", "what it is known to do"), ledger, &LedgerEntry::consequence);
-  file.column("ledger_entry", text("ledger_source", "where it is argued"), ledger, &LedgerEntry::source);
-  file.column("ledger_entry", count("ledger_can_be_lifted", "1 where the program offers another choice"), ledger,
-              &LedgerEntry::can_be_lifted);
-
+  exchange_rows(file, "ledger_entry", "ledger_", ledger);
   auto& variants = table.rows;
   file.rows("ledger_variant", variants);
   file.column("ledger_variant", count("variant_entry", "row of the ledger entry, from 0"), variants,
               &VariantRow::entry);
-  file.column("ledger_variant", text("variant_setting", "the one setting that differs"), variants,
-              &VariantRow::setting);
-  file.column("ledger_variant", count("variant_solved", "1 where the cycle was solved"), variants, &VariantRow::solved);
-  file.column("ledger_variant", text("variant_reason", "why it was not solved"), variants, &VariantRow::reason);
+  exchange_members<study::LedgerVariant>(file, "ledger_variant", "variant_", variants);
   file.texts("cycle_quantity", text("cycle_quantity", "column of variant_values"), table.quantities);
   file.texts("cycle_quantity", text("cycle_quantity_unit", "unit of that column"), table.units);
   file.numbers({"ledger_variant", "cycle_quantity"},
@@ -202,32 +154,14 @@ inline std::string unit_of(const std::string& name) {
 
 template <class File, class Document>
 void exchange_comparison(File& file, Document& document) {
-  using study::ComparisonRow;
-  using study::PublishedValue;
   auto& rows = document.comparison;
   const auto published = [](auto& row) -> auto& { return row.published; };
   file.rows("comparison", rows);
-  file.column("comparison", text("comparison_source", "source of the statement"), rows, &PublishedValue::source,
-              published);
-  file.column("comparison", text("comparison_quantity", "cycle quantity"), rows, &PublishedValue::quantity, published);
-  file.column("comparison", text("comparison_statement", "statement"), rows, &PublishedValue::statement, published);
+  exchange_members<study::PublishedValue>(file, "comparison", "comparison_", rows, published);
+  exchange_members<study::ComparisonRow>(file, "comparison", "comparison_", rows);
   std::vector<std::string> units;
   for (const auto& row : rows) units.push_back(unit_of(row.published.quantity));
   file.texts("comparison", text("comparison_unit", "unit of the values compared"), units);
-  file.column("comparison", text("comparison_published", "published value; unit in comparison_unit"), rows,
-              &PublishedValue::value, published);
-  file.column("comparison", text("comparison_decided_by", "inputs that the source leaves open"), rows,
-              &PublishedValue::decided_by, published);
-  file.column("comparison", text("comparison_computed", "computed value; unit in comparison_unit"), rows,
-              &ComparisonRow::computed);
-  file.column("comparison", described("comparison_deviation", "1", "(computed - published)/published"), rows,
-              &ComparisonRow::deviation);
-  file.column("comparison", text("comparison_strongest_setting", "ledger variant that comes closest"), rows,
-              &ComparisonRow::strongest_setting);
-  file.column(
-      "comparison",
-      text("comparison_with_strongest_setting", "value with it, NaN where there is none; unit in comparison_unit"),
-      rows, &ComparisonRow::with_strongest_setting);
 }
 
 /// What the rings of a pack have in common.
@@ -235,7 +169,6 @@ template <class File, class Document>
 void exchange_pack(File& file, Document& document) {
   file.attribute("title", document.title);
   exchange_provenance(file, document.provenance);
-  file.attribute("kernels", document.provenance.kernels);
   file.scalar(text("pack_case", "a complete case file of the pack in SI that gives the same bits again"),
               document.resolved_case);
   exchange_pack_gas(file, document);

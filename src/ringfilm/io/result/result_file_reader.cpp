@@ -4,6 +4,7 @@
 #include <netcdf_mem.h>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/result/netcdf_type.hpp"
 #include "ringfilm/io/result/result_file_quantities.hpp"
 
 namespace ringfilm::io {
@@ -51,19 +52,21 @@ void ResultFileReader::attribute(const char* name, std::string& text) const {
   if (size > 0) check(nc_get_att_text(file_, NC_GLOBAL, name, text.data()), name);
 }
 
-void ResultFileReader::attribute(const char* name, double& value) const {
-  if (ring_) return read_one(described(name, "", ""), value);
+void ResultFileReader::check_single(const char* name) const {
   std::size_t size = 0;
   check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
   if (size != 1) refuse(std::string(name) + " is not a single number");
+}
+
+void ResultFileReader::attribute(const char* name, double& value) const {
+  if (ring_) return read_one(described(name, "", ""), value);
+  check_single(name);
   check(nc_get_att_double(file_, NC_GLOBAL, name, &value), name);
 }
 
 void ResultFileReader::attribute(const char* name, long& value) const {
   if (ring_) return read_one(described(name, "", ""), value);
-  std::size_t size = 0;
-  check(nc_inq_attlen(file_, NC_GLOBAL, name, &size), name);
-  if (size != 1) refuse(std::string(name) + " is not a single number");
+  check_single(name);
   check(nc_get_att_long(file_, NC_GLOBAL, name, &value), name);
 }
 
@@ -86,6 +89,20 @@ std::size_t ResultFileReader::length_in_file(const char* dimension) const {
   check(nc_inq_dimlen(file_, number, &size), dimension);
   if (size > kMostValues) refuse(std::string(dimension) + " has an impossible length");
   return size;
+}
+
+template <class Value>
+void ResultFileReader::get(int variable, const std::string& name, std::vector<Value>& values) const {
+  if constexpr (std::is_same_v<Value, std::string>) {
+    std::vector<char*> texts(values.size(), nullptr);
+    check(nc_get_var(file_, variable, texts.data()), name);
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      if (texts[i] != nullptr) values[i] = texts[i];
+    }
+    nc_free_string(texts.size(), texts.data());
+  } else {
+    check(nc_get_var(file_, variable, values.data()), name);
+  }
 }
 
 std::size_t ResultFileReader::length(const char* dimension) const {
@@ -130,11 +147,6 @@ std::optional<int> ResultFileReader::find(const std::vector<const char*>& dimens
 template <class Value>
 void ResultFileReader::read(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
                             std::vector<Value>& values) const {
-  constexpr int type = std::is_same_v<Value, double>        ? NC_DOUBLE
-                       : std::is_same_v<Value, float>       ? NC_FLOAT
-                       : std::is_same_v<Value, long>        ? NC_INT64
-                       : std::is_same_v<Value, signed char> ? NC_BYTE
-                                                            : NC_STRING;
   std::vector<const char*> in_file = dimensions;
   std::string name = quantity.name;
   // A coordinate that all rings share has no ring (RingGatherer).
@@ -143,7 +155,7 @@ void ResultFileReader::read(const std::vector<const char*>& dimensions, const cy
   if (ring_ && is_coordinate && !is_shared) name += "_of_ring";
   if (ring_ && !is_shared) in_file.insert(in_file.begin(), "ring");
   std::size_t count = 0;
-  const auto variable = find(in_file, name, type, count);
+  const auto variable = find(in_file, name, kNetcdfType<Value>, count);
   values.assign(count, Value{});
   if (variable) get(*variable, name, values);
   if (is_shared) values.resize(length(dimensions.front()));
@@ -170,31 +182,6 @@ template void ResultFileReader::read(const std::vector<const char*>&, const cycl
 template void ResultFileReader::read(const std::vector<const char*>&, const cycle::Quantity&,
                                      std::vector<std::string>&) const;
 
-void ResultFileReader::get(int variable, const std::string& name, std::vector<double>& values) const {
-  check(nc_get_var_double(file_, variable, values.data()), name);
-}
-
-void ResultFileReader::get(int variable, const std::string& name, std::vector<float>& values) const {
-  check(nc_get_var_float(file_, variable, values.data()), name);
-}
-
-void ResultFileReader::get(int variable, const std::string& name, std::vector<long>& values) const {
-  check(nc_get_var_long(file_, variable, values.data()), name);
-}
-
-void ResultFileReader::get(int variable, const std::string& name, std::vector<signed char>& values) const {
-  check(nc_get_var_schar(file_, variable, values.data()), name);
-}
-
-void ResultFileReader::get(int variable, const std::string& name, std::vector<std::string>& values) const {
-  std::vector<char*> texts(values.size(), nullptr);
-  check(nc_get_var_string(file_, variable, texts.data()), name);
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    if (texts[i] != nullptr) values[i] = texts[i];
-  }
-  nc_free_string(texts.size(), texts.data());
-}
-
 template <class Value>
 void ResultFileReader::read_one(const cycle::Quantity& quantity, Value& value) const {
   std::vector<Value> one;
@@ -206,8 +193,7 @@ void ResultFileReader::scalar(const cycle::Quantity& quantity, double& value) co
 
 void ResultFileReader::scalar(const cycle::Quantity& quantity, std::string& text) const { read_one(quantity, text); }
 
-void ResultFileReader::scalars(const std::string& prefix, const std::vector<cycle::Quantity>&,
-                               std::map<std::string, double>& values) const {
+void ResultFileReader::scalars(const std::string& prefix, std::map<std::string, double>& values) const {
   int n_variables = 0;
   check(nc_inq_nvars(file_, &n_variables), "the list of variables");
   for (int variable = 0; variable < n_variables; ++variable) {

@@ -55,18 +55,15 @@ class ResultFileReader {
   void texts(const char* dimension, const cycle::Quantity& quantity, std::vector<std::string>& values) const {
     read({dimension}, quantity, values);
   }
+  template <class Number>
   void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-               std::vector<double>& values) const {
-    read(dimensions, quantity, values);
-  }
-  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-               std::vector<float>& values) const {
+               std::vector<Number>& values) const {
     read(dimensions, quantity, values);
   }
   void scalar(const cycle::Quantity& quantity, double& value) const;
   void scalar(const cycle::Quantity& quantity, std::string& text) const;
-  void scalars(const std::string& prefix, const std::vector<cycle::Quantity>& known,
-               std::map<std::string, double>& values) const;
+  /// Every scalar variable whose name begins with `prefix`, by the rest of its name.
+  void scalars(const std::string& prefix, std::map<std::string, double>& values) const;
 
  private:
   // The type in the file for a member of that type, and back.
@@ -96,11 +93,10 @@ class ResultFileReader {
   template <class Value>
   void read_one(const cycle::Quantity& quantity, Value& value) const;
   /// All values of a variable.
-  void get(int variable, const std::string& name, std::vector<double>& values) const;
-  void get(int variable, const std::string& name, std::vector<float>& values) const;
-  void get(int variable, const std::string& name, std::vector<long>& values) const;
-  void get(int variable, const std::string& name, std::vector<signed char>& values) const;
-  void get(int variable, const std::string& name, std::vector<std::string>& values) const;
+  template <class Value>
+  void get(int variable, const std::string& name, std::vector<Value>& values) const;
+  /// Refuses a global attribute that is not a single number.
+  void check_single(const char* name) const;
   [[noreturn]] void refuse(const std::string& what) const;
   void check(int status, const std::string& what) const;
 

@@ -26,12 +26,7 @@ void exchange_unrolled_fields(File& file, const std::vector<const char*>& grid,
   for (const cycle::UnrolledField& field : fields) {
     cycle::Quantity variable = field;
     variable.name = prefix + field.name;
-    auto& values = unrolled.*field.values;
-    if constexpr (File::kReads) {
-      if (file.has_variable(variable.name)) file.numbers(grid, variable, values);
-    } else {
-      if (!values.empty()) file.numbers(grid, variable, values);
-    }
+    exchange_present(file, grid, variable, unrolled.*field.values);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/io/result/netcdf_type.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
 
@@ -122,45 +123,23 @@ std::optional<int> ResultFileWriter::define_variable(const cycle::Quantity& quan
   return variable;
 }
 
+template <class Value>
 void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-                           const std::vector<double>& values) {
-  const auto variable = define_variable(quantity, dimensions, NC_DOUBLE);
+                           const std::vector<Value>& values) {
+  const auto variable = define_variable(quantity, dimensions, kNetcdfType<Value>);
   if (!variable) return;
-  if (std::any_of(values.begin(), values.end(), [](double value) { return std::isnan(value); })) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    check(nc_put_att_double(file_, *variable, "_FillValue", NC_DOUBLE, 1, &none), quantity.name);
+  if constexpr (std::is_same_v<Value, std::string>) {
+    std::vector<const char*> pointers;
+    for (const std::string& value : values) pointers.push_back(value.c_str());
+    check(nc_put_var(file_, *variable, pointers.data()), quantity.name);
+  } else {
+    const auto is_nan = [](Value value) { return std::isnan(static_cast<double>(value)); };
+    if (std::is_same_v<Value, double> && std::any_of(values.begin(), values.end(), is_nan)) {
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      check(nc_put_att_double(file_, *variable, "_FillValue", NC_DOUBLE, 1, &none), quantity.name);
+    }
+    check(nc_put_var(file_, *variable, values.data()), quantity.name);
   }
-  check(nc_put_var_double(file_, *variable, values.data()), quantity.name);
-}
-
-void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-                           const std::vector<float>& values) {
-  if (const auto variable = define_variable(quantity, dimensions, NC_FLOAT)) {
-    check(nc_put_var_float(file_, *variable, values.data()), quantity.name);
-  }
-}
-
-void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-                           const std::vector<long>& values) {
-  if (const auto variable = define_variable(quantity, dimensions, NC_INT64)) {
-    check(nc_put_var_long(file_, *variable, values.data()), quantity.name);
-  }
-}
-
-void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-                           const std::vector<signed char>& values) {
-  if (const auto variable = define_variable(quantity, dimensions, NC_BYTE)) {
-    check(nc_put_var_schar(file_, *variable, values.data()), quantity.name);
-  }
-}
-
-void ResultFileWriter::put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-                           const std::vector<std::string>& values) {
-  const auto variable = define_variable(quantity, dimensions, NC_STRING);
-  if (!variable) return;
-  std::vector<const char*> pointers;
-  for (const std::string& value : values) pointers.push_back(value.c_str());
-  check(nc_put_var_string(file_, *variable, pointers.data()), quantity.name);
 }
 
 void ResultFileWriter::texts(const char* dimension, const cycle::Quantity& quantity,
@@ -171,8 +150,8 @@ void ResultFileWriter::texts(const char* dimension, const cycle::Quantity& quant
 }
 
 template <class Value>
-void ResultFileWriter::put_numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                                   const std::vector<Value>& values) {
+void ResultFileWriter::numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
+                               const std::vector<Value>& values) {
   std::size_t expected = 1;
   int number = 0;
   if (dimensions.size() == 1 && nc_inq_dimid(file_, dimensions.front(), &number) != NC_NOERR) {
@@ -190,20 +169,18 @@ void ResultFileWriter::put_numbers(const std::vector<const char*>& dimensions, c
   put(quantity, dimensions, values);
 }
 
-void ResultFileWriter::numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                               const std::vector<double>& values) {
-  put_numbers(dimensions, quantity, values);
-}
-
-void ResultFileWriter::numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                               const std::vector<float>& values) {
-  put_numbers(dimensions, quantity, values);
-}
-
-void ResultFileWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
-                               const std::map<std::string, double>& values) {
-  put_scalars(prefix, known, values, [this](const auto& quantity, double value) { scalar(quantity, value); });
-}
+template void ResultFileWriter::put(const cycle::Quantity&, const std::vector<const char*>&,
+                                    const std::vector<double>&);
+template void ResultFileWriter::put(const cycle::Quantity&, const std::vector<const char*>&, const std::vector<float>&);
+template void ResultFileWriter::put(const cycle::Quantity&, const std::vector<const char*>&, const std::vector<long>&);
+template void ResultFileWriter::put(const cycle::Quantity&, const std::vector<const char*>&,
+                                    const std::vector<signed char>&);
+template void ResultFileWriter::put(const cycle::Quantity&, const std::vector<const char*>&,
+                                    const std::vector<std::string>&);
+template void ResultFileWriter::numbers(const std::vector<const char*>&, const cycle::Quantity&,
+                                        const std::vector<double>&);
+template void ResultFileWriter::numbers(const std::vector<const char*>&, const cycle::Quantity&,
+                                        const std::vector<float>&);
 
 void ResultFileWriter::describe(const std::string& variable, const char* attribute, const std::string& text) {
   int number = 0;

@@ -49,31 +49,24 @@ class ResultFileWriter {
   template <class Row, class Base, class Value, class Part = std::identity>
   void column(const char* dimension, const cycle::Quantity& quantity, const std::vector<Row>& rows, Value Base::*member,
               Part part = {}) {
-    std::vector<std::decay_t<decltype(stored(std::declval<const Value&>()))>> values;
-    for (const Row& row : rows) values.push_back(stored(part(row).*member));
-    put(quantity, {dimension}, values);
+    put(quantity, {dimension}, stored_column(rows, member, part));
   }
 
   /// One variable of texts over a dimension of its own, or over one of the same length.
   void texts(const char* dimension, const cycle::Quantity& quantity, const std::vector<std::string>& values);
 
-  /// An array over dimensions that exist by now (nothing if one of them is empty); defines a single missing one.
+  /// An array over dimensions that exist by now (nothing if one of them is empty); defines a single missing one. Single
+  /// precision is compressed; over angle, y and x in pieces of one angle each. Throws std::logic_error if the values do
+  /// not fit.
+  template <class Value>
   void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-               const std::vector<double>& values);
-
-  /// The same in single precision, compressed; over angle, y and x in pieces of one angle each.
-  void numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-               const std::vector<float>& values);
+               const std::vector<Value>& values);
 
   void scalar(const cycle::Quantity& quantity, double value) { put(quantity, {}, std::vector<double>{value}); }
   /// A text of any length; an attribute ends at 64 KiB.
   void scalar(const cycle::Quantity& quantity, const std::string& text) {
     put(quantity, {}, std::vector<std::string>{text});
   }
-
-  /// Every entry as a scalar variable `prefix`key, described where `known` has its name.
-  void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
-               const std::map<std::string, double>& values);
 
   /// One more attribute of a variable that is there; nothing where the variable was omitted.
   void describe(const std::string& variable, const char* attribute, const std::string& text);
@@ -99,16 +92,9 @@ class ResultFileWriter {
                  const std::vector<std::string>& values);
 
   /// A variable over dimensions that exist; nothing where one of them is empty.
+  template <class Value>
   void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<double>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<float>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<long>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<signed char>& values);
-  void put(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
-           const std::vector<std::string>& values);
+           const std::vector<Value>& values);
 
   /// The whole file with its digest_trailer, without a copy: it lives as long as the writer. Call once, at the end.
   std::string_view bytes();
@@ -120,10 +106,6 @@ class ResultFileWriter {
   enum class Storage { kWhole, kOpen };
 
   void define_dimension(const char* name, std::size_t size);
-  /// Values on dimensions that exist; a single missing one is defined. Throws std::logic_error if they do not fit.
-  template <class Value>
-  void put_numbers(const std::vector<const char*>& dimensions, const cycle::Quantity& quantity,
-                   const std::vector<Value>& values);
   /// @returns its number, or nothing where one of the dimensions is empty
   std::optional<int> define_variable(const cycle::Quantity& quantity, const std::vector<const char*>& dimensions,
                                      int type, Storage storage = Storage::kWhole);

@@ -1,34 +1,18 @@
 #include "ringfilm/io/result/result_json.hpp"
 
 #include <nlohmann/json.hpp>
-#include <variant>
+#include <utility>
 
 #include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/pack_sums.hpp"
+#include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 
 namespace ringfilm::io {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json effort_object(const cycle::Effort& effort) {
-  ordered_json object = ordered_json::object();
-  for (const cycle::EffortQuantity& quantity : cycle::effort_quantities()) {
-    std::visit([&](auto member) { object[quantity.name] = effort.*member; }, quantity.value);
-  }
-  return object;
-}
-
-ordered_json notes_array(const ResultDocument& document) {
-  ordered_json notes = ordered_json::array();
-  for (const std::string& message : document.input_notes) notes.push_back({{"topic", "input"}, {"message", message}});
-  for (const auto& [topic, message, count] : document.result.notes) {
-    notes.push_back({{"topic", topic}, {"message", message}, {"count", count}});
-  }
-  return notes;
-}
 
 /// What is taken for granted; of a variant the cycle values that differ, SI.
 ordered_json ledger_array(const ResultDocument& document) {
@@ -41,27 +25,21 @@ ordered_json ledger_array(const ResultDocument& document) {
         const double value = variant.values.*quantity.value;
         if (variant.solved && value != document.result.values.*quantity.value) changed[quantity.name] = value;
       }
-      variants.push_back({{"setting", variant.setting}, {"solved", variant.solved}, {"changed", changed}});
-      if (!variant.solved) variants.back()["reason"] = variant.reason;
+      variants.push_back(record_object(variant));
+      variants.back()["changed"] = std::move(changed);
     }
-    ledger.push_back({{"topic", entry.topic},
-                      {"statement", entry.statement},
-                      {"consequence", entry.consequence},
-                      {"source", entry.source},
-                      {"can_be_lifted", entry.can_be_lifted},
-                      {"variants", variants}});
+    ledger.push_back(record_object(entry));
+    ledger.back()["variants"] = std::move(variants);
   }
   return ledger;
 }
 
 ordered_json cycle_object(const cycle::CycleValues& values) {
-  ordered_json object = ordered_json::object();
-  for (const auto& quantity : cycle::cycle_quantities()) object[quantity.name] = values.*quantity.value;
-  return object;
+  return quantities_object(cycle::cycle_quantities(), values);
 }
 
 ordered_json error_estimate_object(const study::ErrorEstimate& estimate) {
-  return {{"runs", grid_runs_array(estimate)},
+  return {{"runs", record_array(estimate.runs)},
           {"order_in_cells", cycle_object(estimate.order_in_cells)},
           {"order_in_step", cycle_object(estimate.order_in_step)}};
 }
@@ -70,14 +48,11 @@ ordered_json result_object(const ResultDocument& document) {
   const cycle::CycleResult& result = document.result;
   ordered_json units = ordered_json::object();
   ordered_json object = {{"title", document.title}};
-  for (const auto& quantity : cycle::cycle_quantities()) {
-    object[quantity.name] = result.values.*quantity.value;
-    units[quantity.name] = quantity.unit;
-  }
-  for (const auto& quantity : cycle::unrolled_cycle_quantities()) {
-    if (result.unrolled.is_absent()) break;
-    object[quantity.name] = result.unrolled_values.*quantity.value;
-    units[quantity.name] = quantity.unit;
+  put_quantities(cycle::cycle_quantities(), result.values, object);
+  put_units(cycle::cycle_quantities(), units);
+  if (!result.unrolled.is_absent()) {
+    put_quantities(cycle::unrolled_cycle_quantities(), result.unrolled_values, object);
+    put_units(cycle::unrolled_cycle_quantities(), units);
   }
   for (const auto& quantity : cycle::derived_quantities()) {
     if (const auto entry = result.derived.find(quantity.name); entry != result.derived.end()) {
@@ -90,36 +65,24 @@ ordered_json result_object(const ResultDocument& document) {
     object["errors"] = cycle_object(document.errors->values);
     object["error_estimate"] = error_estimate_object(*document.errors);
   }
-  object["notes"] = notes_array(document);
-  ordered_json assumed = ordered_json::object();
-  for (const CaseEntry& entry : document.inputs) {
-    if (entry.assumed) assumed[entry.key] = entry.shown;
-  }
-  object["assumed"] = assumed;
+  object["notes"] = notes_array(document.input_notes, result.notes);
+  object["assumed"] = assumed_object(document.inputs);
   if (document.ledger_computed) object["ledger"] = ledger_array(document);
-  object["effort"] = effort_object(result.effort);
-  object["program"] = document.provenance.program;
-  object["commit"] = document.provenance.commit;
-  object["kernels"] = document.provenance.kernels;
+  if (!document.comparison.empty()) object["comparison"] = comparison_array(document.comparison);
+  object["effort"] = quantities_object(cycle::effort_quantities(), result.effort);
+  put_provenance(document.provenance, object);
   object["complete"] = result.complete;
   return object;
 }
 
 ordered_json oil_object(const PackOil& oil) {
-  ordered_json object, units;
-  for (const PackOilQuantity& quantity : pack_oil_quantities()) {
-    object[quantity.name] = oil.*quantity.value;
-    units[quantity.name] = quantity.unit;
-  }
-  object["units"] = std::move(units);
+  ordered_json object = quantities_object(pack_oil_quantities(), oil);
+  put_units(pack_oil_quantities(), object["units"]);
   return object;
 }
 
 ordered_json sums_object(const cycle::CycleValues& values) {
-  ordered_json object;
-  for (const cycle::CycleQuantity& quantity : cycle::summed_quantities())
-    object[quantity.name] = values.*quantity.value;
-  return object;
+  return quantities_object(cycle::summed_quantities(), values);
 }
 
 /// The rings of a pack, and what their friction adds up to.
@@ -138,63 +101,42 @@ ordered_json pack_object(const ResultDocument& document) {
     object["by_ring"].push_back({{"ring", one.ring}});
     object["by_ring"].back().update(sums_object(one.values));
   }
-  for (const cycle::Quantity& quantity : cycle::summed_quantities()) object["units"][quantity.name] = quantity.unit;
+  put_units(cycle::summed_quantities(), object["units"]);
   if (const std::optional<PackOil> oil = pack_oil(document)) object["oil"] = oil_object(*oil);
   if (document.gas) object["gas"] = gas_object(*document.gas);
-  object["program"] = document.provenance.program;
-  object["commit"] = document.provenance.commit;
-  object["kernels"] = document.provenance.kernels;
+  put_provenance(document.provenance, object);
   object["complete"] = document.result.complete;
   return object;
 }
 
 }  // namespace
 
-ordered_json grid_runs_array(const study::ErrorEstimate& estimate) {
-  ordered_json runs = ordered_json::array();
-  for (const study::GridRun& run : estimate.runs) {
-    runs.push_back({{"cells", run.cells},
-                    {"crank_step", run.crank_step_deg},
-                    {"step_error", run.step_error},
-                    {"solved", run.solved}});
-    if (run.cells_y > 0) runs.back()["cells_y"] = run.cells_y;
-    if (!run.solved) runs.back()["reason"] = run.reason;
-  }
-  return runs;
+ordered_json comparison_array(const std::vector<study::ComparisonRow>& rows) {
+  ordered_json list = ordered_json::array();
+  for (const study::ComparisonRow& row : rows) put_members(row, list.emplace_back(record_object(row.published)));
+  return list;
 }
 
 std::string result_json(const ResultDocument& document) {
-  const ordered_json object = document.is_pack() ? pack_object(document) : result_object(document);
-  // A title in another encoding than UTF-8 must not lose the result.
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(document.is_pack() ? pack_object(document) : result_object(document));
 }
 
 std::string check_json(const CaseCheck& check) {
   ordered_json stated = ordered_json::array(), defaults = ordered_json::array();
-  for (const CaseEntry& entry : check.inputs) {
-    (entry.assumed ? defaults : stated)
-        .push_back({{"key", entry.key}, {"value", entry.value}, {"shown", entry.shown}, {"help", entry.help}});
-  }
+  for (const CaseEntry& entry : check.inputs) (entry.assumed ? defaults : stated).push_back(record_object(entry));
   ordered_json assumptions = ordered_json::array();
   for (std::size_t i = 0; i < check.assumptions.size(); ++i) {
     for (const study::LedgerEntry& entry : check.assumptions[i]) {
-      assumptions.push_back({{"ring", i + 1},
-                             {"topic", entry.topic},
-                             {"statement", entry.statement},
-                             {"consequence", entry.consequence},
-                             {"source", entry.source},
-                             {"can_be_lifted", entry.can_be_lifted}});
+      put_members(entry, assumptions.emplace_back(ordered_json{{"ring", i + 1}}));
     }
   }
-  ordered_json notes = ordered_json::array();
-  for (const auto& [topic, message, count] : check.notes) notes.push_back({{"topic", topic}, {"message", message}});
   const ordered_json object = {{"case", check.path},
                                {"stated", stated},
                                {"default_inputs", defaults},
                                {"modelling_assumptions", assumptions},
-                               {"notes", notes},
+                               {"notes", record_array(check.notes)},
                                {"errors", ordered_json::array()}};
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 std::string errors_json(const std::string& case_path, const std::vector<Fault>& faults) {
@@ -210,7 +152,7 @@ std::string errors_json(const std::string& case_path, const std::vector<Fault>& 
                       {"remedy", text(remedy)}});
   }
   const ordered_json object = {{"case", case_path}, {"errors", errors}};
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(object);
 }
 
 }  // namespace ringfilm::io

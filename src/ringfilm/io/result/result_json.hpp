@@ -10,14 +10,14 @@ namespace ringfilm::io {
 
 /// The values of the cycle as one flat JSON object, SI with angles in degrees: title, every entry of
 /// cycle::cycle_quantities(), of an unrolled film of cycle::unrolled_cycle_quantities(), and every derived constant by
-/// its name, then `units`, `notes`, `assumed`, `effort`, `program`, `commit`, `kernels` and `complete`; with an error
-/// estimate also `errors`, by the same names and in the same units, and `error_estimate` with the grids that were
-/// integrated and `order_in_cells` and `order_in_step` as seen. JSON has no NaN: such a value is null.
+/// its name, then `units`, `notes`, `assumed`, `effort`, what computed it (`program`, `commit`, ...) and `complete`;
+/// with published values `comparison`; with an error estimate also `errors`, by the same names and in the same units,
+/// and `error_estimate` with the grids that were integrated and `order_in_cells` and `order_in_step` as seen. JSON has
+/// no NaN: such a value is null.
 std::string result_json(const ResultDocument& document);
 
-/// The integrations of an error estimate: `cells`, `crank_step` [degree], `step_error`, `solved`; of an unrolled film
-/// `cells_y`, and of one that was not solved its `reason`.
-nlohmann::ordered_json grid_runs_array(const study::ErrorEstimate& estimate);
+/// Rows of a comparison with published values, each with every member of its record.
+nlohmann::ordered_json comparison_array(const std::vector<study::ComparisonRow>& rows);
 
 /// What `ringfilm check` finds out about a case.
 struct CaseCheck {

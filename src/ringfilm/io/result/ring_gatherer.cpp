@@ -34,11 +34,6 @@ void RingGatherer::put(const cycle::Quantity& quantity, const std::vector<const 
   found->of_ring[n_rings_ - 1] = std::move(values);
 }
 
-void RingGatherer::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
-                           const std::map<std::string, double>& values) {
-  put_scalars(prefix, known, values, [this](const auto& quantity, double value) { scalar(quantity, value); });
-}
-
 const RingGatherer::Values* RingGatherer::shared_coordinate(const Variable& variable) const {
   if (!is_coordinate(variable)) return nullptr;
   const auto size = [](const Values& values) { return std::visit([](const auto& of) { return of.size(); }, values); };

@@ -43,9 +43,7 @@ class RingGatherer {
   template <class Row, class Base, class Value, class Part = std::identity>
   void column(const char* dimension, const cycle::Quantity& quantity, const std::vector<Row>& rows, Value Base::*member,
               Part part = {}) {
-    std::vector<std::decay_t<decltype(stored(std::declval<const Value&>()))>> values;
-    for (const Row& row : rows) values.push_back(stored(part(row).*member));
-    put(quantity, {dimension}, std::move(values));
+    put(quantity, {dimension}, stored_column(rows, member, part));
   }
 
   void texts(const char* dimension, const cycle::Quantity& quantity, const std::vector<std::string>& values) {
@@ -62,8 +60,6 @@ class RingGatherer {
   void scalar(const cycle::Quantity& quantity, const std::string& text) {
     put(quantity, {}, std::vector<std::string>{text});
   }
-  void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
-               const std::map<std::string, double>& values);
 
   /// Hands everything on: dimensions by their lengths, then `put(quantity, dimensions, values)`.
   template <class File>

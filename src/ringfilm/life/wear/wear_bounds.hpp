@@ -1,6 +1,8 @@
 #pragma once
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/case/case.hpp"
 
 /// What measured faces alone state about wear: bounds under "material only disappears" (docs/theory/life.md).
@@ -44,6 +46,16 @@ struct WearBound {
   double area = 0;             ///< over the trusted part [m2]
   double tilt = 0;             ///< of the later face, about the middle [rad]
 };
+
+/// The members of a bound, as all outputs have them.
+constexpr auto members(const WearBound*) {
+  return std::tuple{
+      Member{"untrusted_margin", "m", "margin at each edge that is not trusted", &WearBound::margin},
+      Member{"depth_at_middle", "m", "least worn depth at the middle of the face", &WearBound::depth_at_middle},
+      Member{"largest_worn_depth", "m", "largest worn depth of the trusted part", &WearBound::largest_depth},
+      Member{"worn_area", "m2", "least worn area of the trusted part", &WearBound::area},
+      Member{"tilt", "rad", "tilt of the later face", &WearBound::tilt}};
+}
 
 /// @param margin at each edge that is not trusted, below half of the width [m]
 WearBound least_wear(const FaceHeights& earlier, const FaceHeights& later, double margin, Tilt tilt);

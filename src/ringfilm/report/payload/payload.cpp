@@ -4,11 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <type_traits>
-#include <variant>
+#include <utility>
 
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/result/effort_quantities.hpp"
+#include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/report/payload/described.hpp"
@@ -29,9 +29,7 @@ constexpr int kErrorDigits = 3;
 constexpr std::size_t kFieldNumbers = 60000;
 
 ordered_json cycle_values(const cycle::CycleValues& values) {
-  ordered_json object = ordered_json::object();
-  for (const cycle::CycleQuantity& q : cycle::cycle_quantities()) object[q.name] = exact(values.*q.value);
-  return object;
+  return io::quantities_object(cycle::cycle_quantities(), values);
 }
 
 ordered_json curves(const cycle::CycleResult& result) {
@@ -55,7 +53,7 @@ ordered_json errors(const std::optional<study::ErrorEstimate>& estimate) {
     for (const cycle::Sample& error : estimate->samples) list.push_back(rounded(error.*q.value, kErrorDigits));
     curve_errors[q.name] = std::move(list);
   }
-  return {{"runs", io::grid_runs_array(*estimate)},
+  return {{"runs", io::record_array(estimate->runs)},
           {"has_values", study::has_values(*estimate)},
           {"values", cycle_values(estimate->values)},
           {"curves", std::move(curve_errors)}};
@@ -116,32 +114,13 @@ ordered_json contact(const cycle::ContactCurves& curves) {
   };
   ordered_json laws = ordered_json::array();
   for (std::size_t k = 0; k < curves.laws.size(); ++k) {
-    laws.push_back({{"name", curves.laws[k].name},
-                    {"label", curves.laws[k].label},
-                    {"pressure", of_law(curves.pressure, k)},
-                    {"log_deviation", of_law(curves.log_deviation, k)}});
+    ordered_json& law = laws.emplace_back(io::record_object(curves.laws[k]));
+    for_each_of(cycle::curves_of_laws(),
+                [&](const auto& member) { law[member.name] = of_law(curves.*member.value, k); });
   }
-  return {{"separation", rounded_list(curves.separation, kCurveDigits)},
-          {"laws", std::move(laws)},
-          {"real_area", rounded_list(curves.real_area, kFieldDigits)},
-          {"phi_x", rounded_list(curves.phi_x, kFieldDigits)},
-          {"phi_y", rounded_list(curves.phi_y, kFieldDigits)},
-          {"phi_s", rounded_list(curves.phi_s, kFieldDigits)}};
-}
-
-ordered_json effort(const cycle::Effort& all) {
-  ordered_json object = ordered_json::object();
-  for (const cycle::EffortQuantity& q : cycle::effort_quantities()) {
-    std::visit(
-        [&](auto member) {
-          if constexpr (std::is_same_v<decltype(member), double cycle::Effort::*>) {
-            object[q.name] = exact(all.*member);
-          } else {
-            object[q.name] = all.*member;
-          }
-        },
-        q.value);
-  }
+  ordered_json object = {{"separation", rounded_list(curves.separation, kCurveDigits)}, {"laws", std::move(laws)}};
+  for_each_member<cycle::ContactCurves>(
+      [&](const auto& member) { object[member.name] = rounded_list(curves.*member.value, kFieldDigits); });
   return object;
 }
 
@@ -149,33 +128,12 @@ ordered_json ledger(const std::vector<study::LedgerEntry>& entries) {
   ordered_json list = ordered_json::array();
   for (const study::LedgerEntry& entry : entries) {
     ordered_json variants = ordered_json::array();
-    for (const study::LedgerVariant& v : entry.variants) {
-      variants.push_back(
-          {{"setting", v.setting}, {"solved", v.solved}, {"reason", v.reason}, {"values", cycle_values(v.values)}});
+    for (const study::LedgerVariant& variant : entry.variants) {
+      variants.push_back(io::record_object(variant));
+      variants.back()["values"] = cycle_values(variant.values);
     }
-    list.push_back({{"topic", entry.topic},
-                    {"statement", entry.statement},
-                    {"consequence", entry.consequence},
-                    {"source", entry.source},
-                    {"can_be_lifted", entry.can_be_lifted},
-                    {"variants", std::move(variants)}});
-  }
-  return list;
-}
-
-ordered_json comparison(const std::vector<study::ComparisonRow>& rows) {
-  ordered_json list = ordered_json::array();
-  for (const study::ComparisonRow& row : rows) {
-    list.push_back({{"source", row.published.source},
-                    {"quantity", row.published.quantity},
-                    {"statement", row.published.statement},
-                    {"published", exact(row.published.value)},
-                    {"decided_by", row.published.decided_by},
-                    {"computed", exact(row.computed)},
-                    {"deviation", exact(row.deviation)},
-                    {"strongest_setting", row.strongest_setting},
-                    {"with_strongest_setting",
-                     row.with_strongest_setting ? exact(*row.with_strongest_setting) : ordered_json(nullptr)}});
+    list.push_back(io::record_object(entry));
+    list.back()["variants"] = std::move(variants);
   }
   return list;
 }
@@ -205,12 +163,11 @@ const char* word_of(cycle::NoteCount count) {
 /// A note with its place in the order of all notes and what it counts.
 ordered_json note_object(const cycle::Note& note) {
   const cycle::NoteTopic* entry = cycle::note_topic(note.topic);
-  return {{"topic", note.topic},
-          {"message", note.message},
-          {"count", note.count},
-          {"counts", word_of(entry == nullptr ? cycle::NoteCount::kOccurrences : entry->count)},
-          {"for_information", entry != nullptr && entry->trust == cycle::Trust::kFull},
-          {"rank", cycle::note_rank(note.topic)}};
+  ordered_json object = io::record_object(note);
+  object["counts"] = word_of(entry == nullptr ? cycle::NoteCount::kOccurrences : entry->count);
+  object["for_information"] = entry != nullptr && entry->trust == cycle::Trust::kFull;
+  object["rank"] = cycle::note_rank(note.topic);
+  return object;
 }
 
 ordered_json document(const io::ResultDocument& d, FaceNumbers numbers) {
@@ -230,44 +187,18 @@ ordered_json document(const io::ResultDocument& d, FaceNumbers numbers) {
           {"derived", std::move(derived)},
           {"notes", std::move(notes)},
           {"input_notes", d.input_notes},
-          {"effort", effort(d.result.effort)},
-          {"inputs", inputs_payload(d.inputs)},
-          {"files", files_payload(d.files)},
+          {"effort", io::quantities_object(cycle::effort_quantities(), d.result.effort)},
+          {"inputs", io::record_array(d.inputs)},
+          {"files", io::record_array(d.files)},
           {"resolved_case", d.resolved_case},
-          {"provenance", provenance_payload(d.provenance)},
+          {"provenance", io::record_object(d.provenance)},
           {"ledger", ledger(d.ledger)},
           {"ledger_computed", d.ledger_computed},
-          {"comparison", comparison(d.comparison)},
+          {"comparison", io::comparison_array(d.comparison)},
           {"errors", errors(d.errors)}};
 }
 
 }  // namespace
-
-ordered_json inputs_payload(const std::vector<io::CaseEntry>& entries) {
-  ordered_json inputs = ordered_json::array();
-  for (const io::CaseEntry& e : entries) {
-    inputs.push_back({{"key", e.key},
-                      {"value", e.value},
-                      {"shown", e.shown},
-                      {"assumed", e.assumed},
-                      {"help", e.help},
-                      {"value_si", std::isnan(e.value_si) ? ordered_json(nullptr) : exact(e.value_si)}});
-  }
-  return inputs;
-}
-
-ordered_json files_payload(const std::vector<cycle::InputFile>& of) {
-  ordered_json files = ordered_json::array();
-  for (const cycle::InputFile& f : of) files.push_back({{"role", f.role}, {"path", f.path}, {"sha256", f.sha256}});
-  return files;
-}
-
-ordered_json provenance_payload(const io::Provenance& provenance) {
-  return {{"program", provenance.program},
-          {"commit", provenance.commit},
-          {"compiler", provenance.compiler},
-          {"kernels", provenance.kernels}};
-}
 
 std::string payload(const std::vector<io::ResultDocument>& documents, const std::vector<Overlay>& overlays) {
   ordered_json root;

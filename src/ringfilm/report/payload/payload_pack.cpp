@@ -6,6 +6,7 @@
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/pack_sums.hpp"
+#include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
@@ -47,19 +48,13 @@ ordered_json gas_payload(const io::PackGas& gas) {
 }
 
 ordered_json oil_payload(const io::PackOil& oil) {
-  ordered_json object = {{"quantities", described_all(io::pack_oil_quantities())}};
-  for (const io::PackOilQuantity& quantity : io::pack_oil_quantities()) {
-    object[quantity.name] = exact(oil.*quantity.value);
-  }
+  ordered_json object = io::quantities_object(io::pack_oil_quantities(), oil);
+  object["quantities"] = described_all(io::pack_oil_quantities());
   return object;
 }
 
 ordered_json sums_payload(const cycle::CycleValues& values) {
-  ordered_json object;
-  for (const cycle::CycleQuantity& quantity : cycle::summed_quantities()) {
-    object[quantity.name] = exact(values.*quantity.value);
-  }
-  return object;
+  return io::quantities_object(cycle::summed_quantities(), values);
 }
 
 }  // namespace

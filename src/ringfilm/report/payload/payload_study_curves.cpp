@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ringfilm/io/study/study_curves.hpp"
+#include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/report/payload/study_groups.hpp"
@@ -58,10 +59,7 @@ void add_study_curves(const io::StudyRows& rows, const io::Units& units, ordered
   ordered_json described = ordered_json::array(), list = ordered_json::array();
   for (const io::CurveBand& band : bands) {
     if (band.curve == described.size()) {
-      described.push_back({{"name", band.quantity.name},
-                           {"unit", band.quantity.unit},
-                           {"display_unit", band.quantity.display_unit},
-                           {"long_name", band.quantity.long_name}});
+      described.push_back(described_object(band.quantity));
     }
     ordered_json values = ordered_json::array();
     for (const std::vector<double>& curve : band.values) values.push_back(every(curve, stride));

@@ -4,6 +4,8 @@
 
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/io/result/record_json.hpp"
+#include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
 #include "ringfilm/report/payload/unsolved_reasons.hpp"
@@ -182,7 +184,7 @@ ordered_json error_object(const io::StudyRows& rows) {
 ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const io::Provenance& provenance) {
   const study::Study& study = rows.plan.study();
   ordered_json bases = ordered_json::array(), factors = ordered_json::array(), correlations = ordered_json::array(),
-               groups = ordered_json::array(), quantities = ordered_json::array(), files = ordered_json::array();
+               groups = ordered_json::array(), quantities = described_all(rows.plan.values().quantities);
   for (std::size_t b = 0; b < study.bases.size(); ++b) {
     bases.push_back(
         {{"name", study.bases[b].name}, {"title", study.bases[b].input.title}, {"points", rows.plan.n_points(b)}});
@@ -191,15 +193,6 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
   for (const study::Correlation& one : study.correlations)
     correlations.push_back({{"factors", {one.first, one.second}}, {"value", exact(one.value)}});
   for (const study::FactorGroup& group : rows.plan.groups()) groups.push_back(group.name);
-  for (const cycle::Quantity& q : rows.plan.values().quantities) {
-    quantities.push_back({{"name", q.name},
-                          {"unit", q.unit},
-                          {"display_unit", q.display_unit},
-                          {"long_name", q.long_name},
-                          {"symbol", q.symbol}});
-  }
-  for (const cycle::InputFile& file : rows.file.files)
-    files.push_back({{"role", file.role}, {"path", file.path}, {"sha256", file.sha256}});
   return {{"title", study.title},
           {"kind", study::word_of(study.kind)},
           {"method", study::word_of(study.sampling.method)},
@@ -219,9 +212,8 @@ ordered_json study_head(const io::StudyRows& rows, const io::Units& units, const
           {"groups", std::move(groups)},
           {"quantities", std::move(quantities)},
           {"main_values", rows.plan.values().main},
-          {"files", std::move(files)},
-          {"provenance",
-           {{"program", provenance.program}, {"commit", provenance.commit}, {"compiler", provenance.compiler}}}};
+          {"files", io::record_array(rows.file.files)},
+          {"provenance", io::record_object(provenance)}};
 }
 
 }  // namespace ringfilm::report

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/even_pick.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/payload_study.hpp"
@@ -153,16 +154,13 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
   for (const std::uint64_t i : drawn) bases.push_back(rows.plan.base_of(i));
   ordered_json object = {
       {"of", std::count(is_solved.begin(), is_solved.end(), true)}, {"scenario", drawn}, {"base", std::move(bases)}};
-  for (const std::string& name : kStribeck) {
-    const std::vector<double> values = rows.values(*rows.plan.values().index(name));
-    ordered_json list = ordered_json::array();
-    for (const std::uint64_t i : drawn) list.push_back(rounded(values[i], kPointDigits));
-    object[name] = std::move(list);
-  }
-  const std::vector<double> shares = boundary_power_shares(rows);
-  ordered_json list = ordered_json::array();
-  for (const std::uint64_t i : drawn) list.push_back(rounded(shares[i], kPointDigits));
-  object[kBoundaryPowerShare.name] = std::move(list);
+  const auto of_drawn = [&drawn](const std::vector<double>& all) {
+    std::vector<double> values;
+    for (const std::uint64_t i : drawn) values.push_back(all[i]);
+    return rounded_list(values, kPointDigits);
+  };
+  for (const std::string& name : kStribeck) object[name] = of_drawn(rows.values(*rows.plan.values().index(name)));
+  object[kBoundaryPowerShare.name] = of_drawn(boundary_power_shares(rows));
   return object;
 }
 
@@ -172,12 +170,7 @@ void add_study_points(const io::StudyRows& rows, ordered_json& payload) {
   const bool is_grid = rows.plan.study().sampling.method == study::Method::kGrid;
   payload["grid"] = is_grid ? grid_object(rows) : ordered_json(nullptr);
   payload["stribeck"] = stribeck_object(rows);
-  const cycle::Quantity& share = kBoundaryPowerShare;
-  payload["page_quantities"] = {{{"name", share.name},
-                                 {"unit", share.unit},
-                                 {"display_unit", share.display_unit},
-                                 {"long_name", share.long_name},
-                                 {"symbol", share.symbol}}};
+  payload["page_quantities"] = described_all(std::vector{kBoundaryPowerShare});
 }
 
 }  // namespace ringfilm::report

@@ -1,5 +1,6 @@
 #include "ringfilm/report/payload/payload_unrolled.hpp"
 
+#include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/report/payload/payload_numbers.hpp"
 #include "ringfilm/report/payload/unrolled_picture.hpp"
 
@@ -54,11 +55,7 @@ ordered_json unrolled_payload(const cycle::UnrolledFields& fields, std::optional
 
 ordered_json unrolled_values(const cycle::CycleResult& result) {
   if (result.unrolled.is_absent()) return nullptr;
-  ordered_json object = ordered_json::object();
-  for (const cycle::UnrolledCycleQuantity& q : cycle::unrolled_cycle_quantities()) {
-    object[q.name] = exact(result.unrolled_values.*q.value);
-  }
-  return object;
+  return io::quantities_object(cycle::unrolled_cycle_quantities(), result.unrolled_values);
 }
 
 void add_unrolled_curves(const cycle::CycleResult& result, int digits, ordered_json& curves) {

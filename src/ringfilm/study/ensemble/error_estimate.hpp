@@ -2,8 +2,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
@@ -20,6 +22,17 @@ struct GridRun {
   std::string reason;         ///< why not, if not solved
   long cells_y = 0;           ///< around the ring; 0: a film across the face
 };
+
+/// The members of an integration, as all outputs have them.
+constexpr auto members(const GridRun*) {
+  using G = GridRun;
+  return std::tuple{Member{"cells", "1", "cells across the face of an integration for the error estimate", &G::cells},
+                    Member{"cells_y", "1", "cells around the ring of an unrolled film, else 0", &G::cells_y},
+                    Member{"crank_step", "degree", "its crank step", &G::crank_step_deg},
+                    Member{"step_error", "1", "error that one of its steps may make", &G::step_error},
+                    Member{"solved", "1", "1 where it was solved", &G::solved},
+                    Member{"reason", "", "why it was not solved", &G::reason}};
+}
 
 /// Errors in the units of what they belong to; NaN where there is no estimate. Effort has none.
 struct ErrorEstimate {

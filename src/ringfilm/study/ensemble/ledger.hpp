@@ -1,8 +1,10 @@
 #pragma once
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include "ringfilm/base/members.hpp"
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
@@ -18,6 +20,13 @@ struct LedgerVariant {
   std::string reason;         ///< why not, if not solved
 };
 
+/// The members of a variant but its values, as all outputs have them.
+constexpr auto members(const LedgerVariant*) {
+  return std::tuple{Member{"setting", "", "the one setting that differs", &LedgerVariant::setting},
+                    Member{"solved", "1", "1 where the cycle was solved", &LedgerVariant::solved},
+                    Member{"reason", "", "why it was not solved", &LedgerVariant::reason}};
+}
+
 /// One simplification or unstated input.
 struct LedgerEntry {
   std::string topic;                    ///< stable word, e.g. "oil-supply"
@@ -27,6 +36,16 @@ struct LedgerEntry {
   bool can_be_lifted = false;           ///< does this program offer another choice?
   std::vector<LedgerVariant> variants;  ///< empty if it cannot be lifted, or only by a case of its own, or not computed
 };
+
+/// The members of an entry but its variants, as all outputs have them.
+constexpr auto members(const LedgerEntry*) {
+  using L = LedgerEntry;
+  return std::tuple{Member{"topic", "", "stable word for the assumption", &L::topic},
+                    Member{"statement", "", "what is assumed", &L::statement},
+                    Member{"consequence", "", "what it is known to do", &L::consequence},
+                    Member{"source", "", "where it is argued", &L::source},
+                    Member{"can_be_lifted", "1", "1 where the program offers another choice", &L::can_be_lifted}};
+}
 
 /// The simplifications active in `c`, without running anything.
 std::vector<LedgerEntry> assumptions(const cycle::Case& c);
