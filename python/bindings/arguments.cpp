@@ -145,6 +145,26 @@ std::string path_of(const char* name, const py::handle& value) {
   return text;
 }
 
+std::map<std::string, std::string> texts_of(const char* name, const py::handle& value, const char* example) {
+  std::map<std::string, std::string> texts;
+  if (value.is_none()) return texts;
+  if (!py::isinstance<py::dict>(value)) refuse(name, "a dict of texts", value);
+  const std::string key_name = std::string("a key of ") + name;
+  for (const auto& [key, one] : py::reinterpret_borrow<py::dict>(value)) {
+    const std::string text = text_of(key_name.c_str(), key, "engine.bore");
+    texts[text] = text_of((std::string(name) + "[\"" + text + "\"]").c_str(), one, example);
+  }
+  return texts;
+}
+
+std::vector<std::string> paths_of(const char* name, const py::handle& value) {
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) refuse(name, "a list of paths", value);
+  std::vector<std::string> paths;
+  const std::string each = std::string("each of ") + name;
+  for (const py::handle path : value) paths.push_back(path_of(each.c_str(), path));
+  return paths;
+}
+
 void check_type(const char* name, const py::handle& value, const py::handle& required) {
   if (!py::isinstance(value, required)) {
     refuse(name, "a " + py::cast<std::string>(required.attr("__name__")), value);
@@ -218,6 +238,8 @@ std::vector<Doubles> spread(const Named& given) {
 py::array array_of(const std::vector<double>& values) {
   return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
+
+py::object from_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
 
 int threads_of(const py::object& threads) {
   if (threads.is_none()) return 0;

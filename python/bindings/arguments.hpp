@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,6 +35,12 @@ struct Text {
 };
 struct MaybeText {
   static constexpr auto name = py::detail::const_name("Optional[str]");
+};
+struct MaybeTexts {
+  static constexpr auto name = py::detail::const_name("Optional[Dict[str, str]]");
+};
+struct Paths {
+  static constexpr auto name = py::detail::const_name("List[str]");
 };
 struct NumberOrText {
   static constexpr auto name = py::detail::const_name("Optional[Union[int, str]]");
@@ -79,6 +86,11 @@ std::optional<std::string> maybe_text_of(const char* name, const py::handle& val
 /// A name of a file: str, bytes or os.PathLike. Throws TypeError for all else, InputError for what no file can be
 /// called.
 std::string path_of(const char* name, const py::handle& value);
+
+/// Texts by their keys, none of None. Throws TypeError for all but a dict of texts.
+std::map<std::string, std::string> texts_of(const char* name, const py::handle& value, const char* example);
+/// Names of files, a list or a tuple. Throws TypeError for all else, one name by itself too.
+std::vector<std::string> paths_of(const char* name, const py::handle& value);
 
 /// Throws TypeError for what is not of the class `required`.
 void check_type(const char* name, const py::handle& value, const py::handle& required);
@@ -134,6 +146,9 @@ py::object mapped(const char* name, const GivenNumbers& given, const Function& f
 }
 
 py::array array_of(const std::vector<double>& values);
+
+/// What a JSON text of the program holds, as dicts, lists and numbers.
+py::object from_json(const std::string& text);
 
 /// The threads that a user asks for; None: 0, as many as the machine runs at once. Throws InputError out of 1 to 1024.
 int threads_of(const py::object& threads);

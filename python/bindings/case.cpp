@@ -4,6 +4,7 @@
 #include "arguments.hpp"
 #include "case_object.hpp"
 #include "case_values.hpp"
+#include "members.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/advice/advice.hpp"
@@ -15,6 +16,7 @@
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 #include "ringfilm/io/data/trace_file.hpp"
+#include "ringfilm/io/result/input_members.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
@@ -139,7 +141,7 @@ std::string case_words(const CaseObject& self) {
   return text + ": " + std::to_string(c.stated.size()) + " keys stated>";
 }
 
-constexpr int kCaseStateVersion = 2;
+constexpr int kCaseStateVersion = 3;
 
 /// The samples that files gave, in the order of a pickle; those that copies of a case share are next to it.
 auto samples(Case& c, cycle::SampledTrace& cylinder, cycle::OilTable& oil) {
@@ -168,10 +170,8 @@ py::tuple case_state(const CaseObject& self) {
     const cycle::SampledTrace& trace = **c.gas.crankcase_trace;
     crankcase = py::make_tuple(array_of(trace.crank_angle_deg), array_of(trace.value));
   }
-  py::list files;
-  for (const cycle::InputFile& file : c.files) files.append(py::make_tuple(file.role, file.path, file.sha256));
-  return py::make_tuple(kCaseStateVersion, static_cast<int>(c.problem), values, arrays, crankcase, files,
-                        std::vector<std::string>(c.stated.begin(), c.stated.end()), c.notes);
+  return py::make_tuple(kCaseStateVersion, static_cast<int>(c.problem), values, arrays, crankcase,
+                        members_list(c.files), std::vector<std::string>(c.stated.begin(), c.stated.end()), c.notes);
 }
 
 CaseObject from_state(const py::tuple& state) {
@@ -196,10 +196,7 @@ CaseObject from_state(const py::tuple& state) {
     const auto trace = py::cast<py::tuple>(state[4]);
     c.gas.crankcase_trace = cycle::SampledTrace{pickled_row(trace[0]), pickled_row(trace[1])};
   }
-  for (const auto& file : py::cast<py::list>(state[5])) {
-    const auto words = py::cast<std::vector<std::string>>(file);
-    c.files.push_back({words.at(0), words.at(1), words.at(2)});
-  }
+  c.files = records_of<cycle::InputFile>(state[5]);
   const auto stated = py::cast<std::vector<std::string>>(state[6]);
   c.stated = {stated.begin(), stated.end()};
   c.notes = py::cast<std::vector<std::string>>(state[7]);

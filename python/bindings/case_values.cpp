@@ -14,13 +14,6 @@ using cycle::Field;
 using cycle::TemperatureValue;
 using io::TomlValue;
 
-py::object optional_object(const std::optional<double>& value) {
-  return value ? py::object(py::float_(*value)) : py::object(py::none());
-}
-py::object optional_object(const std::optional<std::string>& value) {
-  return value ? py::object(py::str(*value)) : py::object(py::none());
-}
-
 py::list pairs(const std::vector<TemperatureValue>& values) {
   py::list list;
   for (const auto& [temperature, value] : values) list.append(py::make_tuple(temperature, value));
@@ -53,24 +46,19 @@ class SiValue {
  public:
   explicit SiValue(const Case& c) : case_(c) {}
 
-  py::object operator()(const cycle::NumberKind& kind) const { return py::float_(kind.ref(case_)); }
-  py::object operator()(const cycle::OptionalNumberKind& kind) const { return optional_object(kind.ref(case_)); }
-  py::object operator()(const cycle::CountKind& kind) const { return py::int_(kind.ref(case_)); }
+  template <class Plain>
+  py::object operator()(const Plain& kind) const {
+    return py::cast(kind.ref(case_));
+  }
   py::object operator()(const cycle::ChoiceKind& kind) const { return py::str(kind.names.at(kind.index(case_))); }
-  py::object operator()(const cycle::TextKind& kind) const { return py::str(kind.ref(case_)); }
-  py::object operator()(const cycle::OptionalTextKind& kind) const { return optional_object(kind.ref(case_)); }
-  py::object operator()(const cycle::FileKind& kind) const { return py::str(kind.ref(case_)); }
-  py::object operator()(const cycle::OptionalFileKind& kind) const { return optional_object(kind.ref(case_)); }
   py::object operator()(const cycle::NumberOrFileKind& kind) const {
     if (const auto& file = kind.file(case_)) return py::str(*file);
     return py::float_(kind.number(case_));
   }
   py::object operator()(const cycle::OptionalNumberOrFileKind& kind) const {
     const cycle::LandPressure& pressure = kind.ref(case_);
-    return pressure.file ? py::str(*pressure.file) : optional_object(pressure.constant);
+    return pressure.file ? py::cast(*pressure.file) : py::cast(pressure.constant);
   }
-  py::object operator()(const cycle::UnitNameKind& kind) const { return py::float_(kind.ref(case_)); }
-  py::object operator()(const cycle::NumberListKind& kind) const { return py::cast(kind.ref(case_)); }
   py::object operator()(const cycle::TemperatureValuesKind& kind) const { return pairs(kind.ref(case_)); }
   py::object operator()(const cycle::ConstantOrTemperatureValuesKind& kind) const {
     if (const auto& constant = kind.constant(case_)) return py::float_(*constant);

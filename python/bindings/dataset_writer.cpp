@@ -4,11 +4,6 @@
 
 namespace ringfilm::python {
 
-void DatasetWriter::scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
-                            const std::map<std::string, double>& values) {
-  io::put_scalars(prefix, known, values, [this](const auto& quantity, double value) { scalar(quantity, value); });
-}
-
 py::object DatasetWriter::objects(const py::list& texts) {
   return py::module_::import("numpy").attr("array")(texts, py::arg("dtype") = py::dtype("O"));
 }

@@ -40,15 +40,8 @@ class DatasetWriter {
     if (!sizes_.contains(dimension)) return;
     if constexpr (std::is_same_v<Value, double> && std::is_same_v<Row, Base>) {
       put({dimension}, quantity, column_view(rows, member, owner_));
-    } else if constexpr (std::is_same_v<Value, std::string>) {
-      py::list texts;
-      for (const Row& row : rows) texts.append(part(row).*member);
-      put({dimension}, quantity, objects(texts));
     } else {
-      using Stored = decltype(io::stored(std::declval<const Value&>()));
-      std::vector<Stored> values;
-      for (const Row& row : rows) values.push_back(io::stored(part(row).*member));
-      put({dimension}, quantity, py::array_t<Stored>(static_cast<py::ssize_t>(values.size()), values.data()));
+      put(quantity, {dimension}, io::stored_column(rows, member, part));
     }
   }
 
@@ -93,9 +86,6 @@ class DatasetWriter {
 
   void scalar(const cycle::Quantity& quantity, double value) { put({}, quantity, py::float_(value)); }
   void scalar(const cycle::Quantity& quantity, const std::string& text) { put({}, quantity, py::str(text)); }
-
-  void scalars(const char* prefix, const std::vector<cycle::Quantity>& known,
-               const std::map<std::string, double>& values);
 
   const py::dict& attributes() const { return attributes_; }
   const py::dict& variables() const { return variables_; }

@@ -7,6 +7,7 @@
 
 #include "arguments.hpp"
 #include "array_view.hpp"
+#include "members.hpp"
 
 namespace ringfilm::python {
 
@@ -98,8 +99,8 @@ class Record {
   /// A member that has no name in Python, but belongs to the value.
   template <class Member>
   Record& keep(Member Struct::*member) {
-    return keep([member](const Struct& self) { return to_python(self.*member); },
-                [member](Struct& self, const py::handle& value) { from_python(value, self.*member); },
+    return keep([member](const Struct& self) { return member_value(self.*member); },
+                [member](Struct& self, const py::handle& value) { restore_member(value, self.*member); },
                 [member](const Struct& a, const Struct& b) { return is_same(a.*member, b.*member); });
   }
 
@@ -118,28 +119,6 @@ class Record {
     std::function<void(Struct&, const py::handle&)> set;
     std::function<bool(const Struct&, const Struct&)> is_same;
   };
-
-  template <class Value>
-  static py::object to_python(const Value& value) {
-    if constexpr (std::is_enum_v<Value>) {
-      return py::int_(static_cast<int>(value));
-    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      return array_of(value);
-    } else {
-      return py::cast(value);
-    }
-  }
-
-  template <class Value>
-  static void from_python(const py::handle& from, Value& value) {
-    if constexpr (std::is_enum_v<Value>) {
-      value = static_cast<Value>(py::cast<int>(from));
-    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
-      value = pickled_row(from);
-    } else {
-      value = py::cast<Value>(from);
-    }
-  }
 
   template <class Value>
   static bool is_same(const Value& a, const Value& b) {

@@ -7,6 +7,7 @@
 #include "arguments.hpp"
 #include "array_view.hpp"
 #include "dataset_writer.hpp"
+#include "members.hpp"
 #include "result_object.hpp"
 #include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/io/case/case_file.hpp"
@@ -23,8 +24,6 @@
 namespace ringfilm::python {
 namespace {
 
-py::object plain_layer(const char* module, const char* function) { return py::module_::import(module).attr(function); }
-
 std::string documented(const cycle::Quantity& quantity, const std::string& dimensions) {
   std::string text = quantity.long_name;
   if (!text.empty()) text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
@@ -33,25 +32,56 @@ std::string documented(const cycle::Quantity& quantity, const std::string& dimen
   return text;
 }
 
-py::dict named_values(const cycle::CycleValues& of) {
+/// The values of a table by their names.
+template <class Quantities, class Values>
+void put_values(const Quantities& quantities, const Values& of, py::dict& values) {
+  for (const auto& quantity : quantities) values[py::str(quantity.name)] = of.*quantity.value;
+}
+
+py::dict values_of(const ResultObject& self) {
   py::dict values;
-  for (const auto& quantity : cycle::cycle_quantities()) values[py::str(quantity.name)] = of.*quantity.value;
+  put_values(cycle::cycle_quantities(), self.result().values, values);
+  if (!self.result().unrolled.is_absent())
+    put_values(cycle::unrolled_cycle_quantities(), self.result().unrolled_values, values);
   return values;
 }
 
-py::dict cycle_values(const ResultObject& self) {
-  py::dict values = named_values(self.result().values);
-  if (self.result().unrolled.is_absent()) return values;
-  for (const auto& quantity : cycle::unrolled_cycle_quantities())
-    values[py::str(quantity.name)] = self.result().unrolled_values.*quantity.value;
+py::dict values_of(const PackObject& self) {
+  py::dict values;
+  put_values(cycle::summed_quantities(), self.result().values, values);
   return values;
 }
 
-py::list notes(const ResultObject& self) {
-  py::list list;
-  for (const std::string& note : self.document().input_notes) list.append(py::make_tuple("input", note, 1));
-  for (const cycle::Note& note : self.result().notes) list.append(py::make_tuple(note.topic, note.message, note.count));
-  return list;
+/// The units of those values.
+template <class Object>
+py::dict units_of(const Object& self) {
+  py::dict units;
+  const py::dict values = values_of(self);
+  const auto put = [&](const auto& quantities) {
+    for (const cycle::Quantity& quantity : quantities) {
+      if (values.contains(quantity.name)) units[py::str(quantity.name)] = quantity.unit;
+    }
+  };
+  put(cycle::cycle_quantities());
+  put(cycle::unrolled_cycle_quantities());
+  return units;
+}
+
+py::list notes_of(const ResultObject& self) { return notes_list(self.document().input_notes, self.result().notes); }
+
+/// Those of the rings, each with its ring.
+py::list notes_of(const PackObject& self) {
+  std::vector<cycle::Note> notes = self.result().notes;
+  const std::vector<std::size_t> numbers = io::ring_numbers(self.document());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const io::ResultDocument& ring = self.document().rings[i];
+    const std::string rail = ring.rail > 0 ? "." + std::to_string(ring.rail) : "";
+    for (cycle::Note note : ring.result.notes) {
+      note.message = "ring " + std::to_string(numbers[i]) + rail + ": " + note.message;
+      notes.push_back(std::move(note));
+    }
+  }
+  return notes_list(self.document().input_notes, notes);
 }
 
 py::list ledger(const ResultObject& self) {
@@ -60,15 +90,12 @@ py::list ledger(const ResultObject& self) {
     if (entry.variants.empty()) continue;
     py::list variants;
     for (const study::LedgerVariant& variant : entry.variants) {
-      py::dict one;
-      one["setting"] = variant.setting;
-      one["values"] = named_values(variant.values);
-      one["reason"] = variant.reason;
+      py::dict one = members_dict(variant), values;
+      put_values(cycle::cycle_quantities(), variant.values, values);
+      one["values"] = values;
       variants.append(one);
     }
-    py::dict reported;
-    reported["topic"] = entry.topic;
-    reported["statement"] = entry.statement;
+    py::dict reported = members_dict(entry);
     reported["variants"] = variants;
     lifted.append(reported);
   }
@@ -76,13 +103,12 @@ py::list ledger(const ResultObject& self) {
 }
 
 /// Every variable of the result file, as (dimensions, array, attributes).
+template <class Object>
 DatasetWriter dataset(const py::object& self) {
   DatasetWriter writer(self);
-  io::put_document(writer, self.cast<const ResultObject&>().document());
+  io::put_document(writer, self.cast<const Object&>().document());
   return writer;
 }
-
-py::list keys(const py::object& self) { return py::list(dataset(self).variables()); }
 
 /// The variable that a name means; nothing if there is none.
 std::optional<std::string> spelling_of(const std::string& name, const py::dict& variables) {
@@ -94,9 +120,13 @@ std::optional<std::string> spelling_of(const std::string& name, const py::dict& 
 
 constexpr const char* kNameExample = "min_film_thickness";
 
-bool has(const py::object& self, const py::object& name) {
-  return py::isinstance<py::str>(name) &&
-         spelling_of(text_of("name", name, kNameExample), dataset(self).variables()).has_value();
+py::object variable(const DatasetWriter& writer, const std::string& name) {
+  const py::dict& variables = writer.variables();
+  if (const auto spelling = spelling_of(name, variables)) return variables[py::str(*spelling)].cast<py::tuple>()[1];
+  std::vector<std::string> names;
+  for (const auto& entry : variables) names.push_back(py::cast<std::string>(entry.first));
+  const std::string near = io::nearest_word(name, names);
+  throw py::key_error("this result has no " + name + (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 
 py::object item(const py::object& self, const GivenText& given) {
@@ -105,13 +135,7 @@ py::object item(const py::object& self, const GivenText& given) {
   for (const auto& quantity : cycle::curve_quantities()) {
     if (quantity.name == name) return column_view(result.result().samples, quantity.value, self);
   }
-  const DatasetWriter writer = dataset(self);
-  const py::dict& variables = writer.variables();
-  if (const auto spelling = spelling_of(name, variables)) return variables[py::str(*spelling)].cast<py::tuple>()[1];
-  std::vector<std::string> names;
-  for (const auto& entry : variables) names.push_back(py::cast<std::string>(entry.first));
-  const std::string near = io::nearest_word(name, names);
-  throw py::key_error("this result has no " + name + (near.empty() ? "" : "; did you mean " + near + "?"));
+  return variable(dataset<ResultObject>(self), name);
 }
 
 std::string repr(const ResultObject& self) {
@@ -132,21 +156,103 @@ curve has the same name, and all are in result.values. Every variable of a resul
 Loads, friction and flow are those of the whole ring; signs: see docs/manual/result-file.md. Crank angles are in
 degrees, 0 = firing TDC, from 0 to 720. Results can be pickled.)";
 
-void bind_curves(py::class_<ResultObject>& type) {
-  for (const auto& quantity : cycle::curve_quantities()) {
-    const auto getter = [member = quantity.value](const py::object& self) {
-      return column_view(self.cast<const ResultObject&>().result().samples, member, self);
+template <class Object>
+py::object plot(const py::object& self, const GivenText& what, const py::object& axes, const py::object& label,
+                const py::kwargs& style) {
+  const char* function = std::is_same_v<Object, PackObject> ? "plot_pack" : "plot_result";
+  return plain_layer("ringfilm._plots", function)(self, text_of("what", what.value, "film"), axes, label, **style);
+}
+
+/// What the results of a ring and of a pack have in common.
+template <class Object>
+void bind_document(py::class_<Object>& type) {
+  type.def_property_readonly(
+      "title", [](const Object& self) { return self.title(); }, "Title of the case, a str.");
+  type.def_property_readonly(
+      "values", [](const Object& self) { return values_of(self); },
+      "All values of the cycle, of a pack what the friction of all rings adds up to, {name: float in SI}.");
+  type.def_property_readonly(
+      "units", [](const Object& self) { return units_of(self); }, "The units of `values`, {name: str}.");
+  type.def_property_readonly(
+      "notes", [](const Object& self) { return notes_of(self); },
+      "What one must know about this result: tuples (topic, sentence, how many times).");
+  type.def_property_readonly(
+      "inputs",
+      [](const Object& self) {
+        py::list list;
+        for (const auto& entry : self.document().inputs)
+          list.append(py::make_tuple(entry.key, entry.value, entry.shown, entry.assumed));
+        return list;
+      },
+      "The case as it was used: tuples (key, value as in a case file in SI, value for people, assumed).");
+  type.def_property_readonly(
+      "resolved_case", [](const Object& self) { return self.document().resolved_case; },
+      "A complete case file in SI that gives the same bits again, a str.");
+  type.def_property_readonly(
+      "provenance", [](const Object& self) { return members_dict(self.document().provenance); },
+      "What computed the result: program, commit, compiler, kernels.");
+  type.def_property_readonly(
+      "complete", [](const Object& self) { return self.result().complete; },
+      "False where the integration stopped, or never began; the curves then hold what it had passed.");
+  type.def(
+      "write",
+      [](const Object& self, const py::object& path) {
+        const std::string name = path_of("path", path);
+        const io::ResultDocument& document = self.document();
+        const py::gil_scoped_release others_go_on;
+        io::write_result(name, document);
+      },
+      py::arg("path"),
+      "Writes the same NetCDF file as `ringfilm run --output`, byte by byte, aside first. Raises OutputError.");
+  type.def(
+      "write_csv",
+      [](const Object& self, const py::object& path) {
+        io::write_atomically(path_of("path", path), io::result_csv(self.document()));
+      },
+      py::arg("path"),
+      "Writes the curves as `ringfilm run --csv`, of a pack with the column ring. Raises OutputError.");
+  type.def(
+      "write_report",
+      [](const Object& self, const py::object& path) {
+        io::write_atomically(path_of("path", path), report::report_page({self.document()}, {}));
+      },
+      py::arg("path"), "Writes the result as one self-contained web page, as `ringfilm report`. Raises OutputError.");
+  type.def(
+      "to_json", [](const Object& self) { return io::result_json(self.document()); },
+      "The values of the cycle as `ringfilm run --json` prints them, a str.");
+  type.def(
+      "_dataset",
+      [](const py::object& self) {
+        const DatasetWriter writer = dataset<Object>(self);
+        return py::make_tuple(writer.variables(), writer.attributes());
+      },
+      "Variables and attributes of the result file, for to_xarray.");
+  type.def(
+      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_xarray")(self); },
+      R"(The result as an xarray.Dataset with the dimensions, coordinates, variables and attributes of its file:
+the same as xarray.open_dataset gives of what write() wrote, in SI, numbers without a copy.)");
+  type.def(
+      "keys", [](const py::object& self) { return py::list(dataset<Object>(self).variables()); },
+      "Names of all that [] gives, as in the result file, in its order.");
+  type.def(
+      "__contains__",
+      [](const py::object& self, const py::object& name) {
+        return py::isinstance<py::str>(name) &&
+               spelling_of(text_of("name", name, kNameExample), dataset<Object>(self).variables()).has_value();
+      },
+      py::arg("name"), "Does [] give something for this name?");
+}
+
+/// Each quantity of a table as an array of its member of all rows.
+template <class Quantities, class Rows>
+void bind_columns(py::class_<ResultObject>& type, const Quantities& quantities, Rows cycle::CycleResult::*rows,
+                  const char* dimensions) {
+  for (const auto& quantity : quantities) {
+    const auto getter = [member = quantity.value, rows](const py::object& self) {
+      return column_view(self.cast<const ResultObject&>().result().*rows, member, self);
     };
     type.def_property_readonly(quantity.name.c_str(), py::cpp_function(getter),
-                               documented(quantity, ", shape (crank_angle,).").c_str());
-  }
-  for (const auto& quantity : cycle::unrolled_quantities()) {
-    const auto getter = [member = quantity.value](const py::object& self) {
-      return column_view(self.cast<const ResultObject&>().result().unrolled_samples, member, self);
-    };
-    type.def_property_readonly(
-        quantity.name.c_str(), py::cpp_function(getter),
-        documented(quantity, ", shape (crank_angle,); empty unless the film is unrolled.").c_str());
+                               documented(quantity, dimensions).c_str());
   }
 }
 
@@ -171,13 +277,8 @@ void bind_values(py::class_<ResultObject>& type) {
 
 void bind_words(py::class_<ResultObject>& type) {
   type.def_property_readonly(
-      "title", [](const ResultObject& self) { return self.title(); }, "Title of the case, a str.");
-  type.def_property_readonly("values", &cycle_values, "All values of the cycle, {name: float in SI}.");
-  type.def_property_readonly(
       "derived", [](const ResultObject& self) { return self.result().derived; },
       "Constants that follow from the case, {name: float in SI}: composite modulus, elastic pressure and others.");
-  type.def_property_readonly("notes", &notes,
-                             "What one must know about this result: tuples (topic, sentence, how many times).");
   type.def_property_readonly(
       "assumptions",
       [](const ResultObject& self) {
@@ -190,21 +291,9 @@ void bind_words(py::class_<ResultObject>& type) {
   type.def_property_readonly("ledger", &ledger,
                              R"(What it would change to lift an assumption, if run(ledger=True) was asked to find out.
 
-Dicts in the order of `assumptions`, of those that were lifted: topic, statement, and variants, a list of dicts:
-setting as one would write it, values {name: float in SI} of the cycle with this setting alone changed, reason (empty;
-why it was not solved, with NaN for values). Empty where it was not asked for.)");
-  type.def_property_readonly(
-      "inputs",
-      [](const ResultObject& self) {
-        py::list list;
-        for (const auto& entry : self.document().inputs)
-          list.append(py::make_tuple(entry.key, entry.value, entry.shown, entry.assumed));
-        return list;
-      },
-      "The case as it was used: tuples (key, value as in a case file in SI, value for people, assumed).");
-  type.def_property_readonly(
-      "resolved_case", [](const ResultObject& self) { return self.document().resolved_case; },
-      "A complete case file in SI that gives the same bits again, a str.");
+Dicts in the order of `assumptions`, of those that were lifted: topic, statement and the others, and variants, a list of
+dicts: setting as one would write it, values {name: float in SI} of the cycle with this setting alone changed, solved,
+reason (empty; why it was not solved, with NaN for values). Empty where it was not asked for.)");
   type.def_property_readonly(
       "effort",
       [](const ResultObject& self) {
@@ -217,21 +306,6 @@ why it was not solved, with NaN for values). Empty where it was not asked for.)"
       },
       "What the solver did, {name: number}.");
   type.def_property_readonly(
-      "provenance",
-      [](const ResultObject& self) {
-        const io::Provenance& from = self.document().provenance;
-        py::dict values;
-        values["program"] = from.program;
-        values["commit"] = from.commit;
-        values["compiler"] = from.compiler;
-        values["kernels"] = from.kernels;
-        return values;
-      },
-      "What computed the result: program, commit, compiler, kernels.");
-  type.def_property_readonly(
-      "complete", [](const ResultObject& self) { return self.result().complete; },
-      "False where the integration stopped, or never began; the curves then hold what it had passed.");
-  type.def_property_readonly(
       "reason", [](const ResultObject& self) { return self.reason(); },
       "Why a scenario of a batch was not solved, on one line; empty where it was.");
 }
@@ -243,54 +317,12 @@ void bind_outputs(py::class_<ResultObject>& type) {
       "A result from a NetCDF file that this module or `ringfilm run` wrote; of a ring pack a PackResult. Raises "
       "InputError.");
   type.def(
-      "write",
-      [](const ResultObject& self, const py::object& path) {
-        const std::string name = path_of("path", path);
-        const io::ResultDocument& document = self.document();
-        const py::gil_scoped_release others_go_on;
-        io::write_result(name, document);
-      },
-      py::arg("path"),
-      "Writes the same NetCDF file as `ringfilm run --output`, byte by byte, aside first. Raises OutputError.");
-  type.def(
-      "write_csv",
-      [](const ResultObject& self, const py::object& path) {
-        const io::ResultDocument& document = self.document();
-        io::write_atomically(path_of("path", path), io::result_csv(document));
-      },
-      py::arg("path"), "Writes the curves as `ringfilm run --csv`. Raises OutputError.");
-  type.def(
-      "write_report",
-      [](const ResultObject& self, const py::object& path) {
-        io::write_atomically(path_of("path", path), report::report_page({self.document()}, {}));
-      },
-      py::arg("path"), "Writes the result as one self-contained web page, as `ringfilm report`. Raises OutputError.");
-  type.def(
-      "to_json", [](const ResultObject& self) { return io::result_json(self.document()); },
-      "The values of the cycle as `ringfilm run --json` prints them, a str.");
-  type.def(
-      "_dataset",
-      [](const py::object& self) {
-        const DatasetWriter writer = dataset(self);
-        return py::make_tuple(writer.variables(), writer.attributes());
-      },
-      "Variables and attributes of the result file, for to_xarray.");
-  type.def(
-      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_xarray")(self); },
-      R"(The result as an xarray.Dataset with the dimensions, coordinates, variables and attributes of its file:
-the same as xarray.open_dataset gives of what write() wrote, in SI, numbers without a copy.)");
-  type.def(
       "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_pandas")(self); },
       "The curves as a pandas.DataFrame, one column a quantity in SI, indexed by crank angle [degree]; units in "
       "attrs.");
   type.def(
-      "plot",
-      [](const py::object& self, const GivenText& what, const py::object& axes, const py::object& label,
-         const py::kwargs& style) {
-        return plain_layer("ringfilm._plots", "plot_result")(self, text_of("what", what.value, "film"), axes, label,
-                                                             **style);
-      },
-      py::arg("what") = "overview", py::arg("axes") = py::none(), py::arg("label") = py::none(),
+      "plot", &plot<ResultObject>, py::arg("what") = "overview", py::arg("axes") = py::none(),
+      py::arg("label") = py::none(),
       R"(Draws the result with matplotlib, in units of engineers, from -360 to 360 degree with firing TDC in the middle.
 
 what: "overview" (pressure, film, friction), "friction", "film", "stribeck", or the name of a curve or of a field
@@ -303,12 +335,10 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
   type.def("__getitem__", &item, py::arg("name"),
            R"(A curve, a value of the cycle or a field, by its name in the result file (docs/manual/result-file.md):
 "film_pressure" has the shape (field_crank_angle, x). Raises KeyError.)");
-  type.def("keys", &keys, "Names of all that [] gives, as in the result file, in its order.");
   type.def(
-      "__iter__", [](const py::object& self) { return py::iter(keys(self)); }, "Over keys().");
+      "__iter__", [](const py::object& self) { return py::iter(self.attr("keys")()); }, "Over keys().");
   type.def(
-      "__len__", [](const py::object& self) { return py::len(keys(self)); }, "How many keys().");
-  type.def("__contains__", &has, py::arg("name"), "Does [] give something for this name?");
+      "__len__", [](const py::object& self) { return py::len(self.attr("keys")()); }, "How many keys().");
   type.def("__repr__", &repr, "Title and number of crank angles.");
   type.def(py::pickle(
       [](const ResultObject& self) {
@@ -326,25 +356,12 @@ constexpr const char* kPackDoc =
 pack.rings[0] is the ring next to the chamber. Every variable of the result file is an item by its name there, with the
 dimension ring in front: pack["min_film_thickness"] has the shape (ring, crank_angle). Values are SI.)";
 
-DatasetWriter pack_dataset(const py::object& self) {
-  DatasetWriter writer(self);
-  io::put_document(writer, self.cast<const PackObject&>().document());
-  return writer;
-}
-
 py::object pack_item(const py::object& self, const GivenText& given) {
-  const std::string name = text_of("name", given.value, kNameExample);
-  const DatasetWriter writer = pack_dataset(self);
-  if (const auto spelling = spelling_of(name, writer.variables())) {
-    return writer.variables()[py::str(*spelling)].cast<py::tuple>()[1];
-  }
-  throw py::key_error("this result has no " + name);
+  return variable(dataset<PackObject>(self), text_of("name", given.value, kNameExample));
 }
 
 /// The JSON document of a pack.
-py::dict json_of(const PackObject& pack) {
-  return py::module_::import("json").attr("loads")(io::result_json(pack.document()));
-}
+py::dict json_of(const PackObject& pack) { return from_json(io::result_json(pack.document())); }
 
 /// A part of it; None without it.
 std::optional<py::dict> part_of_json(const PackObject& pack, const char* name) {
@@ -355,6 +372,7 @@ std::optional<py::dict> part_of_json(const PackObject& pack, const char* name) {
 
 void bind_pack(py::module_& module) {
   py::class_<PackObject> type(module, "PackResult", kPackDoc);
+  bind_document(type);
   type.def_property_readonly(
       "rings",
       [](const PackObject& self) {
@@ -365,19 +383,6 @@ void bind_pack(py::module_& module) {
         return rings;
       },
       "The Result of each ring, from the chamber to the crankcase, a list.");
-  type.def_property_readonly(
-      "title", [](const PackObject& self) { return self.document().title; }, "Title of the case, a str.");
-  type.def_property_readonly(
-      "values",
-      [](const PackObject& self) {
-        py::dict values;
-        for (const cycle::CycleQuantity& quantity : cycle::summed_quantities()) {
-          values[py::str(quantity.name)] = self.document().result.values.*quantity.value;
-        }
-        return values;
-      },
-      "What the friction of all rings adds up to, {name: float in SI}: fmep, energy_per_cycle, mean_power_loss and its "
-      "boundary and viscous parts.");
   type.def_property_readonly(
       "by_ring", [](const PackObject& self) { return py::list(json_of(self)["by_ring"]); },
       "The same of each ring, the rails of an oil ring added up, a list of dicts with its number as ring.");
@@ -391,41 +396,14 @@ void bind_pack(py::module_& module) {
       "oil", [](const PackObject& self) { return part_of_json(self, "oil"); },
       "Film on the liner above the pack and the upper bound of oil to the chamber, a dict in SI; None where the oil on "
       "the liner is not followed.");
-  type.def_property_readonly(
-      "complete", [](const PackObject& self) { return self.document().result.complete; },
-      "False where the integration of one ring stopped.");
-  type.def_property_readonly(
-      "resolved_case", [](const PackObject& self) { return self.document().resolved_case; },
-      "A complete case file of the pack in SI that gives the same bits again, a str.");
-  type.def(
-      "write",
-      [](const PackObject& self, const py::object& path) { io::write_result(path_of("path", path), self.document()); },
-      py::arg("path"), "Writes the same NetCDF file as `ringfilm run --output`. Raises OutputError.");
-  type.def(
-      "write_csv",
-      [](const PackObject& self, const py::object& path) {
-        io::write_atomically(path_of("path", path), io::result_csv(self.document()));
-      },
-      py::arg("path"), "Writes the curves as `ringfilm run --csv`, with the column ring. Raises OutputError.");
-  type.def(
-      "write_report",
-      [](const PackObject& self, const py::object& path) {
-        io::write_atomically(path_of("path", path), report::report_page({self.document()}, {}));
-      },
-      py::arg("path"), "Writes all rings as one self-contained web page, as `ringfilm report`. Raises OutputError.");
-  type.def(
-      "to_json", [](const PackObject& self) { return io::result_json(self.document()); },
-      "The values of the cycle as `ringfilm run --json` prints them, a str.");
-  type.def(
-      "_dataset",
-      [](const py::object& self) {
-        const DatasetWriter writer = pack_dataset(self);
-        return py::make_tuple(writer.variables(), writer.attributes());
-      },
-      "Variables and attributes of the result file, for to_xarray.");
-  type.def(
-      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_xarray")(self); },
-      "The result as an xarray.Dataset with the dimensions, variables and attributes of its file, in SI.");
+  type.def("plot", &plot<PackObject>, py::arg("what") = "overview", py::arg("axes") = py::none(),
+           py::arg("label") = py::none(),
+           R"(Draws the rings with matplotlib, a line for each, in units of engineers over the crank angle.
+
+what: "overview" (pressure, film, total friction), "friction", "film", "stribeck", or the name of a curve. A field
+    belongs to one ring: pack.rings[0].plot("film_pressure").
+axes, style: as in Result.plot. label: before the number of each ring in a legend.
+Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn.)");
   type.def("__getitem__", &pack_item, py::arg("name"),
            R"(A variable of the result file by its name: "min_film_thickness" has the shape (ring, crank_angle),
 "cycle_fmep" or "fmep" the shape (ring,). Raises KeyError.)");
@@ -446,6 +424,15 @@ void bind_pack(py::module_& module) {
 }
 
 }  // namespace
+
+py::object plain_layer(const char* module, const char* function) { return py::module_::import(module).attr(function); }
+
+py::list notes_list(const std::vector<std::string>& of_input, const std::vector<cycle::Note>& of_result) {
+  py::list list;
+  for (const std::string& note : of_input) list.append(members_tuple(cycle::Note{"input", note}));
+  for (const cycle::Note& note : of_result) list.append(members_tuple(note));
+  return list;
+}
 
 py::object result_object(io::ResultDocument document) {
   if (document.is_pack()) return py::cast(std::make_unique<PackObject>(std::move(document)));
@@ -471,7 +458,10 @@ const io::ResultDocument& ResultObject::document() const {
 
 void bind_result(py::module_& module) {
   py::class_<ResultObject> type(module, "Result", kResultDoc);
-  bind_curves(type);
+  bind_document(type);
+  bind_columns(type, cycle::curve_quantities(), &cycle::CycleResult::samples, ", shape (crank_angle,).");
+  bind_columns(type, cycle::unrolled_quantities(), &cycle::CycleResult::unrolled_samples,
+               ", shape (crank_angle,); empty unless the film is unrolled.");
   bind_values(type);
   bind_words(type);
   bind_outputs(type);

@@ -32,10 +32,18 @@ class PackObject {
  public:
   explicit PackObject(io::ResultDocument document) : document_(std::move(document)) {}
   const io::ResultDocument& document() const { return document_; }
+  const cycle::CycleResult& result() const { return document_.result; }
+  const std::string& title() const { return document_.title; }
 
  private:
   io::ResultDocument document_;
 };
+
+/// A function of the package's plain layer.
+py::object plain_layer(const char* module, const char* function);
+
+/// Notes as tuples (topic, sentence, how many times), those of reading the case first.
+py::list notes_list(const std::vector<std::string>& of_input, const std::vector<cycle::Note>& of_result);
 
 /// A Result, or of a pack a PackResult.
 py::object result_object(io::ResultDocument document);

@@ -367,8 +367,7 @@ Source: docs/theory/study.md.)")
           "base_of", [](const StudyObject& self) { return base_of_scenarios(*self.loaded); },
           "Name of the base case of each scenario, a list.")
       .def(
-          "to_pandas",
-          [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("study_to_pandas")(self); },
+          "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "study_to_pandas")(self); },
           "The plan as a pandas.DataFrame: one row a scenario, one column a factor, and the base.")
       .def(
           "run",
@@ -452,16 +451,12 @@ Raises InputError where the plan has no points for indices. Source: docs/theory/
       .def("_dataset", &study_dataset, "Variables for to_xarray.")
       .def(
           "to_xarray",
-          [](const py::object& self) {
-            return py::module_::import("ringfilm._frames").attr("study_result_to_xarray")(self);
-          },
+          [](const py::object& self) { return plain_layer("ringfilm._frames", "study_result_to_xarray")(self); },
           "An xarray.Dataset over scenario, SI: base, factors and choices (as texts) as coordinates, kept curves over "
           "scenario, crank_angle and ring.")
       .def(
           "to_pandas",
-          [](const py::object& self) {
-            return py::module_::import("ringfilm._frames").attr("study_result_to_pandas")(self);
-          },
+          [](const py::object& self) { return plain_layer("ringfilm._frames", "study_result_to_pandas")(self); },
           "A pandas.DataFrame: one row a scenario, columns base, factors, values of the cycle in SI, reason.")
       .def(
           "__repr__",

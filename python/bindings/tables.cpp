@@ -1,3 +1,4 @@
+#include "arguments.hpp"
 #include "bindings.hpp"
 #include "case_values.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
@@ -93,49 +94,13 @@ void bind_tables(py::module_& module) {
           },
           "Name, unit and meaning.");
   module.def(
-      "oils",
-      [] {
-        py::list oils;
-        for (const io::ShippedOil& oil : io::shipped_oils(io::Units())) {
-          py::dict entry;
-          entry["grade"] = oil.grade.empty() ? py::object(py::none()) : py::object(py::str(oil.grade));
-          entry["name"] = oil.name;
-          entry["file"] = oil.file;
-          entry["kinematic_viscosity_40"] = oil.kinematic_viscosity_40;
-          entry["kinematic_viscosity_100"] = oil.kinematic_viscosity_100;
-          entry["kinematic_viscosity_150"] = oil.kinematic_viscosity_150;
-          entry["viscosity_150"] = oil.viscosity_150;
-          oils.append(entry);
-        }
-        return oils;
-      },
+      "oils", [] { return py::list(from_json(io::oils_json(io::shipped_oils(io::Units())))); },
       R"(The shipped oils, a list of dicts as `ringfilm oils --json` prints them, SI units.
 
 The key `grade` is a value of lubricant.grade, or None. At 150 degC by the law of temperature, without shear
 thinning.)");
   module.def(
-      "pairs",
-      [] {
-        py::list pairs;
-        const auto maybe = [](const std::optional<double>& value) {
-          return value ? py::object(py::float_(*value)) : py::object(py::none());
-        };
-        for (const models::FrictionPair& pair : io::shipped_pairs(io::Units()).pairs) {
-          py::dict entry;
-          entry["name"] = pair.name;
-          entry["coating"] = pair.coating;
-          entry["liner"] = pair.liner;
-          entry["state"] = io::name_of(pair.state);
-          entry["friction"] = pair.friction;
-          entry["friction_low"] = maybe(pair.low);
-          entry["friction_high"] = maybe(pair.high);
-          entry["hardness"] = maybe(pair.hardness);
-          entry["roughness_class"] = pair.roughness_class;
-          entry["source"] = pair.source;
-          pairs.append(entry);
-        }
-        return pairs;
-      },
+      "pairs", [] { return py::list(from_json(io::pairs_json(io::shipped_pairs(io::Units()).pairs))); },
       R"(The shipped pairs of coating and liner, a list of dicts as `ringfilm pairs --json` prints them, SI units.
 
 The key `name` is a value of contact.friction_pair. `state` is "lubricated" or "dry": a dry coefficient is that of a

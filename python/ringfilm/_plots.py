@@ -22,7 +22,7 @@ from ._field_plots import FIELDS, draw_field
 from ._pad_plots import plot_pad
 from ._ringfilm import quantities
 
-__all__ = ["plot_pad", "plot_result"]
+__all__ = ["plot_pack", "plot_pad", "plot_result"]
 
 _PANELS = {
     "film": ("min_film_thickness", "lambda_ratio", "cavitated_fraction"),
@@ -57,13 +57,13 @@ def _name_of(result):
     return title if not speed or speed in title else f"{title}, {speed}"
 
 
-def _caption(figure, text, result):
+def _caption(figure, text, result, title=None):
     words = [text]
     if _is_synthetic(result):
         words.append("The cylinder pressure is SYNTHETIC: made by a formula, not measured.")
     if not result.complete:
         words.append(f"The integration STOPPED at {result.crank_angle[-1]:g} degree, before the end of the cycle.")
-    words.append(f"Case: {result.title or 'without a title'}; {result.provenance['program']}.")
+    words.append(f"Case: {title or result.title or 'without a title'}; {result.provenance['program']}.")
     caption(figure, " ".join(words))
 
 
@@ -155,6 +155,30 @@ def plot_result(result, what="overview", axes=None, label=None, **style):
     if label is not None:
         figure.axes[0].legend(fontsize=7)
     _caption(figure, reported, result)
+    return figure
+
+
+def plot_pack(pack, what="overview", axes=None, label=None, **style):
+    """See PackResult.plot."""
+    names = ["total_friction" if name == "friction" else name for name in _PANELS.get(what, (what,))]
+    if what in FIELDS:
+        raise ValueError(f"{what!r} is a field of one ring: draw it by pack.rings[0].plot({what!r})")
+    if axes is not None and len(names) > 1:
+        raise ValueError(f"{what!r} is a figure of several panels: leave axes out, or draw its curves one by one")
+    figure = new_figure(len(names)) if axes is None else None
+    panels = [axes] if axes is not None else numpy.atleast_1d(figure.subplots(len(names), 1, sharex=True))
+    for panel, name in zip(panels, names):
+        for ring in pack.rings:
+            number = ring.title[len(pack.title) + 2 :]  # "ring 1 (top)"
+            plot_result(ring, name, panel, number if label is None else f"{label}, {number}", **style)
+        if axes is None:
+            panel.legend(fontsize=7)
+            panel.label_outer()
+    if axes is not None:
+        return axes.figure
+    stopped = [ring for ring in pack.rings if not ring.complete]
+    words = "; ".join("Stribeck curve" if name == "stribeck" else _curves()[name].long_name for name in names)
+    _caption(figure, f"Each ring a line: {words}.", (stopped or pack.rings)[0], pack.title)
     return figure
 
 

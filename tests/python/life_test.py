@@ -26,3 +26,18 @@ def test_faces_give_lower_bounds():
 def test_a_file_that_is_not_a_life_is_refused():
     with pytest.raises(ringfilm.InputError):
         ringfilm.run_life(str(CASES / "styles2014" / "new.toml"))
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: ringfilm.run_life(5), "path must be a str or a path, not of type int"),
+        (lambda: ringfilm.run_life("life.toml", threads="two"), "threads must be an integer"),
+        (lambda: ringfilm.compare_faces("new.toml"), "paths must be a list of paths"),
+        (lambda: ringfilm.compare_faces(["new.toml", 5]), "each of paths must be a str or a path"),
+    ],
+)
+def test_an_argument_of_a_wrong_type_is_named(call, words):
+    with pytest.raises(TypeError) as raised:
+        call()
+    assert words in str(raised.value) and "incompatible" not in str(raised.value)

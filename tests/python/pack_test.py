@@ -156,3 +156,37 @@ def test_coupled_pack_has_its_gas_and_its_oil(tmp_path):
     again = ringfilm.Case.read(resolved).run()
     assert [ring["fmep"] for ring in again.rings] == [ring["fmep"] for ring in result.rings]
     assert again.gas["blow_by_per_cycle"] == result.gas["blow_by_per_cycle"]
+
+
+def test_a_pack_has_the_words_of_a_result(pack):
+    result = pack.run()
+    assert result.units == {name: result.rings[0].units[name] for name in result.values}
+    assert set(result.rings[0].units) == set(result.rings[0].values)
+    notes = [
+        (topic, f"ring {i + 1}: {message}", n)
+        for i, ring in enumerate(result.rings)
+        for topic, message, n in ring.notes
+    ]
+    assert [note for note in result.notes if note[0] != "input"] == [note for note in notes if note[0] != "input"]
+    assert result.provenance == result.rings[0].provenance
+    assert "ring.2.face_width" in {key for key, *_ in result.inputs}
+    assert "fmep" in result and "cycle_fmep" in result.keys() and "rate" not in result
+    with pytest.raises(KeyError, match="did you mean min_film_thickness"):
+        result["min_film_thicknes"]
+
+
+@pytest.mark.parametrize("what", ["overview", "film", "friction", "power_loss", "stribeck"])
+def test_a_pack_is_drawn_with_a_line_for_each_ring(pack, what):
+    pytest.importorskip("matplotlib").use("Agg")
+    result = pack.run()
+    figure = result.plot(what)
+    for axes in figure.axes:
+        assert [text.get_text() for text in axes.get_legend().get_texts()] == ["ring 1", "ring 2"]
+    axes = figure.axes[0]
+    if len(figure.axes) == 1:
+        assert result.plot(what, axes=axes, label="again") is figure
+    else:
+        with pytest.raises(ValueError, match="several panels"):
+            result.plot(what, axes=axes)
+    with pytest.raises(ValueError, match="field of one ring"):
+        result.plot("film_pressure")

@@ -1,6 +1,3 @@
-#include <map>
-#include <optional>
-
 #include "arguments.hpp"
 #include "array_view.hpp"
 #include "case_object.hpp"
@@ -24,16 +21,16 @@ void check_gas(const cycle::Case& c) {
   if (!faults.empty()) throw InputError(std::move(faults));
 }
 
-using Settings = std::map<std::string, std::string>;
-
-cycle::Case case_for_gas(const py::object& given, const std::optional<Settings>& overrides) {
+cycle::Case case_for_gas(const py::object& given, const py::object& overrides) {
   if (!py::isinstance<CaseObject>(given)) {
     std::vector<io::Override> stated;
-    for (const auto& [key, value] : overrides.value_or(Settings{})) stated.push_back({key, value});
+    for (const auto& [key, value] : texts_of("overrides", overrides, "1500 rpm")) stated.push_back({key, value});
     std::vector<io::DroppedKey> dropped;
-    return io::read_case_dropping(path_of("case", given), stated, io::Units(), dropped, io::CasePurpose::kGasPath);
+    return io::read_case_dropping(path_of("case, if it is not a ringfilm.Case,", given), stated, io::Units(), dropped,
+                                  io::CasePurpose::kGasPath);
   }
-  if (overrides) throw py::type_error("overrides go with the path of a case file; set the keys of a ringfilm.Case");
+  if (!overrides.is_none())
+    throw py::type_error("overrides go with the path of a case file; set the keys of a ringfilm.Case");
   cycle::Case c = py::cast<const CaseObject&>(given).value();
   check_gas(c);
   c.purpose = cycle::CasePurpose::kGasPath;
@@ -47,14 +44,14 @@ py::array_t<double> column(const std::vector<std::vector<double>>& rows, std::si
   return values;
 }
 
-py::dict gas_record(const py::object& given, const std::optional<Settings>& overrides) {
-  const cycle::Case c = case_for_gas(given, overrides);
+py::dict gas_record(const py::object& given, const Given<kinds::MaybeTexts>& overrides) {
+  const cycle::Case c = case_for_gas(given, overrides.value);
   io::GasPathDocument document;
   {
     const py::gil_scoped_release others_go_on;
     document = std::get<io::GasPathDocument>(run::run_case(c).result);
   }
-  py::dict record = py::module_::import("json").attr("loads")(io::gas_path_json(document));
+  py::dict record = from_json(io::gas_path_json(document));
   const gas_path::GasPathResult& result = document.result;
   py::dict pressure, flow, position;
   for (std::size_t i = 0; i < result.regions.size(); ++i) {

@@ -8,20 +8,20 @@
 namespace ringfilm::python {
 namespace {
 
-py::object read_json(const std::string& text) { return py::module_::import("json").attr("loads")(text); }
-
-py::object run_life(const std::string& path, int threads) {
-  io::LifeDocument document{io::read_life(path), {}, io::this_run()};
+py::object run_life(const Given<kinds::Path>& path, const Given<kinds::Integer>& given_threads) {
+  const std::string name = path_of("path", path.value);
+  const bool takes_all = given_threads.value.is_none() || integer_of("threads", given_threads.value) == 0;
   Interruptible all;
   study::BatchOptions options;
-  options.threads = threads;
+  options.threads = takes_all ? 0 : threads_of(given_threads.value);
+  io::LifeDocument document{io::read_life(name), {}, io::this_run()};
   options.pulse = [&all] { all.pulse(); };
   all.run([&] { document.result = life::run_life(document.file.life, study::cycle_integrators(options)); });
-  return read_json(io::life_json(document));
+  return from_json(io::life_json(document));
 }
 
-py::object compare_faces(const std::vector<std::string>& paths) {
-  return read_json(io::face_comparison_json(io::read_face_comparison(paths)));
+py::object compare_faces(const Given<kinds::Paths>& paths) {
+  return from_json(io::face_comparison_json(io::read_face_comparison(paths_of("paths", paths.value))));
 }
 
 }  // namespace
@@ -32,7 +32,8 @@ void bind_life(py::module_& module) {
 
 Returns what `ringfilm life --json` prints as a dict: a list `states` with a dict for each reported running time, SI,
 running times in hours. Ctrl-C ends the run with KeyboardInterrupt. Throws InputError for a file that is not a life and
-ConvergenceError for a cycle without a solution. threads: 0 for as many as the machine runs at once.)");
+ConvergenceError for a cycle without a solution. threads: 1 to 1024; 0 or None for as many as the machine runs at
+once.)");
   module.def("compare_faces", &compare_faces, py::arg("paths"),
              R"(Lower bounds of the wear between the faces of cases, in the order of their running hours.
 

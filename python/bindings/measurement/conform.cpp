@@ -26,9 +26,8 @@ cycle::Case closure_of(const cycle::Case& c) {
 
 cycle::Case closure_case(const py::object& given) {
   if (py::isinstance<CaseObject>(given)) return closure_of(py::cast<const CaseObject&>(given).value());
-  const std::string path = text_of("case", py::module_::import("os").attr("fspath")(given), "case.toml");
   std::vector<io::DroppedKey> dropped;
-  return io::read_closure_case(path, {}, io::Units(), dropped);
+  return io::read_closure_case(path_of("case, if it is not a ringfilm.Case,", given), {}, io::Units(), dropped);
 }
 
 py::dict conform(const py::object& given) {

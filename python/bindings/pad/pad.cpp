@@ -4,6 +4,7 @@
 #include "array_view.hpp"
 #include "dataset_writer.hpp"
 #include "pad/pad_object.hpp"
+#include "result_object.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/pad/pad_file_layout.hpp"
 #include "ringfilm/io/pad/pad_netcdf.hpp"
@@ -13,10 +14,8 @@
 namespace ringfilm::python {
 namespace {
 
-using Film = std::vector<double> pad::Profile::*;
-
 /// The film at all instants: (time, x), with a width (time, y, x).
-py::array film(const PadObject& self, Film member) {
+py::array film(const PadObject& self, std::vector<double> pad::Profile::*member) {
   const pad::PadResult& result = self.result();
   const auto& instants = result.y.empty() ? result.profiles : result.fields;
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(instants.size())};
@@ -26,6 +25,13 @@ py::array film(const PadObject& self, Film member) {
   double* to = values.mutable_data();
   for (const pad::Profile& instant : instants) to = std::copy((instant.*member).begin(), (instant.*member).end(), to);
   return values;
+}
+
+void bind_film(py::class_<PadObject>&, const char*, const std::string&, double pad::Profile::*) {}
+void bind_film(py::class_<PadObject>& type, const char* name, const std::string& doc,
+               std::vector<double> pad::Profile::*member) {
+  type.def_property_readonly(
+      name, [member](const PadObject& self) { return film(self, member); }, doc.c_str());
 }
 
 py::dict values(const PadObject& self) {
@@ -59,14 +65,12 @@ void bind_numbers(py::class_<PadObject>& type) {
   type.def_property_readonly(
       "y", [](const py::object& self) { return view(self.cast<const PadObject&>().result().y, self); },
       "Places across the pad [m], shape (y,); empty without a width.");
-  const auto field = [&type](const char* name, const char* doc, Film member) {
-    type.def_property_readonly(
-        name, [member](const PadObject& self) { return film(self, member); },
-        (std::string(doc) + ", shape (time, x), with a width (time, y, x); a copy.").c_str());
-  };
-  field("film_thickness", "Film thickness [m]", &pad::Profile::film_thickness);
-  field("pressure", "Film pressure [Pa], counted from the zero of the case", &pad::Profile::pressure);
-  field("film_content", "Liquid share of the gap [-]", &pad::Profile::film_content);
+  for_each_member<pad::Profile>([&type](const auto& member) {
+    bind_film(
+        type, member.name,
+        std::string(member.long_name) + " [" + member.unit + "], shape (time, x), with a width (time, y, x); a copy.",
+        member.value);
+  });
 }
 
 }  // namespace
@@ -86,14 +90,7 @@ Source: docs/theory/pad.md.)");
       "complete", [](const PadObject& self) { return self.result().complete; },
       "False where the film could not be solved to the end.");
   type.def_property_readonly(
-      "notes",
-      [](const PadObject& self) {
-        py::list list;
-        for (const std::string& note : self.document().input_notes) list.append(py::make_tuple("input", note, 1));
-        for (const cycle::Note& note : self.result().notes)
-          list.append(py::make_tuple(note.topic, note.message, note.count));
-        return list;
-      },
+      "notes", [](const PadObject& self) { return notes_list(self.document().input_notes, self.result().notes); },
       "What one must know about this result: tuples (topic, sentence, how many times).");
   type.def(
       "write",
@@ -107,20 +104,18 @@ Source: docs/theory/pad.md.)");
       py::arg("path"), "Writes the film along the pad as `ringfilm run --csv`. Raises OutputError.");
   type.def("_dataset", &pad_dataset, "Variables and attributes of the result file, for to_xarray.");
   type.def(
-      "to_xarray",
-      [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("pad_to_xarray")(self); },
+      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "pad_to_xarray")(self); },
       "The result as an xarray.Dataset over time, x and, with a width, y, as xarray reads it from the file of write(); "
       "SI.");
   type.def(
-      "to_pandas",
-      [](const py::object& self) { return py::module_::import("ringfilm._frames").attr("pad_to_pandas")(self); },
+      "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "pad_to_pandas")(self); },
       "The numbers of all instants as a pandas.DataFrame, indexed by time [s]; units in attrs.");
   type.def(
       "plot",
       [](const py::object& self, const GivenText& what, const py::object& axes, const py::object& label,
          const py::kwargs& style) {
-        return py::module_::import("ringfilm._plots")
-            .attr("plot_pad")(self, text_of("what", what.value, "film"), axes, label, **style);
+        return plain_layer("ringfilm._plots", "plot_pad")(self, text_of("what", what.value, "film"), axes, label,
+                                                          **style);
       },
       py::arg("what") = "film", py::arg("axes") = py::none(), py::arg("label") = py::none(),
       R"(Draws the pad with matplotlib, in units that go by the size of the numbers.
