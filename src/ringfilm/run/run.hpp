@@ -27,6 +27,15 @@ struct Options {
   bool describe = true;
 };
 
+/// How errors name the options of rings: as members, or as a program has them.
+struct OptionNames {
+  std::string ledger = "ledger";                  ///< Options::ledger
+  std::string error_estimate = "error_estimate";  ///< Options::error_estimate
+};
+
+/// Throws InputError for options of rings where the case is another problem, or its gas alone.
+void check_options(const cycle::Case& c, const Options& options, const OptionNames& names = {});
+
 /// Receives how far a run is; may be slow; what it throws ends the work.
 class Observer : public cycle::Observer, public pad::Observer {
  public:

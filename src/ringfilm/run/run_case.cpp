@@ -8,14 +8,8 @@
 namespace ringfilm::run {
 namespace {
 
-void refuse_options(const Options& options) {
-  if (options.ledger) {
-    throw InputError("ledger is for rings: other problems have no assumptions that could be lifted", "remove it");
-  }
-  if (options.error_estimate) {
-    throw InputError("error_estimate is for rings: the errors of other problems are not estimated",
-                     "remove it, and run the case with twice the cells to see what changes");
-  }
+bool is_of_rings(const cycle::Case& c) {
+  return c.problem == cycle::Problem::kCycle && c.purpose != cycle::CasePurpose::kGasPath;
 }
 
 io::PadDocument pad_document(const cycle::Case& c, pad::PadResult result) {
@@ -38,15 +32,29 @@ io::GasPathDocument gas_outcome(const cycle::Case& c) {
 
 }  // namespace
 
+void check_options(const cycle::Case& c, const Options& options, const OptionNames& names) {
+  if (is_of_rings(c)) return;
+  std::vector<Fault> faults;
+  if (options.ledger) {
+    faults.push_back(
+        {{}, names.ledger + " is for rings: other problems have no assumptions that could be lifted", "remove it"});
+  }
+  if (options.error_estimate) {
+    faults.push_back({{},
+                      names.error_estimate + " is for rings: the errors of other problems are not estimated",
+                      "remove it, and run the case with twice the cells to see what changes"});
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
+
 Outcome run_case(const cycle::Case& c, const Options& options, Observer* observer, const std::string& name) {
-  const bool is_gas = c.purpose == cycle::CasePurpose::kGasPath;
-  if (c.problem == cycle::Problem::kCycle && !is_gas) {
+  if (is_of_rings(c)) {
     CycleOutcome cycle = std::move(
         run_cycles({{c, name, options.ledger, options.error_estimate, options.describe}}, options.threads, observer)
             .front());
     return {std::move(cycle.document), std::move(cycle.stopped), std::move(cycle.input)};
   }
-  refuse_options(options);
+  check_options(c, options);
   if (c.problem == cycle::Problem::kPad) return pad_outcome(c, observer, name);
   if (c.problem == cycle::Problem::kClosure) return {cycle::static_closure(c), std::nullopt, std::nullopt};
   return {gas_outcome(c), std::nullopt, std::nullopt};
