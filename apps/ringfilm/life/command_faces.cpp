@@ -5,6 +5,7 @@
 
 #include "life/command_life.hpp"
 #include "ringfilm/io/life/face_comparison.hpp"
+#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -14,9 +15,9 @@ constexpr double kArcMinute = std::numbers::pi / 180 / 60;
 std::string row(const io::FacePair& pair, std::size_t k) {
   const life::WearBound &level = pair.level[k], &tilted = pair.tilted[k], &turned = pair.turned[k];
   return fmt::format("{:>10.3f} {:>8.2f} {:>8.2f} {:>10.2f} {:>8.2f} {:>7.1f} {:>10.2f} {:>8.2f} {:>7.1f}\n",
-                     level.margin * 1e3, level.depth_at_middle * 1e6, level.area * 1e9, tilted.depth_at_middle * 1e6,
-                     tilted.area * 1e9, tilted.tilt / kArcMinute, turned.depth_at_middle * 1e6, turned.area * 1e9,
-                     turned.tilt / kArcMinute);
+                     in_mm(level.margin), in_um(level.depth_at_middle), in_um_mm(level.area),
+                     in_um(tilted.depth_at_middle), in_um_mm(tilted.area), tilted.tilt / kArcMinute,
+                     in_um(turned.depth_at_middle), in_um_mm(turned.area), turned.tilt / kArcMinute);
 }
 
 std::string table(const io::FaceComparison& comparison) {
@@ -32,7 +33,7 @@ std::string table(const io::FaceComparison& comparison) {
       text += fmt::format(
           "{}: from {:.3f} to {:.3f} mm the face is {:.2f} um above its convex hull: no straight liner "
           "touches it there, and wear by it cannot make that shape\n",
-          comparison.faces[i].name, stretch.from * 1e3, stretch.to * 1e3, stretch.height * 1e6);
+          comparison.faces[i].name, in_mm(stretch.from), in_mm(stretch.to), in_um(stretch.height));
     }
   }
   return text +

@@ -23,10 +23,10 @@ std::string band_text(const life::LifeState& state, std::size_t quantity) {
 std::string row(const life::LifeState& state) {
   const auto value = [&state](const char* name) { return state.values[index_of(name)]; };
   return fmt::format("{:>8.6g} {:<13} {:>8.4g} {:>8.4g} {:>7.2f} {:>15} {:>7.2f} {:>7.0f} {:>7.3f} {:>7.4f}\n",
-                     state.time / life::kHour, io::standing_word(state.standing), state.ring.roughness * 1e6,
+                     state.time / life::kHour, io::standing_word(state.standing), in_um(state.ring.roughness),
                      state.ring.boundary_shear_strength_coefficient, value("mean_power_loss"),
-                     band_text(state, index_of("mean_power_loss")), value("fmep") / 1e3,
-                     value("mean_absolute_oil_flow") * 1e6, value("lambda_ratio_at_peak_pressure"),
+                     band_text(state, index_of("mean_power_loss")), in_kpa(value("fmep")),
+                     in_mg(value("mean_absolute_oil_flow")), value("lambda_ratio_at_peak_pressure"),
                      value("peak_friction_coefficient_firing"));
 }
 
@@ -34,7 +34,7 @@ std::string turned_line(const life::LifeState& state) {
   if (state.turned.empty()) return "";
   const std::size_t power = index_of("mean_power_loss"), flow = index_of("mean_absolute_oil_flow");
   return fmt::format("{:>8.6g} h, ring turned over: {:.2f} W, {:.0f} mg/s\n", state.time / life::kHour,
-                     state.turned[power], state.turned[flow] * 1e6);
+                     state.turned[power], in_mg(state.turned[flow]));
 }
 
 std::string worn_table(const io::LifeDocument& document) {
@@ -68,8 +68,8 @@ std::string points_table(const io::LifeDocument& document) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto value = [&](const char* name) { return state.points[i][index_of(name)]; };
       text += fmt::format("{:>8.6g} {:<24} {:>7.3g} {:>8.2f} {:>8.2f} {:>9.3f} {:>9.0f}\n", state.time / life::kHour,
-                          points[i].name, 100 * points[i].share, value("mean_power_loss"), value("fmep") / 1e3,
-                          value("min_film_thickness") * 1e6, value("mean_absolute_oil_flow") * 1e6);
+                          points[i].name, 100 * points[i].share, value("mean_power_loss"), in_kpa(value("fmep")),
+                          in_um(value("min_film_thickness")), in_mg(value("mean_absolute_oil_flow")));
     }
   }
   return text;
@@ -82,7 +82,7 @@ std::string least_wear_line(const life::LifeState& state) {
                           [](const life::WearBound& a, const life::WearBound& b) { return a.area < b.area; });
   return fmt::format(
       "{:>8.6g} h: the face has lost at least {:.2g} to {:.2g} um mm, by how much of its edges is trusted\n",
-      state.time / life::kHour, low->area * 1e9, high->area * 1e9);
+      state.time / life::kHour, in_um_mm(low->area), in_um_mm(high->area));
 }
 
 std::string fit_table(const life::CoefficientFit& fit) {
@@ -90,10 +90,10 @@ std::string fit_table(const life::CoefficientFit& fit) {
                                  "rms um", "coefficient m2/N");
   for (const life::FittedCoefficient& row : fit.rows) {
     const bool is_bound = row.basis == life::FitBasis::kLeastWear;
-    const std::string basis = is_bound ? fmt::format("least wear, edges - {:.3g} mm", row.trusted * 1e3)
-                                       : fmt::format("closest face, +-{:.2g} mm", row.trusted * 1e3);
-    text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis, row.worn_area * 1e9,
-                        row.rms ? fmt::format("{:.2f}", *row.rms * 1e6) : "",
+    const std::string basis = is_bound ? fmt::format("least wear, edges - {:.3g} mm", in_mm(row.trusted))
+                                       : fmt::format("closest face, +-{:.2g} mm", in_mm(row.trusted));
+    text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis,
+                        in_um_mm(row.worn_area), row.rms ? fmt::format("{:.2f}", in_um(*row.rms)) : "",
                         row.coefficient ? fmt::format("{:.2g}", *row.coefficient)
                         : row.is_flat   ? "face is flat"
                                         : "not determined");
@@ -109,7 +109,7 @@ std::string wear_table(const io::LifeDocument& document) {
   for (const life::LifeState& state : document.result.states) {
     for (const life::FaceDistance& distance : state.from_measured) {
       text += fmt::format("{:>8.6g} h: {:.3g} um rms from the measured face within {:.2g} mm of the middle\n",
-                          state.time / life::kHour, distance.rms * 1e6, distance.half_width * 1e3);
+                          state.time / life::kHour, in_um(distance.rms), in_mm(distance.half_width));
     }
   }
   if (const auto& implied = document.result.wear->implied) {
@@ -118,7 +118,7 @@ std::string wear_table(const io::LifeDocument& document) {
   }
   if (const auto& fit = document.result.wear->fit) text += fit_table(*fit);
   return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {:.2g} um, volumes by {:.1g}\n",
-                            effort.jumps, effort.rejected_jumps, effort.stage_difference * 1e6, effort.balance_error);
+                            effort.jumps, effort.rejected_jumps, in_um(effort.stage_difference), effort.balance_error);
 }
 
 std::string when(const std::optional<double>& time) {

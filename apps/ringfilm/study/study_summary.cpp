@@ -7,12 +7,12 @@
 #include <limits>
 #include <utility>
 
-#include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/sampling/morris.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"
 #include "ringfilm/study/statistics/weighted_mean.hpp"
+#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -125,9 +125,8 @@ class Summary {
   }
 
   std::string shown(const cycle::Quantity& quantity, double value) const {
-    const double converted = units_.scale(quantity.display_unit, quantity.unit).from_si(value);
-    const std::string unit = quantity.display_unit == "1" ? "" : " " + quantity.display_unit;
-    return fmt::format("{:.5g}{}", converted, unit);
+    constexpr int kDigits = 5;
+    return in_words_(value, quantity.unit, quantity.display_unit, kDigits);
   }
 
   /// Factors by the size of their elementary effects, strongest first.
@@ -208,7 +207,7 @@ class Summary {
 
   const io::StudyRows& rows_;
   const study::Plan& plan_;
-  io::Units units_;
+  EngineeringText in_words_;
   std::string text_, indices_;
 };
 

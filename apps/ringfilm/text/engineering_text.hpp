@@ -1,4 +1,5 @@
 #pragma once
+#include <numbers>
 #include <string>
 
 #include "ringfilm/case/case.hpp"
@@ -21,9 +22,23 @@ class EngineeringText {
   /// or 0 as of an input) the value alone.
   std::string operator()(const std::string& cycle_quantity, double value_si, double error_si) const;
 
+  /// A value of `unit` with so many significant digits and its display unit.
+  std::string operator()(double value_si, const std::string& unit, const std::string& display_unit, int digits) const;
+
  private:
   io::Units units_;
 };
+
+// Values in the units of printed tables.
+constexpr double in_um(double length) { return length * 1e6; }        ///< of a length [m]
+constexpr double in_mm(double length) { return length * 1e3; }        ///< of a length [m]
+constexpr double in_um_mm(double area) { return area * 1e9; }         ///< of a worn area [m2]
+constexpr double in_mg(double mass) { return mass * 1e6; }            ///< of a mass [kg], or of a flow per second
+constexpr double in_bar(double pressure) { return pressure * 1e-5; }  ///< of a pressure [Pa]
+constexpr double in_kpa(double pressure) { return pressure / 1e3; }   ///< of a pressure [Pa]
+constexpr double in_degc(double temperature) { return temperature - 273.15; }        ///< of a temperature [K]
+constexpr double in_rpm(double speed) { return speed * 30 / std::numbers::pi; }      ///< of a speed [rad/s]
+constexpr double in_degree(double angle) { return angle * 180 / std::numbers::pi; }  ///< of an angle [rad]
 
 /// The entry of cycle::cycle_quantities() of that name; a name that is not there is a bug.
 const cycle::CycleQuantity& cycle_quantity(const std::string& name);

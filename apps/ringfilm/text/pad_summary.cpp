@@ -44,8 +44,8 @@ std::string pad_summary(const cycle::Case& input, const io::PadDocument& documen
   const pad::PadResult& result = document.result;
   const pad::Sample& last = result.samples.back();
   const cycle::Pad& pad = input.pad;
-  const std::string size = pad.width ? fmt::format("{:.6g} x {:.6g} mm", pad.length * 1e3, *pad.width * 1e3)
-                                     : fmt::format("{:.6g} mm", pad.length * 1e3);
+  const std::string size = pad.width ? fmt::format("{:.6g} x {:.6g} mm", in_mm(pad.length), in_mm(*pad.width))
+                                     : fmt::format("{:.6g} mm", in_mm(pad.length));
   std::string text =
       fmt::format("{}\npad of {}, {:.6g} m/s towards {}; {}\n\n", document.title, size, pad.speed,
                   pad.direction == cycle::Direction::kPlusX ? "+x" : "-x",

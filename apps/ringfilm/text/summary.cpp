@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "gas_path/gas_tables.hpp"
@@ -85,13 +84,13 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
 std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& result) {
   const EngineeringText in_words;
   std::string text = fmt::format("film on the unrolled ring: {} x {} cells, {:.6g} mm around", input.solver.cells,
-                                 input.solver.cells_y, input.ring_length() * 1e3);
+                                 input.solver.cells_y, in_mm(input.ring_length()));
   const auto shown = [&](const char* name) {
     const auto& all = cycle::unrolled_cycle_quantities();
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
     return in_words(*found, result.unrolled_values.*found->value);
   };
-  text += input.ring.end_gap ? fmt::format(", gap of {:.4g} mm at {:.4g} degree", *input.ring.end_gap * 1e3,
+  text += input.ring.end_gap ? fmt::format(", gap of {:.4g} mm at {:.4g} degree", in_mm(*input.ring.end_gap),
                                            input.ring.gap_position_deg)
                              : ", joined without a gap";
   if (input.bends() && result.complete) {
@@ -161,8 +160,7 @@ std::string note_lines(const io::ResultDocument& document) {
 }
 
 std::string oil_temperature(const cycle::Case& c) {
-  constexpr double kFreezing = 273.15;  // [K]
-  if (!c.thermal.is_stated()) return fmt::format("oil at {:.6g} degC", c.operating.oil_temperature - kFreezing);
+  if (!c.thermal.is_stated()) return fmt::format("oil at {:.6g} degC", in_degc(c.operating.oil_temperature));
   return fmt::format("oil film at the temperature of {}", c.thermal.film == cycle::FilmTemperature::kRing ? "the ring"
                                                           : c.thermal.film == cycle::FilmTemperature::kLiner
                                                               ? "the liner"
@@ -173,7 +171,7 @@ std::string ring_shares(const std::vector<io::RingSums>& rings, double whole) {
   std::string text;
   for (const io::RingSums& ring : rings) {
     text +=
-        fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring, ring.values.fmep * 1e-3,
+        fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring, in_kpa(ring.values.fmep),
                     ring.values.mean_power_loss, percent(ring.values.mean_power_loss, whole));
   }
   return text;
@@ -186,8 +184,8 @@ std::string pack_oil_lines(const io::ResultDocument& pack) {
       "oil on the liner above the first ring: {:.4g} um after the power stroke, {:.4g} um after the intake stroke; it "
       "leaves {:.3g} mg at TDC per cycle; upper bound of oil to the chamber: {:.3g} mg per cycle (all oil that it "
       "leaves on the liner on downstrokes)",
-      oil->film_after_power_stroke * 1e6, oil->film_after_intake_stroke * 1e6, oil->left_at_tdc * 1e6,
-      oil->to_chamber_upper_bound * 1e6)));
+      in_um(oil->film_after_power_stroke), in_um(oil->film_after_intake_stroke), in_mg(oil->left_at_tdc),
+      in_mg(oil->to_chamber_upper_bound))));
 }
 
 std::string pack_gas_lines(const io::ResultDocument& pack) {
@@ -195,7 +193,7 @@ std::string pack_gas_lines(const io::ResultDocument& pack) {
   std::string text = "blow-by per cylinder " + blow_by_text(pack.gas->sums) + "; peaks of pressure";
   for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
     const gas_path::RegionValues& region = pack.gas->regions[i];
-    text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, region.peak_pressure * 1e-5);
+    text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, in_bar(region.peak_pressure));
   }
   text = wrapped(words(text));
   for (const std::string& table : {paths_table(*pack.gas), ring_motion_table(*pack.gas)}) {
@@ -220,10 +218,7 @@ std::string default_input_lines(const std::vector<io::CaseEntry>& inputs) {
 
 std::string pack_summary(const io::ResultDocument& pack) {
   const EngineeringText in_words;
-  const auto shown = [&](const char* name) {
-    const cycle::CycleQuantity& quantity = cycle::cycle_quantities().at(cycle::cycle_quantity_index(name).value());
-    return in_words(quantity, pack.result.values.*quantity.value);
-  };
+  const auto shown = [&](const char* name) { return in_words(name, pack.result.values.*cycle_quantity(name).value); };
   if (!pack.result.complete) return "all rings: no sums, since one stopped\n";
   const std::vector<io::RingSums> rings = io::ring_sums(pack);
   return wrapped(
@@ -234,7 +229,7 @@ std::string pack_summary(const io::ResultDocument& pack) {
 
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
   std::string text = document.title + "\n";
-  text += fmt::format("{:.6g} rpm, {}; cylinder pressure: {}\n\n", input.operating.speed * 30 / std::numbers::pi,
+  text += fmt::format("{:.6g} rpm, {}; cylinder pressure: {}\n\n", in_rpm(input.operating.speed),
                       oil_temperature(input), pressure_origin(input.gas));
   const cycle::CycleResult& result = document.result;
   if (!result.complete) {
