@@ -2,9 +2,7 @@
 
 #include <iostream>
 #include <optional>
-#include <utility>
 
-#include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/measurement/measurement_netcdf.hpp"
 #include "ringfilm/io/measurement/measurement_text.hpp"
@@ -12,41 +10,37 @@
 #include "ringfilm/report/measurement_page.hpp"
 
 namespace ringfilm::app {
+namespace {
 
-std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs,
-                                             const std::vector<std::string>& inputs) {
-  std::vector<std::pair<std::string, std::string>> named;
-  const auto add = [&](const char* option, const std::optional<std::string>& path, io::Sink sink,
-                       const std::optional<OutputKind>& kind) {
-    if (!path) return;
-    io::check_can_write(*path, sink);
-    for (const std::string& input : inputs) {
-      if (is_same_file(input, *path)) {
-        throw InputError(std::string(option) + " " + *path + " would replace what is read", "name another file");
-      }
-    }
-    for (const auto& [other, other_path] : named) {
-      if (is_same_file(other_path, *path)) {
-        throw InputError(std::string(option) + " and " + other + " name the same file " + *path, "name two files");
-      }
-    }
-    if (kind) check_suffix(option, *path, *kind);
-    named.emplace_back(option, *path);
-  };
-  add("--output", outputs.netcdf, io::Sink::kFile, OutputKind::kNetcdf);
-  add("--html", outputs.page, io::Sink::kFileOrDevice, OutputKind::kPage);
-  add("--fragment", outputs.fragment, io::Sink::kFileOrDevice, OutputKind::kToml);
-  add("--csv", outputs.csv, io::Sink::kFileOrDevice, OutputKind::kCsv);
-  add("--heights", outputs.heights, io::Sink::kFile, std::nullopt);
-  return claims({outputs.netcdf, outputs.page, outputs.fragment, outputs.csv, outputs.heights});
+std::vector<NamedOutput> named_outputs(const MeasurementOutputs& outputs) {
+  using io::Sink;
+  return {{"--output", outputs.netcdf, OutputKind::kNetcdf},
+          {"--html", outputs.page, OutputKind::kPage, Sink::kFileOrDevice},
+          {"--fragment", outputs.fragment, OutputKind::kToml, Sink::kFileOrDevice},
+          {"--csv", outputs.csv, OutputKind::kCsv, Sink::kFileOrDevice},
+          {"--heights", outputs.heights, std::nullopt}};
 }
 
-io::NamedNumbers numbers_of(const io::Measurement& measurement) {
-  io::NamedNumbers numbers;
-  for (const io::MeasuredGroup& group : measurement.groups) {
-    for (const io::MeasuredValue& value : group.values) numbers.emplace_back(value.name, value.value);
+}  // namespace
+
+std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs, const std::vector<std::string>& inputs,
+                                             const std::vector<NamedOutput>& further) {
+  std::vector<NamedOutput> all = named_outputs(outputs);
+  all.insert(all.end(), further.begin(), further.end());
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    if (!one->path) continue;
+    io::check_can_write(*one->path, one->sink);
+    for (const std::string& input : inputs) {
+      if (!is_same_file(input, *one->path)) continue;
+      throw InputError(one->option + " " + *one->path + " would replace what is read", "name another file");
+    }
+    for (auto other = all.begin(); other != one; ++other) {
+      if (!other->path || !is_same_file(*other->path, *one->path)) continue;
+      throw InputError(one->option + " and " + other->option + " name the same file " + *one->path, "name two files");
+    }
+    if (one->kind) check_suffix(one->option, *one->path, *one->kind);
   }
-  return numbers;
+  return claims(all);
 }
 
 io::NamedLists lists_of(const io::Measurement& measurement, const std::string& table) {
@@ -58,12 +52,17 @@ io::NamedLists lists_of(const io::Measurement& measurement, const std::string& t
   return lists;
 }
 
-void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers,
-             const io::NamedLists& lists, const io::NamedRows& rows) {
+void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const JsonTop& top) {
   const io::Units units;
   const io::Provenance provenance = io::this_program();
   std::string text;
-  if (outputs.summary == SummaryForm::kJson) text = io::measurement_json(measurement, numbers, provenance, lists, rows);
+  if (outputs.summary == SummaryForm::kJson) {
+    io::NamedNumbers numbers = top.numbers;
+    for (const io::MeasuredGroup& group : measurement.groups) {
+      for (const io::MeasuredValue& value : group.values) numbers.emplace_back(value.name, value.value);
+    }
+    text = io::measurement_json(measurement, numbers, provenance, top.lists, top.rows);
+  }
   if (outputs.summary == SummaryForm::kTable) text = io::measurement_text(measurement, units);
   if (outputs.netcdf) io::write_measurement(*outputs.netcdf, measurement, provenance);
   if (outputs.page) {
@@ -71,10 +70,7 @@ void deliver(const io::Measurement& measurement, const MeasurementOutputs& outpu
   }
   if (outputs.fragment) io::write_atomically(*outputs.fragment, measurement.fragment);
   std::cout << text;
-  if (outputs.summary != SummaryForm::kTable) return;
-  for (const auto& path : {outputs.netcdf, outputs.page, outputs.fragment, outputs.csv, outputs.heights}) {
-    if (path) std::cout << "wrote " << *path << "\n";
-  }
+  if (outputs.summary == SummaryForm::kTable) print_written(named_outputs(outputs));
 }
 
 }  // namespace ringfilm::app

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "output_names.hpp"
 #include "ringfilm/io/measurement/measurement.hpp"
 #include "ringfilm/io/measurement/measurement_json.hpp"
-#include "ringfilm/io/storage/atomic_file.hpp"
 
 namespace ringfilm::app {
 
@@ -22,18 +22,22 @@ struct MeasurementOutputs {
 
 /// Claims them, to be held until all are written: can all be written, are they different files, none of them among
 /// `inputs`, and none being written by another run? Throws InputError; to be asked before anything is computed.
+/// @param further outputs of one command alone
 [[nodiscard]] std::vector<io::OutputClaim> claimed_outputs(const MeasurementOutputs& outputs,
-                                                           const std::vector<std::string>& inputs);
-
-/// The values of all groups by their names, for the top of the JSON.
-io::NamedNumbers numbers_of(const io::Measurement& measurement);
+                                                           const std::vector<std::string>& inputs,
+                                                           const std::vector<NamedOutput>& further = {});
 
 /// The columns of a table by their names, for the top of the JSON.
 io::NamedLists lists_of(const io::Measurement& measurement, const std::string& table);
 
+/// What the JSON has at its top beside the values of all groups.
+struct JsonTop {
+  io::NamedNumbers numbers;  ///< before those values
+  io::NamedLists lists;
+  io::NamedRows rows;
+};
+
 /// Writes what was asked for and prints the document. Throws OutputError.
-/// @param numbers that are at the top of the JSON @param lists likewise @param rows likewise
-void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const io::NamedNumbers& numbers,
-             const io::NamedLists& lists = {}, const io::NamedRows& rows = {});
+void deliver(const io::Measurement& measurement, const MeasurementOutputs& outputs, const JsonTop& top = {});
 
 }  // namespace ringfilm::app

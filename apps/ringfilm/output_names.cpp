@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <filesystem>
+#include <iostream>
 
 #include "ringfilm/base/error.hpp"
 
@@ -36,12 +37,44 @@ void check_suffix(const std::string& option, const std::string& path, OutputKind
   }
 }
 
-std::vector<io::OutputClaim> claims(const std::vector<std::optional<std::string>>& outputs) {
+void check_names(const std::vector<NamedOutput>& outputs, Faults& faults) {
+  for (const NamedOutput& one : outputs) {
+    if (!one.path) continue;
+    faults.collect([&one] {
+      if (one.kind) check_suffix(one.option, *one.path, *one.kind);
+      io::check_can_write(*one.path, one.sink);
+    });
+  }
+}
+
+void check_apart(const std::vector<NamedOutput>& outputs, const std::vector<cycle::InputFile>& files,
+                 const std::string& document, Faults& faults) {
+  for (auto one = outputs.begin(); one != outputs.end(); ++one) {
+    if (!one->path) continue;
+    for (const cycle::InputFile& file : files) {
+      if (!is_same_file(*one->path, file.path)) continue;
+      faults.refuse(*one->path + ": the output is a file that the " + document + " is read from", "name another file");
+    }
+    for (auto other = outputs.begin(); other != one; ++other) {
+      if (!other->path || !is_same_file(*one->path, *other->path)) continue;
+      faults.refuse(*one->path + ": " + other->option + " and " + one->option + " name the same file",
+                    "name two files");
+    }
+  }
+}
+
+std::vector<io::OutputClaim> claims(const std::vector<NamedOutput>& outputs) {
   std::vector<io::OutputClaim> all;
-  for (const auto& output : outputs) {
-    if (output) all.emplace_back(*output);
+  for (const NamedOutput& one : outputs) {
+    if (one.path) all.emplace_back(*one.path);
   }
   return all;
+}
+
+void print_written(const std::vector<NamedOutput>& outputs) {
+  for (const NamedOutput& one : outputs) {
+    if (one.path) std::cout << "wrote " << *one.path << "\n";
+  }
 }
 
 bool is_same_file(const std::string& a, const std::string& b) {

@@ -4,11 +4,11 @@
 
 #include <limits>
 
+#include "progress.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/result_file.hpp"
-#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -25,8 +25,6 @@ std::string field_angles() {
   return "[" + list + "]";
 }
 
-}  // namespace
-
 void make_folder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return;
@@ -35,6 +33,34 @@ void make_folder(const fs::path& folder) {
         folder.string() + ": this folder cannot be made: " + (error ? error.message() : "there is already a file"),
         "name another one with --output");
   }
+}
+
+}  // namespace
+
+io::OutputClaim claimed_report(const fs::path& report) {
+  make_folder(report.parent_path());
+  io::check_can_write(report.string(), io::Sink::kFile);
+  return io::OutputClaim(report.string());
+}
+
+std::vector<io::ResultDocument> computed(const std::vector<run::Request>& requests, int jobs) {
+  std::vector<io::ResultDocument> documents;
+  RunProgress progress;
+  for (run::CycleOutcome& done : run::run_cycles(requests, jobs, &progress)) {
+    if (done.stopped) throw *done.stopped;
+    documents.push_back(std::move(done.document));
+  }
+  return documents;
+}
+
+std::string cells(const std::string& name, const std::vector<io::ResultDocument>& documents,
+                  const EngineeringText& in_words) {
+  std::string text;
+  for (const io::ResultDocument& document : documents) {
+    const double value = document.result.values.*cycle_quantity(name).value;
+    text += fmt::format("{:>24}", in_words(name, value, error_of(document, name)));
+  }
+  return text;
 }
 
 cycle::Case case_for_report(const std::string& path, const io::Units& units) {

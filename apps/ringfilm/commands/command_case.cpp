@@ -20,6 +20,7 @@
 #include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
+#include "text/shared_options.hpp"
 #include "text/wrapped_text.hpp"
 
 namespace ringfilm::app {
@@ -79,17 +80,22 @@ void print_assumptions(const io::CaseCheck& check, const cycle::Case& input) {
 
 }  // namespace
 
+void print_dropped(const std::vector<io::DroppedKey>& dropped) {
+  if (dropped.empty()) return;
+  std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
+}
+
 cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings,
                                cycle::CasePurpose purpose) {
   std::vector<io::DroppedKey> dropped;
   cycle::Case input = io::read_case_dropping(path, settings, io::Units(), dropped, purpose);
-  if (!dropped.empty()) {
-    std::cerr << "--set makes keys of the case unused, they are dropped: " << io::listed(dropped) << "\n";
-  }
+  print_dropped(dropped);
   return input;
 }
 
-void check(const CheckOptions& options) {
+namespace {
+
+void check(const CaseOptions& options) {
   const std::string& path = options.case_path;
   if (options.summary == SummaryForm::kJson) {
     try {
@@ -107,18 +113,37 @@ void check(const CheckOptions& options) {
   for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";
 }
 
+struct FieldsOptions {
+  std::vector<std::string> words;  ///< sections, keys or parts of keys; empty: all keys
+};
+
+/// Prints the table of case keys.
 void fields(const FieldsOptions& options) { std::cout << io::fields_table(options.words); }
 
+/// Of `oils` and `pairs`.
+struct OilsOptions {
+  SummaryForm summary = SummaryForm::kTable;
+};
+
+/// Prints the shipped oils.
 void oils(const OilsOptions& options) {
   const std::vector<io::ShippedOil> shipped = io::shipped_oils(io::Units());
   std::cout << (options.summary == SummaryForm::kJson ? io::oils_json(shipped) : io::oils_table(shipped));
 }
 
+/// Prints the shipped pairs of coating and liner with their boundary friction.
 void pairs(const OilsOptions& options) {
   const auto shipped = io::shipped_pairs(io::Units()).pairs;
   std::cout << (options.summary == SummaryForm::kJson ? io::pairs_json(shipped) : io::pairs_table(shipped));
 }
 
+struct NewOptions {
+  std::string path;
+  std::optional<std::string> engine;  ///< one of io::start_engines(); the first of them if absent
+  std::optional<std::string> trace;   ///< file of the cylinder pressure
+};
+
+/// Writes a commented case to start from; refuses to replace a file.
 void start_case(const NewOptions& options) {
   const std::string& path = options.path;
   io::check_can_write(path, io::Sink::kFile);
@@ -147,6 +172,74 @@ void start_case(const NewOptions& options) {
     const Fault missing = io::missing_shipped_folder();
     std::cout << "before that: " << missing.remedy << "; " << missing.message << "\n";
   }
+}
+
+constexpr const char* kCheckFooter = R"(Examples:
+  ringfilm check case.toml
+  ringfilm check case.toml --set operating.speed='3000 rpm'
+  ringfilm check case.toml --json
+
+Default inputs are keys that the case does not state; modelling assumptions are what the models take for granted.
+)";
+
+constexpr const char* kFieldsFooter = R"(Examples:
+  ringfilm fields
+  ringfilm fields ring
+  ringfilm fields ring.face clearance
+)";
+
+constexpr const char* kOilsFooter = R"(Examples:
+  ringfilm oils
+  ringfilm run case.toml --set lubricant.grade='SAE 10W-40'
+)";
+
+constexpr const char* kPairsFooter = R"(Examples:
+  ringfilm pairs
+  ringfilm run case.toml --set contact.friction_pair=crn-on-grey-iron --set contact.boundary_shear_strength_coefficient=
+)";
+
+constexpr const char* kNewFooter = R"(Examples:
+  ringfilm new my_engine.toml
+  ringfilm new truck.toml --engine heavy-duty
+  ringfilm new truck.toml --engine heavy-duty --trace pressure.csv
+
+Numbers marked "typical, assumed" are guesses at the size. Of a trace the columns, their units and the dead centre at
+angle 0 are read; what the file does not show is printed as missing.
+)";
+
+void declare_check(CommandOptions& add, CaseOptions& options) {
+  add_case(add, options);
+  add.json(options.summary, "print inputs, default inputs, modelling assumptions and notes as JSON");
+}
+
+void declare_fields(CommandOptions& add, FieldsOptions& options) {
+  add.text("WORD", options.words, "...", "a section, a key or a part of it; all keys if none is named");
+}
+
+void declare_list(CommandOptions& add, OilsOptions& options) {
+  add.json(options.summary, "print the list as JSON, SI units");
+}
+
+void declare_new(CommandOptions& add, NewOptions& options) {
+  add.text("CASE.toml", options.path, "", "the file to write; must not exist yet")->required();
+  add.text("--engine", options.engine, "ENGINE", "whose typical numbers: passenger-car (default) or heavy-duty");
+  add.text("--trace", options.trace, "X.csv", "file of the cylinder pressure, whose columns and units are read");
+}
+
+}  // namespace
+
+void add_check_command(Program& program) {
+  program.add("check", "Read a case of a ring or a pad, report everything that is wrong with it, run nothing",
+              kCheckFooter, declare_check, check);
+}
+
+void add_data_commands(Program& program) {
+  program.add("fields", "Print the keys of a case with unit, default, range and meaning", kFieldsFooter, declare_fields,
+              fields);
+  program.add("oils", "List the shipped oils with their viscosities", kOilsFooter, declare_list, oils);
+  program.add("pairs", "List the shipped pairs of coating and liner with their boundary friction", kPairsFooter,
+              declare_list, pairs);
+  program.add("new", "Write a commented case to start from", kNewFooter, declare_new, start_case);
 }
 
 }  // namespace ringfilm::app

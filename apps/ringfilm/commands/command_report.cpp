@@ -10,13 +10,23 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/gas_path/gas_path_file.hpp"
 #include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/io/result/vts_file.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/verification/overlay_file.hpp"
 #include "ringfilm/report/gas_page.hpp"
 #include "ringfilm/report/html.hpp"
+#include "text/shared_options.hpp"
 
 namespace ringfilm::app {
 namespace {
+
+struct ReportOptions {
+  std::vector<std::string> results;
+  std::vector<std::string> overlays;
+  std::optional<std::string> output;      ///< web page
+  std::optional<std::string> vts_folder;  ///< of the fields around the ring for ParaView
+  std::optional<io::VtsShape> vts_shape;
+};
 
 void check_report_options(const ReportOptions& options) {
   if (!options.output && !options.vts_folder) {
@@ -34,15 +44,21 @@ void check_report_options(const ReportOptions& options) {
   }
 }
 
-void check_output_apart(const ReportOptions& options) {
+NamedOutput page_of(const ReportOptions& options) {
+  return {"--output", options.output, OutputKind::kPage, io::Sink::kFileOrDevice};
+}
+
+void check_page(const ReportOptions& options) {
+  if (!options.output) return;
+  Faults faults;
+  check_names({page_of(options)}, faults);
   for (const auto& inputs : {options.results, options.overlays}) {
     for (const std::string& input : inputs) {
-      if (is_same_file(input, *options.output)) {
-        throw InputError(*options.output + ": the page would replace a file that it is drawn from",
-                         "name another file");
-      }
+      if (!is_same_file(input, *options.output)) continue;
+      faults.refuse(*options.output + ": the page would replace a file that it is drawn from", "name another file");
     }
   }
+  faults.check();
 }
 
 /// A result with the bytes of its file.
@@ -72,7 +88,7 @@ std::optional<std::string> gas_page_of(const ReportOptions& options, const std::
   return ringfilm::report::gas_page(io::gas_path_of_bytes(gas->path, gas->bytes));
 }
 
-std::string page_of(const ReportOptions& options, const std::vector<io::ResultDocument>& documents) {
+std::string page_text(const ReportOptions& options, const std::vector<io::ResultDocument>& documents) {
   std::vector<ringfilm::report::Overlay> overlays;
   const io::Units units;
   for (const std::string& path : options.overlays) {
@@ -83,36 +99,56 @@ std::string page_of(const ReportOptions& options, const std::vector<io::ResultDo
   return ringfilm::report::report_page(documents, overlays);
 }
 
-}  // namespace
-
 void report(const ReportOptions& options) {
   check_report_options(options);
-  if (options.output) {
-    io::check_can_write(*options.output, io::Sink::kFileOrDevice);
-    check_output_apart(options);
-    check_suffix("--output", *options.output, OutputKind::kPage);
-  }
-  const std::vector<io::OutputClaim> claimed = claims({options.output});
+  check_page(options);
+  const std::vector<io::OutputClaim> claimed = claims({page_of(options)});
   if (options.vts_folder) io::check_can_write_series(*options.vts_folder);
   const std::vector<ResultBytes> files = read_files(options);
   if (const std::optional<std::string> page = gas_page_of(options, files)) {
     io::write_atomically(*options.output, *page);
-    std::cout << "wrote " << *options.output << "\n";
+    print_written({page_of(options)});
     return;
   }
   std::vector<io::ResultDocument> documents;
   for (const auto& [path, bytes] : files) documents.push_back(io::result_of_bytes(path, bytes));
   // Whatever can be refused is, before anything is written.
-  const std::string page = options.output ? page_of(options, documents) : "";
+  const std::string page = options.output ? page_text(options, documents) : "";
   if (options.vts_folder) {
     const std::string stem = std::filesystem::path(options.results.front()).stem().string();
     const std::string series = io::write_vts_series(*options.vts_folder, stem, documents.front().result.unrolled,
                                                     options.vts_shape.value_or(io::VtsShape::kCylinder));
     std::cout << "wrote " << series << "\n";
   }
-  if (!options.output) return;
-  io::write_atomically(*options.output, page);
-  std::cout << "wrote " << *options.output << "\n";
+  if (options.output) io::write_atomically(*options.output, page);
+  print_written({page_of(options)});
+}
+
+constexpr const char* kReportFooter = R"(Examples:
+  ringfilm report new.nc worn.nc --output comparison.html
+  ringfilm report new.nc --overlay floating_liner.csv --output measured.html
+  ringfilm report unrolled.nc --vts fields
+
+The overlay has a column crank_angle [degree] (0 at firing TDC) and columns named like the curves of a result, with
+their units: friction_on_liner [N], min_film_thickness [um], ...
+)";
+
+void declare_report(CommandOptions& add, ReportOptions& options) {
+  add.text("X.nc", options.results, "...", "results of ringfilm run --output, or one of ringfilm gas --output")
+      ->required();
+  add.texts("--overlay", options.overlays, "X.csv", "measured curves to lay over; may be repeated");
+  add.text("-o,--output,--html", options.output, "X.html", "the page to write");
+  add.text("--vts", options.vts_folder, "DIR",
+           "write the fields around the ring of one result: a .vts file for each crank angle, a .pvd file of all");
+  add.choice("--vts-shape", options.vts_shape, {{"cylinder", io::VtsShape::kCylinder}, {"plane", io::VtsShape::kPlane}},
+             "cylinder (default): on the bore; plane: unrolled", "SHAPE");
+}
+
+}  // namespace
+
+void add_report_command(Program& program) {
+  program.add("report", "Draw results as one self-contained web page, or fields for ParaView", kReportFooter,
+              declare_report, report);
 }
 
 }  // namespace ringfilm::app

@@ -8,13 +8,12 @@
 #include <vector>
 
 #include "commands/commands.hpp"
-#include "progress.hpp"
 #include "reproduction.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/io/verification/published_file.hpp"
 #include "ringfilm/report/html.hpp"
-#include "text/engineering_text.hpp"
+#include "text/shared_options.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -47,13 +46,10 @@ std::vector<RingInput> ring_inputs(const fs::path& cases) {
 std::vector<io::ResultDocument> computed_rings(const std::vector<RingInput>& rings, int jobs) {
   std::vector<run::Request> requests;
   for (const RingInput& ring : rings) requests.push_back({ring.input, ring.ring, true, true});
-  std::vector<io::ResultDocument> documents;
-  RunProgress progress;
-  for (run::CycleOutcome& done : run::run_cycles(requests, jobs, &progress)) {
-    if (done.stopped) throw *done.stopped;
-    const auto& published = rings[documents.size()].published;
-    done.document.comparison = study::compare(done.document.result, published, done.document.ledger);
-    documents.push_back(std::move(done.document));
+  std::vector<io::ResultDocument> documents = computed(requests, jobs);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    io::ResultDocument& document = documents[i];
+    document.comparison = study::compare(document.result, rings[i].published, document.ledger);
   }
   return documents;
 }
@@ -83,19 +79,12 @@ std::string rings_table(const std::vector<io::ResultDocument>& documents) {
   text += "\n";
   for (const char* name : {"min_film_thickness", "peak_friction_coefficient_firing", "mean_power_loss",
                            "mean_boundary_power", "mean_absolute_oil_flow"}) {
-    text += fmt::format("{:<42}", name);
-    for (const auto& document : documents) {
-      text += fmt::format("{:>24}",
-                          in_words(name, document.result.values.*cycle_quantity(name).value, error_of(document, name)));
-    }
-    text += "\n";
+    text += fmt::format("{:<42}{}\n", name, cells(name, documents, in_words));
   }
   return text +
          "the paper in words: friction falls with wear, boundary friction dominates near firing TDC, the embedded\n"
          "ring passes clearly more oil, the new ring has the thinnest film near TDC (its numbers state the thickest)\n";
 }
-
-}  // namespace
 
 void reproduce(const ReproduceOptions& options) {
   if (options.publication == kMeasured) return reproduce_measured(options);
@@ -106,10 +95,8 @@ void reproduce(const ReproduceOptions& options) {
   const fs::path folder = options.folder.empty() ? fs::path(kPublication) : fs::path(options.folder);
   const fs::path cases = fs::path(io::shipped_folder()) / "cases" / kPublication;
   const std::vector<RingInput> inputs = ring_inputs(cases);
-  make_folder(folder);
   const std::string page = (folder / "report.html").string();
-  io::check_can_write(page, io::Sink::kFile);
-  const io::OutputClaim claimed(page);
+  const io::OutputClaim claimed = claimed_report(page);
 
   std::cout << "Styles et al. 2014: three rings over one engine cycle at 1500 rpm and 120 degC\n"
             << "cylinder pressure: SYNTHETIC, made for this project; the paper's own trace is only a picture\n\n";
@@ -121,6 +108,29 @@ void reproduce(const ReproduceOptions& options) {
   std::cout << rings_table(documents) << "\n";
   io::write_atomically(page, ringfilm::report::report_page(documents, {}));
   std::cout << "results: " << (folder / "*.nc").string() << "\nreport:  " << fs::absolute(page).string() << "\n";
+}
+
+constexpr const char* kReproduceFooter = R"(Examples:
+  ringfilm reproduce styles2014
+  ringfilm reproduce styles2014 --output paper
+  ringfilm reproduce measured --output measured
+)";
+
+void declare_reproduce(CommandOptions& add, ReproduceOptions& options) {
+  add.text("publication", options.publication, "",
+           "styles2014: three rings, new, run-in and embedded; measured: the same from files of instruments")
+      ->required();
+  add.text("-o,--output", options.folder, "DIR", "folder for results and report (default ./<publication>)");
+  add.flag("--friction-band", options.bands, FrictionBands::kComputed,
+           "of measured: press the maps against each other, and compute film and friction with each law");
+  add_jobs(add, options.jobs);
+}
+
+}  // namespace
+
+void add_reproduce_command(Program& program) {
+  program.add("reproduce", "Compute a publication anew and compare with it", kReproduceFooter, declare_reproduce,
+              reproduce);
 }
 
 }  // namespace ringfilm::app

@@ -13,7 +13,6 @@
 #include "friction_band.hpp"
 #include "measured_chain.hpp"
 #include "output_names.hpp"
-#include "progress.hpp"
 #include "reproduction.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/instrument/documents/contact_measurement.hpp"
@@ -22,7 +21,6 @@
 #include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/report/html.hpp"
-#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -44,17 +42,17 @@ class Chain {
 
   /// A page for each surface by itself.
   void measure_surfaces() const {
-    surface({file("liner.sur")}, std::nullopt, surface_command("surface_liner"));
+    surface({measuring("surface_liner"), {file("liner.sur")}});
     for (const std::string ring : chain::kRings) {
-      surface({file("ring_" + ring + ".x3p")}, std::nullopt, surface_command("surface_" + ring));
+      surface({measuring("surface_" + ring), {file("ring_" + ring + ".x3p")}});
     }
   }
 
   /// Fragments and pages of one ring, and a case that includes the fragments. @returns path of the case
   std::string measure_ring(const std::string& ring) const {
-    SurfaceCommand contact = surface_command(ring + "_contact");
+    PairCommand contact{measuring(ring + "_contact"), {file("ring_" + ring + ".x3p")}, {file("liner.sur")}, {}};
     contact.outputs.fragment = in_folder(ring + "_contact.toml");
-    pair({file("ring_" + ring + ".x3p")}, {file("liner.sur")}, contact);
+    pair(contact);
 
     FaceCommand shape;
     shape.trace = file("face_" + ring + ".csv");
@@ -88,9 +86,9 @@ class Chain {
     const instrument::SurfaceFile liner = read("liner.sur");
     const io::Measurement law = contact_measurement(read("ring_" + ring + ".x3p"), &liner, analysis);
     const MeasurementOutputs of_law = outputs(ring + "_law"), of_band = outputs(ring + "_friction_band");
-    deliver(law, of_law, numbers_of(law));
+    deliver(law, of_law);
     const io::Measurement band = friction_band({word_of(ring), measured, cycle::kUsualHardness, *of_law.netcdf});
-    deliver(band, of_band, numbers_of(band));
+    deliver(band, of_band);
     return io::measurement_text(band, units);
   }
 
@@ -106,8 +104,8 @@ class Chain {
     return of;
   }
 
-  SurfaceCommand surface_command(const std::string& stem) const {
-    SurfaceCommand of;
+  MeasuringCommand measuring(const std::string& stem) const {
+    MeasuringCommand of;
     of.analysis = chain::surface_analysis();
     of.outputs = outputs(stem);
     return of;
@@ -142,7 +140,7 @@ double height_um(const std::vector<double>& coefficients, double x_mm) {
 /// Largest distance of the two polynomials over the face [um].
 double distance_um(const RingPair& of) {
   constexpr int kPlaces = 1200;
-  const double width_mm = 1e3 * of.target.ring.face_width;
+  const double width_mm = in_mm(of.target.ring.face_width);
   double largest = 0;
   for (int k = 0; k <= kPlaces; ++k) {
     const double x = width_mm * k / kPlaces;
@@ -187,7 +185,7 @@ class TargetAndResult {
       const std::string name = fmt::format("{} {}", k == 0 ? "Table 4:" : "        ", static_cast<char>('a' + k));
       row(name, of.target.ring.face.coefficients[k], of.result.ring.face.coefficients[k], true, "");
     }
-    const double distance = distance_um(of), noise = 1e6 * of.result.ring.face.measured.residual_rms.value_or(0);
+    const double distance = distance_um(of), noise = in_um(of.result.ring.face.measured.residual_rms.value_or(0));
     text_ += fmt::format("{:<29}{:>12}{:>14.4f}{:>12}  noise {:.2g} um{}\n", "         largest distance [um]", "0",
                          distance, "", noise, verdict(distance <= noise));
   }
@@ -211,7 +209,7 @@ class TargetAndResult {
   int failures_ = 0;
 };
 
-std::vector<io::ResultDocument> computed(const std::vector<RingPair>& rings, int jobs) {
+std::vector<io::ResultDocument> computed_rings(const std::vector<RingPair>& rings, int jobs) {
   std::vector<run::Request> requests;
   for (const RingPair& ring : rings) {
     requests.push_back({ring.result, ring.ring + " ring, measured", true, true});
@@ -219,13 +217,7 @@ std::vector<io::ResultDocument> computed(const std::vector<RingPair>& rings, int
   for (const RingPair& ring : rings) {
     requests.push_back({ring.target, ring.ring + " ring", false, true});
   }
-  std::vector<io::ResultDocument> documents;
-  RunProgress progress;
-  for (run::CycleOutcome& done : run::run_cycles(requests, jobs, &progress)) {
-    if (done.stopped) throw *done.stopped;
-    documents.push_back(std::move(done.document));
-  }
-  return documents;
+  return computed(requests, jobs);
 }
 
 /// Film and friction of the measured rings over those of the paper's tables.
@@ -237,16 +229,8 @@ std::string cycles_table(const std::vector<io::ResultDocument>& measured,
   text += "\n";
   for (const char* name : {"min_film_thickness", "lambda_ratio_at_peak_pressure", "peak_friction_coefficient_firing",
                            "mean_power_loss", "mean_boundary_power", "mean_absolute_oil_flow"}) {
-    const auto line = [&](const char* first, const char* which, const std::vector<io::ResultDocument>& of) {
-      text += fmt::format("{:<34}{:<12}", first, which);
-      for (const io::ResultDocument& document : of) {
-        const double value = document.result.values.*cycle_quantity(name).value;
-        text += fmt::format("{:>24}", in_words(name, value, error_of(document, name)));
-      }
-      text += "\n";
-    };
-    line(name, "measured", measured);
-    line("", "styles2014", published);
+    text += fmt::format("{:<34}{:<12}{}\n", name, "measured", cells(name, measured, in_words));
+    text += fmt::format("{:<34}{:<12}{}\n", "", "styles2014", cells(name, published, in_words));
   }
   return text;
 }
@@ -259,10 +243,8 @@ void reproduce_measured(const ReproduceOptions& options) {
   if (is_same_file(folder.string(), (shipped / "measured").string())) {
     throw InputError("--output " + folder.string() + " is the folder of what is read", "name another one");
   }
-  make_folder(folder);
   const std::string page = (folder / "report.html").string();
-  io::check_can_write(page, io::Sink::kFile);
-  const io::OutputClaim claimed(page);
+  const io::OutputClaim claimed = claimed_report(page);
   const Chain chain(shipped / "measured", folder);
   std::cout << "From files of instruments to the cycle: three rings of Styles et al. 2014 at 1500 rpm and 120 degC\n"
             << "surfaces, faces and friction loops: SYNTHETIC, made such that Tables 1, 2 and 4 come back\n"
@@ -283,7 +265,7 @@ void reproduce_measured(const ReproduceOptions& options) {
   if (options.bands == FrictionBands::kComputed) {
     for (const RingPair& ring : rings) std::cout << chain.measure_band(ring.ring, ring.result) << "\n";
   }
-  std::vector<io::ResultDocument> documents = computed(rings, options.jobs);
+  std::vector<io::ResultDocument> documents = computed_rings(rings, options.jobs);
   const auto half = documents.begin() + static_cast<std::ptrdiff_t>(rings.size());
   const std::vector<io::ResultDocument> published(std::make_move_iterator(half),
                                                   std::make_move_iterator(documents.end()));

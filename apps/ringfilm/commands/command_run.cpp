@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 #include <iostream>
 
@@ -15,60 +14,30 @@
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/run/run.hpp"
 #include "text/pad_summary.hpp"
+#include "text/shared_options.hpp"
 #include "text/summary.hpp"
 
 namespace ringfilm::app {
 namespace {
 
-/// Runs a check and keeps its faults, so that all are reported at once.
-void collect(std::vector<Fault>& faults, const std::function<void()>& check) {
-  try {
-    check();
-  } catch (const InputError& error) {
-    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
-  }
-}
+struct RunOptions : CaseWithOutputs {
+  run::Options computed;
+};
 
-/// A result must not replace what it was computed from, nor another output.
-void check_outputs_apart(const RunOptions& options, const cycle::Case& input) {
-  std::vector<Fault> faults;
-  for (const auto& output : {options.output, options.csv}) {
-    if (!output) continue;
-    for (const cycle::InputFile& file : input.files) {
-      if (is_same_file(*output, file.path)) {
-        faults.push_back({{}, *output + ": the output is a file that the case is read from", "name another file"});
-      }
-    }
-  }
-  if (options.output && options.csv && is_same_file(*options.output, *options.csv)) {
-    faults.push_back({{}, *options.csv + ": --output and --csv name the same file", "name two files"});
-  }
-  if (!faults.empty()) throw InputError(std::move(faults));
+std::vector<NamedOutput> outputs_of(const RunOptions& options) {
+  return {{"--output", options.output, OutputKind::kNetcdf},
+          {"--csv", options.csv, OutputKind::kCsv, io::Sink::kFileOrDevice}};
 }
 
 cycle::Case checked_case(const RunOptions& options) {
-  std::vector<Fault> faults;
+  Faults faults;
   cycle::Case input;
-  collect(faults, [&] { input = case_with_settings(options.case_path, options.overrides); });
-  collect(faults, [&] {
-    if (!options.output) return;
-    check_suffix("--output", *options.output, OutputKind::kNetcdf);
-    io::check_can_write(*options.output, io::Sink::kFile);
-  });
-  collect(faults, [&] {
-    if (!options.csv) return;
-    check_suffix("--csv", *options.csv, OutputKind::kCsv);
-    io::check_can_write(*options.csv, io::Sink::kFileOrDevice);
-  });
-  if (input.problem == cycle::Problem::kPad) {
-    const std::pair<bool, const char*> of_rings[] = {{options.computed.ledger, "--ledger"},
-                                                     {options.computed.error_estimate, "--error-estimate"}};
-    for (const auto& [is_given, option] : of_rings) {
-      if (is_given) faults.push_back({{}, std::string(option) + " is for rings, and the case is a pad", "remove it"});
-    }
-  }
-  if (!faults.empty()) throw InputError(std::move(faults));
-  check_outputs_apart(options, input);
+  faults.collect([&] { input = case_with_settings(options.case_path, options.overrides); });
+  check_names(outputs_of(options), faults);
+  faults.collect([&] { run::check_options(input, options.computed, {"--ledger", "--error-estimate"}); });
+  faults.check();
+  check_apart(outputs_of(options), input.files, "case", faults);
+  faults.check();
   return input;
 }
 
@@ -79,7 +48,7 @@ struct Outputs {
   std::function<std::string()> csv, json, text;
 };
 
-Outputs outputs_of(const io::ResultDocument& document, const cycle::Case& input) {
+Outputs contents_of(const io::ResultDocument& document, const cycle::Case& input) {
   std::size_t n_solved = 0;
   for (const io::ResultDocument& ring : io::rings_of(document)) n_solved += ring.result.samples.size();
   const auto text = [&document, &input] {
@@ -97,7 +66,7 @@ Outputs outputs_of(const io::ResultDocument& document, const cycle::Case& input)
           [&] { return io::result_csv(document); }, [&] { return io::result_json(document); }, text};
 }
 
-Outputs outputs_of(const io::PadDocument& document, const cycle::Case& input) {
+Outputs contents_of(const io::PadDocument& document, const cycle::Case& input) {
   return {document.result.samples.size(), [&](const std::string& path) { io::write_pad(path, document); },
           [&] { return io::pad_csv(document.result); }, [&] { return io::pad_json(document); },
           [&] { return pad_summary(input, document); }};
@@ -114,17 +83,15 @@ ConvergenceError named_stop(const RunOptions& options, const ConvergenceError& s
   return {text, stop.crank_angle_deg()};
 }
 
-}  // namespace
-
 void run(const RunOptions& options) {
   const cycle::Case input = checked_case(options);
-  const std::vector<io::OutputClaim> claimed = claims({options.output, options.csv});
+  const std::vector<io::OutputClaim> claimed = claims(outputs_of(options));
   std::optional<RunProgress> progress(std::in_place);
   const run::Outcome done = run::run_case(input, options.computed, &*progress, options.case_path);
   progress.reset();
   const bool is_pad = input.problem == cycle::Problem::kPad;
-  const Outputs outputs = is_pad ? outputs_of(std::get<io::PadDocument>(done.result), input)
-                                 : outputs_of(std::get<io::ResultDocument>(done.result), input);
+  const Outputs outputs = is_pad ? contents_of(std::get<io::PadDocument>(done.result), input)
+                                 : contents_of(std::get<io::ResultDocument>(done.result), input);
   const bool is_worth_writing = outputs.n_solved > 0;
   if (options.output && is_worth_writing) outputs.write_netcdf(*options.output);
   if (options.csv && is_worth_writing) io::write_atomically(*options.csv, outputs.csv());
@@ -133,12 +100,47 @@ void run(const RunOptions& options) {
     std::cout << outputs.json();
   } else if (is_shown) {
     std::cout << outputs.text();
-    if (options.output && is_worth_writing) std::cout << "wrote " << *options.output << "\n";
-    if (options.csv && is_worth_writing) std::cout << "wrote " << *options.csv << "\n";
+    if (is_worth_writing) print_written(outputs_of(options));
   }
   if (!done.stopped) return;
   if (is_pad) throw *done.stopped;
   throw named_stop(options, *done.stopped, outputs.n_solved);
+}
+
+constexpr const char* kRunFooter = R"(Examples:
+  ringfilm run case.toml
+  ringfilm run case.toml --output result.nc --csv curves.csv
+  ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
+  ringfilm run case.toml --ledger --output result.nc
+  ringfilm run case.toml --error-estimate --jobs 4
+  ringfilm run verification/rayleigh1918_step/best.toml
+
+A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
+each other, steady or in time; --ledger and --error-estimate are for rings.
+
+--set KEY= takes a key out of the case. A key of the case that --set makes unused is dropped, with a line on standard
+error: --set ring.tangential_force='12.5 N' takes the place of ring.elastic_pressure.
+An output that exists is replaced at once when the new one is complete; a kill or a full disk leaves the old one.
+A study that exists is replaced with --overwrite only.
+)";
+
+void declare_run(CommandOptions& add, RunOptions& options) {
+  add_case(add, options);
+  add.text("-o,--output", options.output, "X.nc", "write the whole result as NetCDF-4");
+  add_csv(add, options, "write the curves as CSV, SI units: over crank angle, of a pad along its length");
+  add.json(options.summary, "print the values as JSON, SI units, instead of the table");
+  add.flag("--ledger", options.computed.ledger,
+           "run the other choice for every modelling assumption that can be lifted");
+  add.flag("--error-estimate", options.computed.error_estimate,
+           "integrate four other grids too and give every value its error (cost: docs/theory/error-estimate.md); "
+           "always done where solver.accuracy is stated");
+  add_jobs(add, options.computed.threads);
+}
+
+}  // namespace
+
+void add_run_command(Program& program) {
+  program.add("run", "Compute one engine cycle, or a pad, and print its summary", kRunFooter, declare_run, run);
 }
 
 }  // namespace ringfilm::app

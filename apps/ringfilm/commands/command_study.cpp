@@ -11,6 +11,7 @@
 #include <set>
 
 #include "commands/commands.hpp"
+#include "faults.hpp"
 #include "output_names.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
@@ -148,14 +149,14 @@ void check_can_be_submitted(const StudyOptions& options, const Loaded& study) {
 }
 
 void check_outputs_apart(const StudyFiles& files, const Loaded& study) {
-  std::vector<Fault> faults;
+  Faults faults;
   for (const cycle::InputFile& input : study.file.files) {
-    for (const std::string& output : {files.result(), files.table(), files.page()}) {
-      if (is_same_file(output, input.path))
-        faults.push_back({{}, output + ": the output is a file that the study is read from", "name another output"});
+    for (const std::string& output : files.outputs()) {
+      if (!is_same_file(output, input.path)) continue;
+      faults.refuse(output + ": the output is a file that the study is read from", "name another output");
     }
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
 }
 
 /// Computes the scenarios of a part up to before `end`.
@@ -268,8 +269,8 @@ void write_results(const StudyOptions& options, const StudyFiles& files, const L
   io::write_study_result(files.result(), rows);
   io::write_study_csv(files.table(), rows);
   io::write_atomically(files.page(), report::study_page(rows, io::Units(), io::this_program()));
-  std::cout << study_summary(rows) << "\nwrote " << files.result() << "\nwrote " << files.table() << "\nwrote "
-            << files.page() << "\n";
+  std::cout << study_summary(rows) << "\n";
+  for (const std::string& output : files.outputs()) std::cout << "wrote " << output << "\n";
   std::uint64_t unsolved = 0;
   for (const io::ShardReader& shard : rows.shards) unsolved += shard.n_unsolved();
   if (unsolved == study.plan.size()) throw FailedChecks("not one scenario could be solved");
@@ -278,7 +279,7 @@ void write_results(const StudyOptions& options, const StudyFiles& files, const L
 /// The parts that make up a study, in their order. Throws InputError for parts that are missing, unfinished or of
 /// something else.
 std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const StudyFiles& files, const Loaded& study) {
-  std::vector<Fault> faults;
+  Faults faults;
   std::vector<io::ShardReader> shards;
   std::optional<std::uint64_t> parts;
   const auto resume_hint = [&](std::uint64_t part) {
@@ -297,12 +298,11 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
     const std::string differs = io::difference(found, expected);
     const bool may_continue = study.continues_from(found, expected);
     if (!differs.empty() && !may_continue) {
-      faults.push_back({{}, fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew"});
+      faults.refuse(fmt::format("{}: these rows are of {}", file.path, differs), "compute this part anew");
     } else if (may_continue || !is_whole(study, shards.back())) {
-      faults.push_back({{},
-                        fmt::format("{}: this part is not complete{}", file.path,
-                                    shards.back().is_intact() ? "" : ", since a block of it is corrupted"),
-                        resume_hint(file.part)});
+      faults.refuse(fmt::format("{}: this part is not complete{}", file.path,
+                                shards.back().is_intact() ? "" : ", since a block of it is corrupted"),
+                    resume_hint(file.part));
     }
   }
   if (!parts) {
@@ -312,11 +312,10 @@ std::vector<io::ShardReader> joined_parts(const StudyOptions& options, const Stu
   for (std::uint64_t part = 1; part <= *parts; ++part) {
     if (fs::exists(files.finished(part, *parts))) continue;
     const bool is_begun = fs::exists(files.growing(part, *parts));
-    faults.push_back({{},
-                      fmt::format("part {} of {} is {}", part, *parts, is_begun ? "not finished" : "missing"),
-                      resume_hint(part)});
+    faults.refuse(fmt::format("part {} of {} is {}", part, *parts, is_begun ? "not finished" : "missing"),
+                  resume_hint(part));
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
   return shards;
 }
 
@@ -341,15 +340,16 @@ void check_is_free(const StudyOptions& options, const StudyFiles& files, const L
                                      : "name another output, or replace it with --overwrite");
   }
   // The rows may be deleted once the results are written.
-  std::vector<Fault> faults;
-  for (const std::string& path : {files.result(), files.table(), files.page()}) {
-    if (!options.is_part && fs::exists(path)) {
-      faults.push_back({{},
-                        fmt::format("{}: there are results already", path),
-                        "replace them with --overwrite, or name another output"});
-    }
+  Faults faults;
+  for (const std::string& path : files.outputs()) {
+    if (options.is_part || !fs::exists(path)) continue;
+    faults.refuse(path + ": there are results already", "replace them with --overwrite, or name another output");
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
+}
+
+void check_can_write(const StudyFiles& files) {
+  for (const std::string& output : files.outputs()) io::check_can_write(output, io::Sink::kFile);
 }
 
 }  // namespace
@@ -366,9 +366,7 @@ void run_study(const StudyOptions& options) {
   check_outputs_apart(files, study);
   check_is_free(options, files, study);
   files.make_folder();
-  io::check_can_write(files.result(), io::Sink::kFile);
-  io::check_can_write(files.table(), io::Sink::kFile);
-  io::check_can_write(files.page(), io::Sink::kFile);
+  check_can_write(files);
   bool is_there = false;
   if (options.resume && fs::exists(finished)) {
     const io::ShardReader there(finished);
@@ -408,9 +406,7 @@ void merge_study(const StudyOptions& options) {
   check_outputs_apart(files, study);
   std::vector<io::ShardReader> shards = joined_parts(options, files, study);
   study.take_points_of(shards.front());
-  io::check_can_write(files.result(), io::Sink::kFile);
-  io::check_can_write(files.table(), io::Sink::kFile);
-  io::check_can_write(files.page(), io::Sink::kFile);
+  check_can_write(files);
   write_results(options, files, study, std::move(shards));
 }
 
@@ -427,13 +423,12 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
     throw InputError(fmt::format("--parts {}: the study has {} scenarios", options.parts, study.plan.size()),
                      "each part requires one at least");
   }
-  std::vector<Fault> faults;
+  Faults faults;
   std::set<std::uint64_t> finished;
   for (const PartFile& file : there) {
     if (file.parts != options.parts) {
-      faults.push_back({{},
-                        fmt::format("{}: this is a part of {}, not of {}", file.path, file.parts, options.parts),
-                        fmt::format("continue with --parts {}, name another output, or delete this file", file.parts)});
+      faults.refuse(fmt::format("{}: this is a part of {}, not of {}", file.path, file.parts, options.parts),
+                    fmt::format("continue with --parts {}, name another output, or delete this file", file.parts));
       continue;
     }
     if (!file.is_finished) io::check_not_being_written(file.path);
@@ -443,14 +438,13 @@ std::vector<std::uint64_t> missing_parts(StudyOptions& options, std::uint64_t us
     const io::ShardReader rows(file.path);
     const std::string differs = io::difference(rows.header(), expected);
     if (!differs.empty() && !study.continues_from(rows.header(), expected)) {
-      faults.push_back({{},
-                        fmt::format("{}: these rows are of {}", file.path, differs),
-                        "results of both must not be mixed: name another output, or delete this file"});
+      faults.refuse(fmt::format("{}: these rows are of {}", file.path, differs),
+                    "results of both must not be mixed: name another output, or delete this file");
     } else if (differs.empty() && file.is_finished && rows.is_complete()) {
       finished.insert(file.part);
     }
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
   std::vector<std::uint64_t> missing;
   for (std::uint64_t part = 1; part <= options.parts; ++part) {
     if (!finished.contains(part)) missing.push_back(part);

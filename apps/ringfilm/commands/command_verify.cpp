@@ -15,6 +15,8 @@
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/io/verification/verification_file.hpp"
 #include "ringfilm/report/verification_page.hpp"
+#include "text/engineering_text.hpp"
+#include "text/shared_options.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -23,17 +25,24 @@ namespace fs = std::filesystem;
 using study::Tolerance;
 using study::Verdict;
 
+enum class VerifyRequest { kTable, kJson, kNames };
+
+struct VerifyOptions {
+  std::vector<std::string> names;     ///< folders of verification/; empty: all
+  std::optional<std::string> output;  ///< web page
+  VerifyRequest requested = VerifyRequest::kTable;
+};
+
 /// The folders asked for, in the order of the shipped ones; all if none is named.
 std::vector<std::string> chosen_folders(const std::vector<std::string>& names) {
   const std::vector<std::string> all = io::verification_folders();
   const auto name_of = [](const std::string& folder) { return fs::path(folder).filename().string(); };
-  std::vector<Fault> faults;
+  Faults faults;
   for (const std::string& name : names) {
     const bool known = std::any_of(all.begin(), all.end(), [&](const auto& folder) { return name_of(folder) == name; });
-    if (!known)
-      faults.push_back({{}, "no verification is called " + name, "ringfilm verify --list prints their names"});
+    if (!known) faults.refuse("no verification is called " + name, "ringfilm verify --list prints their names");
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
   std::vector<std::string> chosen;
   for (const std::string& folder : all) {
     if (names.empty() || std::find(names.begin(), names.end(), name_of(folder)) != names.end()) {
@@ -44,41 +53,40 @@ std::vector<std::string> chosen_folders(const std::vector<std::string>& names) {
 }
 
 /// The page must not replace what the checks are read from.
-void check_apart(const std::string& output, const std::vector<std::string>& folders) {
-  const fs::path place = fs::weakly_canonical(fs::absolute(output)).parent_path();
-  std::vector<Fault> faults;
+void check_page(const NamedOutput& page, const std::vector<std::string>& folders) {
+  if (!page.path) return;
+  Faults faults;
+  check_names({page}, faults);
+  const fs::path place = fs::weakly_canonical(fs::absolute(*page.path)).parent_path();
   for (const std::string& folder : folders) {
     if (fs::weakly_canonical(folder) != place) continue;
-    faults.push_back(
-        {{}, "--output " + output + ": this folder holds what the checks are read from", "name another folder"});
+    faults.refuse("--output " + *page.path + ": this folder holds what the checks are read from",
+                  "name another folder");
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
 }
 
 /// A number of a row in the unit that people read.
-std::string shown(const study::VerificationRow& row, double value, int digits, const io::Units& units) {
-  if (std::isnan(value)) return "none";
-  const double converted = units.scale(row.display_unit, row.unit).from_si(value);
-  const std::string number = fmt::format("{:.{}g}", converted, digits);
-  return row.display_unit == "1" ? number : number + " " + row.display_unit;
+std::string shown(const study::VerificationRow& row, double value, int digits, const EngineeringText& in_words) {
+  return std::isnan(value) ? "none" : in_words(value, row.unit, row.display_unit, digits);
 }
 
 /// An error or a tolerance: a share in per cent, or an amount.
-std::string shown_error(const study::VerificationRow& row, double error, const io::Units& units) {
+std::string shown_error(const study::VerificationRow& row, double error, const EngineeringText& in_words) {
   if (std::isnan(error)) return "none";
   constexpr double kRounding = 1e-12;  // digits below are those of the machine
   if (row.tolerance.kind == Tolerance::Kind::kRelative) {
     return error < kRounding ? "< 1e-10 %" : fmt::format("{:.2g} %", 100 * error);
   }
-  return shown(row, error, 2, units);
+  return shown(row, error, 2, in_words);
 }
 
-void print_case(const study::VerificationOutcome& outcome, const io::Units& units) {
+void print_case(const study::VerificationOutcome& outcome, const EngineeringText& in_words) {
   std::cout << outcome.name << ": " << outcome.title << "\n";
   for (const study::VerificationRow& row : outcome.rows) {
-    std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", row.label, shown(row, row.expected, 7, units),
-                             shown(row, row.got, 7, units), shown_error(row, row.error, units),
-                             shown_error(row, row.tolerance.value, units),
+    std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", row.label, shown(row, row.expected, 7, in_words),
+                             shown(row, row.got, 7, in_words), shown_error(row, row.error, in_words),
+                             shown_error(row, row.tolerance.value, in_words),
                              row.verdict == Verdict::kHolds ? "holds" : "FAILS");
   }
   for (const std::string& stop : outcome.stops) std::cout << "  NO SOLUTION: " << stop << "\n";
@@ -112,18 +120,14 @@ std::string totals(const std::vector<study::VerificationOutcome>& cases) {
                      cases.size() == 1 ? "case" : "cases");
 }
 
-}  // namespace
-
+/// Runs the shipped cases with known answers. Throws FailedChecks.
 void verify(const VerifyOptions& options) {
   if (options.requested == VerifyRequest::kNames) return print_list();
   const std::vector<std::string> folders = chosen_folders(options.names);
   const io::Units units;
-  if (options.output) {
-    io::check_can_write(*options.output, io::Sink::kFileOrDevice);
-    check_apart(*options.output, folders);
-    check_suffix("--output", *options.output, OutputKind::kPage);
-  }
-  const std::vector<io::OutputClaim> claimed = claims({options.output});
+  const NamedOutput page{"--output", options.output, OutputKind::kPage, io::Sink::kFileOrDevice};
+  check_page(page, folders);
+  const std::vector<io::OutputClaim> claimed = claims({page});
   std::vector<study::Verification> verifications;
   for (const std::string& folder : folders) verifications.push_back(io::read_verification(folder, units));
   ringfilm::report::VerificationResult result{{}, {}, io::this_program()};
@@ -131,18 +135,19 @@ void verify(const VerifyOptions& options) {
     result.not_covered =
         io::read_not_covered((fs::path(io::shipped_folder()) / "verification" / "not-covered.toml").string(), units);
   }
-  const bool in_words = options.requested == VerifyRequest::kTable;
-  if (in_words) {
+  const EngineeringText in_words;
+  const bool is_table = options.requested == VerifyRequest::kTable;
+  if (is_table) {
     std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", "check", "expected", "got", "error", "tolerance",
                              "verdict");
   }
   for (const study::Verification& verification : verifications) {
     result.cases.push_back(study::verify(verification));
-    if (in_words) print_case(result.cases.back(), units);
+    if (is_table) print_case(result.cases.back(), in_words);
   }
   const bool holds = std::all_of(result.cases.begin(), result.cases.end(),
                                  [](const auto& outcome) { return outcome.verdict() == Verdict::kHolds; });
-  if (in_words) {
+  if (is_table) {
     print_not_covered(result.not_covered);
     std::cout << totals(result.cases);
   } else {
@@ -150,9 +155,37 @@ void verify(const VerifyOptions& options) {
   }
   if (options.output) {
     io::write_atomically(*options.output, ringfilm::report::verification_page(result));
-    if (in_words) std::cout << "wrote " << *options.output << "\n";
+    if (is_table) print_written({page});
   }
   if (!holds) throw FailedChecks("a number differs from its expected value");
+}
+
+constexpr const char* kVerifyFooter = R"(Examples:
+  ringfilm verify
+  ringfilm verify --list
+  ringfilm verify rayleigh1918_step ausas2009_oscillating_squeeze
+  ringfilm verify --output verification.html
+
+Each case is computed here and now beside an answer that is known from elsewhere: a closed form, a quadrature, a
+publication, an independent program. The exit code is 4 if a number lies outside its tolerance.
+)";
+
+void declare_verify(CommandOptions& add, VerifyOptions& options) {
+  add.text("NAME", options.names, "...", "cases to check; all if none is named");
+  const CLI::Option* list =
+      add.flag("--list", options.requested, VerifyRequest::kNames, "print the names of the cases, compute nothing");
+  add.flag("--json", options.requested, VerifyRequest::kJson, "print the rows as JSON, SI units, instead of the table");
+  add.text("-o,--output,--html", options.output, "X.html", "write the same as a web page");
+  add.rule([list, &options](Faults&) {
+    if (is_stated(list)) options.requested = VerifyRequest::kNames;  // with --json, too
+  });
+}
+
+}  // namespace
+
+void add_verify_command(Program& program) {
+  program.add("verify", "Compute cases with known answers and report how far off they are", kVerifyFooter,
+              declare_verify, verify);
 }
 
 }  // namespace ringfilm::app

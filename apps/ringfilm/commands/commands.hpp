@@ -5,45 +5,50 @@
 #include <vector>
 
 #include "ringfilm/io/case/case_file.hpp"
-#include "ringfilm/io/result/vts_file.hpp"
-#include "ringfilm/run/run.hpp"
 
-/// The commands of the program: arguments in, text and files out. Each returns normally or throws one of the errors of
-/// ringfilm/base/error.hpp; main turns those into exit codes.
+/// The commands of the program: arguments in, text and files out. Each has its options and what it does with them in
+/// one file; it returns normally or throws one of the errors of ringfilm/base/error.hpp, which main turns into exit
+/// codes.
 namespace ringfilm::app {
+
+class Program;
+
+// Each adds a command with its options, or several.
+void add_check_command(Program& program);
+void add_conform_command(Program& program);
+void add_contact_command(Program& program);
+void add_data_commands(Program& program);  ///< fields, oils, pairs, new
+void add_face_command(Program& program);
+void add_gas_command(Program& program);
+void add_lateral_force_command(Program& program);
+void add_life_command(Program& program);
+void add_report_command(Program& program);
+void add_reproduce_command(Program& program);
+void add_run_command(Program& program);
+void add_study_command(Program& program);
+void add_surface_commands(Program& program);  ///< surface, pair
+void add_synthetic_command(Program& program);
+void add_verify_command(Program& program);
 
 enum class SummaryForm { kTable, kJson, kNothing };
 
-/// The case of a command with what it states on the command line; prints on standard error which keys of the case that
-/// makes unused.
+/// Prints on standard error which keys of a case --set makes unused.
+void print_dropped(const std::vector<io::DroppedKey>& dropped);
+
+/// The case of a command with what it states on the command line; prints the keys that this makes unused.
 cycle::Case case_with_settings(const std::string& path, const std::vector<io::Override>& settings,
                                cycle::CasePurpose purpose = cycle::CasePurpose::kFilm);
 
-struct RunOptions {
+/// A case and what the command line states in place of it.
+struct CaseOptions {
   std::string case_path;
   std::vector<io::Override> overrides;
+  SummaryForm summary = SummaryForm::kTable;
+};
+struct CaseWithOutputs : CaseOptions {
   std::optional<std::string> output;  ///< NetCDF
   std::optional<std::string> csv;
-  SummaryForm summary = SummaryForm::kTable;
-  run::Options computed;
 };
-void run(const RunOptions& options);
-
-struct CheckOptions {
-  std::string case_path;
-  std::vector<io::Override> overrides;
-  SummaryForm summary = SummaryForm::kTable;
-};
-void check(const CheckOptions& options);
-
-struct ReportOptions {
-  std::vector<std::string> results;
-  std::vector<std::string> overlays;
-  std::optional<std::string> output;      ///< web page
-  std::optional<std::string> vts_folder;  ///< of the fields around the ring for ParaView
-  std::optional<io::VtsShape> vts_shape;
-};
-void report(const ReportOptions& options);
 
 /// Are the maps pressed against each other, and their film computed with each contact law?
 enum class FrictionBands { kNone, kComputed };
@@ -54,51 +59,15 @@ struct ReproduceOptions {
   FrictionBands bands = FrictionBands::kNone;  ///< of "measured"
   int jobs = 0;                                ///< threads; 0: as many as the machine runs at once
 };
-void reproduce(const ReproduceOptions& options);
 
 /// The same rings from the synthetic instrument files of cases/measured/: surfaces, faces and friction loops are
 /// measured as by the single commands, what they give becomes cases, and these are run.
 void reproduce_measured(const ReproduceOptions& options);
-
-enum class VerifyRequest { kTable, kJson, kNames };
-
-struct VerifyOptions {
-  std::vector<std::string> names;     ///< folders of verification/; empty: all
-  std::optional<std::string> output;  ///< web page
-  VerifyRequest requested = VerifyRequest::kTable;
-};
 
 /// Everything was computed and written, but something in it is not as it should be (exit code 4).
 class FailedChecks : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-/// Runs the shipped cases with known answers. Throws FailedChecks.
-void verify(const VerifyOptions& options);
-
-struct FieldsOptions {
-  std::vector<std::string> words;  ///< sections, keys or parts of keys; empty: all keys
-};
-/// Prints the table of case keys.
-void fields(const FieldsOptions& options);
-
-/// Of `oils` and `pairs`.
-struct OilsOptions {
-  SummaryForm summary = SummaryForm::kTable;
-};
-/// Prints the shipped oils.
-void oils(const OilsOptions& options);
-
-/// Prints the shipped pairs of coating and liner with their boundary friction.
-void pairs(const OilsOptions& options);
-
-struct NewOptions {
-  std::string path;
-  std::optional<std::string> engine;  ///< one of io::start_engines(); the first of them if absent
-  std::optional<std::string> trace;   ///< file of the cylinder pressure
-};
-/// Writes a commented case to start from; refuses to replace a file.
-void start_case(const NewOptions& options);
 
 }  // namespace ringfilm::app

@@ -1,29 +1,37 @@
-#include "gas_path/command_gas.hpp"
-
 #include <fmt/format.h>
 
 #include <iostream>
 
+#include "commands/commands.hpp"
 #include "gas_path/gas_tables.hpp"
 #include "gas_path/gas_variations.hpp"
 #include "output_names.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/run/run.hpp"
+#include "text/shared_options.hpp"
 #include "text/summary.hpp"
 
 namespace ringfilm::app {
 namespace {
 
-void check_output(const std::optional<std::string>& output, const char* option, OutputKind kind,
-                  const cycle::Case& input) {
-  if (!output) return;
-  check_suffix(option, *output, kind);
-  io::check_can_write(*output, kind == OutputKind::kCsv ? io::Sink::kFileOrDevice : io::Sink::kFile);
-  for (const cycle::InputFile& file : input.files) {
-    if (!is_same_file(*output, file.path)) continue;
-    throw InputError(*output + ": the output is a file that the case is read from", "name another file");
-  }
+/// What `gas` was asked for.
+struct GasOptions : CaseWithOutputs {
+  std::vector<std::string> varied;  ///< as written: KEY=VALUE, VALUE, ...
+};
+
+std::vector<NamedOutput> outputs_of(const GasOptions& options) {
+  return {{"--output", options.output, OutputKind::kNetcdf},
+          {"--csv", options.csv, OutputKind::kCsv, io::Sink::kFileOrDevice}};
+}
+
+/// Claims the outputs. Throws InputError where one of them cannot be written.
+std::vector<io::OutputClaim> claimed_outputs(const GasOptions& options, const cycle::Case& input) {
+  Faults faults;
+  check_names(outputs_of(options), faults);
+  check_apart(outputs_of(options), input.files, "case", faults);
+  faults.check();
+  return claims(outputs_of(options));
 }
 
 std::string gas_summary(const io::GasPathDocument& document) {
@@ -42,10 +50,6 @@ std::string gas_summary(const io::GasPathDocument& document) {
   return text;
 }
 
-}  // namespace
-
-namespace {
-
 /// Settings that the gas alone does not use, on standard error: they may be meant for another command.
 void print_settings_without_effect(const std::vector<io::Override>& overrides) {
   std::string keys;
@@ -62,29 +66,22 @@ void gas_of_variations(const GasOptions& options, const cycle::Case& input) {
     throw InputError("--vary prints a table of all combinations, and --output or --json are of one",
                      "leave --vary out, or take the table as CSV with --csv X.csv");
   }
-  check_output(options.csv, "--csv", OutputKind::kCsv, input);
-  const std::vector<io::OutputClaim> claimed = claims({options.csv});
+  const std::vector<io::OutputClaim> claimed = claimed_outputs(options, input);
   const std::string table = gas_variations_csv(options.case_path, options.overrides, variations(options.varied));
   if (!options.csv) {
     std::cout << table;
     return;
   }
   io::write_atomically(*options.csv, table);
-  std::cout << "wrote " << *options.csv << "\n";
+  print_written(outputs_of(options));
 }
 
-}  // namespace
-
+/// Computes the gas of a ring pack over a cycle.
 void gas(const GasOptions& options) {
   const cycle::Case input = case_with_settings(options.case_path, options.overrides, cycle::CasePurpose::kGasPath);
   print_settings_without_effect(options.overrides);
   if (!options.varied.empty()) return gas_of_variations(options, input);
-  check_output(options.csv, "--csv", OutputKind::kCsv, input);
-  check_output(options.output, "--output", OutputKind::kNetcdf, input);
-  if (options.output && options.csv && is_same_file(*options.output, *options.csv)) {
-    throw InputError(*options.csv + ": --output and --csv name the same file", "name two files");
-  }
-  const std::vector<io::OutputClaim> claimed = claims({options.csv, options.output});
+  const std::vector<io::OutputClaim> claimed = claimed_outputs(options, input);
   const auto document = std::get<io::GasPathDocument>(run::run_case(input).result);
   if (options.output) io::write_gas_path(*options.output, document);
   if (options.csv) io::write_atomically(*options.csv, io::gas_path_csv(document));
@@ -93,8 +90,33 @@ void gas(const GasOptions& options) {
     return;
   }
   std::cout << gas_summary(document);
-  if (options.output) std::cout << "wrote " << *options.output << "\n";
-  if (options.csv) std::cout << "wrote " << *options.csv << "\n";
+  print_written(outputs_of(options));
+}
+
+constexpr const char* kGasFooter = R"(Examples:
+  ringfilm gas cases/ring-pack/two_rings.toml
+  ringfilm gas cases/ring-pack/two_rings.toml --set gas_path.ring_motion=axial --json
+  ringfilm gas case.toml --set operating.speed='4500 rpm' --csv gas.csv
+  ringfilm gas case.toml --vary operating.speed='1000 rpm, 3000 rpm' --vary ring.1.end_gap='0.25 mm, 0.5 mm'
+
+The gas alone is computed: keys of oil, contact and film may be missing.
+)";
+
+void declare_gas(CommandOptions& add, GasOptions& options) {
+  add_case(add, options);
+  add.text("-o,--output", options.output, "X.nc", "write values and curves of the gas as NetCDF-4");
+  add.texts("--vary", options.varied, "KEY=VALUE,VALUE,...",
+            "compute all combinations of the values of one or more keys (repeat it) and print blow-by and peak "
+            "pressures of each as CSV");
+  add_csv(add, options, "write pressures, flows and ring positions over crank angle as CSV, SI units");
+  add.json(options.summary, "print the values as JSON instead of the table");
+}
+
+}  // namespace
+
+void add_gas_command(Program& program) {
+  program.add("gas", "Compute the gas between the rings of a pack: pressures, blow-by, ring motion", kGasFooter,
+              declare_gas, gas);
 }
 
 }  // namespace ringfilm::app

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "faults.hpp"
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
@@ -127,18 +128,17 @@ std::string line_of(const Row& row, const std::vector<std::string>& regions) {
 
 /// Refuses what varies nothing, or what --set fixes.
 void check_varied(const std::vector<Variation>& varied, const std::vector<io::Override>& overrides) {
-  std::vector<Fault> faults;
+  Faults faults;
   for (const Variation& one : varied) {
     if (std::ranges::find(overrides, one.key, &io::Override::key) != overrides.end()) {
-      faults.push_back({{}, one.key + " is stated by --set and by --vary", "keep one of them"});
+      faults.refuse(one.key + " is stated by --set and by --vary", "keep one of them");
     } else if (!acts_on_gas(one.key)) {
-      faults.push_back({{},
-                        "--vary " + one.key + " has no effect: the gas of a ring pack alone does not follow from it",
-                        "vary a key of the engine, the gas or the rings, for example ring.1.end_gap; ringfilm study "
-                        "varies keys of the films"});
+      faults.refuse("--vary " + one.key + " has no effect: the gas of a ring pack alone does not follow from it",
+                    "vary a key of the engine, the gas or the rings, for example ring.1.end_gap; ringfilm study "
+                    "varies keys of the films");
     }
   }
-  if (!faults.empty()) throw InputError(std::move(faults));
+  faults.check();
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ class StudyFiles {
   std::string result() const { return stem_ + ".nc"; }
   std::string table() const { return stem_ + ".csv"; }
   std::string page() const { return stem_ + ".html"; }
+  std::array<std::string, 3> outputs() const { return {result(), table(), page()}; }
+
   /// Rows of a part while they are computed, and when all are there.
   std::string growing(std::uint64_t part, std::uint64_t parts) const;
   std::string finished(std::uint64_t part, std::uint64_t parts) const;

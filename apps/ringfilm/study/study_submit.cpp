@@ -191,6 +191,8 @@ void submit_study(const SubmitOptions& given) {
         "--engine slurm is there; any other starts the same command for each part, see docs/manual/study.md");
   }
   SubmitOptions options = given;
+  options.study.is_part = true;
+  options.study.parts = given.parts;
   const StudyFiles files(options.study.output);
   const SlurmStudy slurm(options, files);
   slurm.check_names();

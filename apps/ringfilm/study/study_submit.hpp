@@ -7,7 +7,8 @@
 namespace ringfilm::app {
 
 struct SubmitOptions {
-  StudyOptions study;  ///< parts = 0: as many as are there already, else 8; threads = 0: one a task
+  StudyOptions study;       ///< threads = 0: one a task
+  std::uint64_t parts = 0;  ///< 0: as many as are there already, else 8
   std::string engine;
   bool is_rehearsal = false;         ///< write the scripts and show them, submit nothing
   std::vector<std::string> further;  ///< options for the engine, as the user wrote them
