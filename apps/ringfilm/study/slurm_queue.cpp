@@ -33,10 +33,14 @@ std::string shell_word(const std::string& word) {
   return quoted.append(1, '\'');
 }
 
-std::string word_to_copy(const std::string& word) {
+bool is_plain(const std::string& word) {
   constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=.,:/%+@";
-  return !word.empty() && word.find_first_not_of(kPlain) == std::string::npos ? word : shell_word(word);
+  return !word.empty() && word.find_first_not_of(kPlain) == std::string::npos;
 }
+
+bool is_number(const std::string& text) { return text.find_first_not_of("0123456789") == std::string::npos; }
+
+std::string word_to_copy(const std::string& word) { return is_plain(word) ? word : shell_word(word); }
 
 bool is_command(const std::string& name) {
   return output_of(fmt::format("command -v {} >/dev/null", shell_word(name))).exit_code == 0;
@@ -50,9 +54,6 @@ std::optional<StudyJobs> StudyJobs::read(const StudyFiles& files) {
   std::string word;
   if (!(file >> word >> jobs.array >> word >> jobs.parts)) return std::nullopt;
   file >> word >> jobs.merge;
-  const auto is_number = [](const std::string& text) {
-    return text.find_first_not_of("0123456789") == std::string::npos;
-  };
   if (!is_number(jobs.array) || !is_number(jobs.merge)) return std::nullopt;
   return jobs;
 }
@@ -74,9 +75,8 @@ std::optional<std::map<std::uint64_t, std::string>> queue_states(const StudyJobs
     std::istringstream lines(printed.text);
     std::string task, state, reason;
     while (lines >> task >> state && std::getline(lines >> std::ws, reason)) {
-      const bool is_part = task.find_first_not_of("0123456789") == std::string::npos;
       constexpr std::size_t kMostDigits = 9;
-      states[is_part ? std::stoull(task.substr(0, kMostDigits)) : 0] =
+      states[is_number(task) ? std::stoull(task.substr(0, kMostDigits)) : 0] =
           state == "RUNNING" || reason == "None" ? state : fmt::format("{} ({})", state, reason);
     }
   }

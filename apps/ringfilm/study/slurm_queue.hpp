@@ -22,6 +22,12 @@ std::string shell_word(const std::string& word);
 /// The same for people to copy: in quotes only where the shell would take it for something else.
 std::string word_to_copy(const std::string& word);
 
+/// Does a word consist of characters that neither the shell nor sbatch takes for anything else?
+bool is_plain(const std::string& word);
+
+/// Does a text consist of digits alone? True for an empty one.
+bool is_number(const std::string& text);
+
 /// Is there such a command?
 bool is_command(const std::string& name);
 

@@ -36,8 +36,7 @@ std::string ranges(const std::vector<std::uint64_t>& numbers) {
 
 /// A word of a line #SBATCH, which sbatch itself takes apart.
 std::string sbatch_word(const std::string& word) {
-  constexpr const char* kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_=.,:/%+@";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  if (is_plain(word)) return word;
   std::string quoted = "\"";
   for (const char c : word) quoted.append(c == '"' || c == '\\' ? "\\" : "").append(1, c);
   return quoted.append(1, '"');
@@ -110,7 +109,7 @@ class SlurmStudy {
     std::istringstream lines(printed.text);
     for (std::string line; printed.exit_code == 0 && std::getline(lines, line);) {
       const std::string number = line.substr(0, line.find(';'));  // after it: the cluster's name
-      if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos) return number;
+      if (!number.empty() && is_number(number)) return number;
     }
     throw FailedChecks(fmt::format("{}sbatch did not take {}; to try by hand, in {}: {}", printed.text, place(script),
                                    files_.folder(), command));
