@@ -309,10 +309,15 @@ class BadCommandLine(program.ProgramTest):
 
     def test_invalid_number_of_threads(self):
         for number in ("0", "1025", "-3", "two", "2.5"):
-            for command in (("run", "case.toml"), ("reproduce", "styles2014")):
+            for option, *command in (
+                ("--jobs", "run", "case.toml"),
+                ("--jobs", "reproduce", "styles2014"),
+                ("--threads", "study", "study.toml"),
+                ("--threads", "life", "life.toml"),
+            ):
                 with self.subTest(command=command, number=number):
-                    done = self.run_program(*command, f"--jobs={number}")
-                    self.assert_refused(done, f"--jobs {number}", "from 1 to 1024")
+                    done = self.run_program(*command, f"{option}={number}")
+                    self.assert_refused(done, f"{option} {number}", "from 1 to 1024")
 
 
 if __name__ == "__main__":

@@ -291,6 +291,7 @@ class Refusals(SurfaceTest):
             (("--channel", "7"), "channel"),
             (("--noise", "nosuch.csv"), "nosuch.csv"),
             (("--sigma", "Rz", "--short-cutoff", "5"), "2 errors"),
+            (("--grid", "0x3", "--form", "sphere", "--region", "0, 0, 9 um", "--prominent", "4"), "4 errors"),
             (("--angle", "30 mm"), '--angle "30 mm"'),
             (("--cavity-depth", "deep"), '--cavity-depth "deep"'),
             (("map.csv", "--heights", "out.csv"), "one file"),

@@ -106,7 +106,7 @@ void declare_life(CommandOptions& add, LifeRequest& request) {
   });
 }
 
-void carry_out(const LifeRequest& request) {
+void carry_out_life(const LifeRequest& request) {
   if (!request.has_faces()) return run_life(request);
   compare_faces({{request.alone.begin() + 1, request.alone.end()}, request.summary});
 }
@@ -114,7 +114,8 @@ void carry_out(const LifeRequest& request) {
 }  // namespace
 
 void add_life_command(Program& program) {
-  program.add("life", "Friction, oil and film of a ring over its running hours", kLifeFooter, declare_life, carry_out);
+  program.add("life", "Friction, oil and film of a ring over its running hours", kLifeFooter, declare_life,
+              carry_out_life);
 }
 
 }  // namespace ringfilm::app

@@ -110,7 +110,7 @@ void declare_study(CommandOptions& add, StudyRequest& request) {
   });
 }
 
-void carry_out(const StudyRequest& request) {
+void carry_out_study(const StudyRequest& request) {
   if (request.action == "submit") return submit_study(request);
   if (request.action == "merge") return merge_study(request.study);
   if (request.action == "status") return print_study_status(request.study);
@@ -121,7 +121,7 @@ void carry_out(const StudyRequest& request) {
 
 void add_study_command(Program& program) {
   program.add("study", "Run many scenarios around a case: maps, uncertainty, comparison", kStudyFooter, declare_study,
-              carry_out);
+              carry_out_study);
 }
 
 }  // namespace ringfilm::app
