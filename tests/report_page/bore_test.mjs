@@ -4,7 +4,7 @@ import test from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const { boreSvg, enlargement, hasBore } = await import(
+const { boreDrawing, enlargement, hasBore } = await import(
   pathToFileURL(join(process.argv[2], 'src', 'cycle/bore_drawing.js')).href
 );
 const { boreFigure } = await import(
@@ -48,8 +48,10 @@ const paths = (svg, colour) =>
       [...found[1].matchAll(/(-?[\d.]+) (-?[\d.]+)/g)].map(([, a, b]) => [Number(a), Number(b)]),
     );
 
+const boreSvg = (k, width) => boreDrawing(data, k, width).shapes.join('');
+
 test('bore and ring are apart by the clearance on the scale that is stated', () => {
-  const svg = boreSvg(data, 1, 420);
+  const svg = boreSvg(1, 420);
   const [bore] = paths(svg, '#8a93a0');
   const ring = paths(svg, '#003f7d').find((points) => points.length === kStrips);
   const circle = svg
@@ -70,8 +72,8 @@ test('bore and ring are apart by the clearance on the scale that is stated', () 
 });
 
 test('what is lifted off is marked, and only that', () => {
-  assert.equal(paths(boreSvg(data, 1, 420), '#d1490a').length, 0);
-  const [part, ...others] = paths(boreSvg(data, 0, 420), '#d1490a');
+  assert.equal(paths(boreSvg(1, 420), '#d1490a').length, 0);
+  const [part, ...others] = paths(boreSvg(0, 420), '#d1490a');
   assert.equal(others.length, 0);
   assert.equal(part.length, y.filter((at) => around(at) < 90).length);
 });

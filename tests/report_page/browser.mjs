@@ -56,62 +56,66 @@ export async function opened(name, width) {
     return route.abort();
   });
   await page.goto(pathToFileURL(join(pagesFolder, name)).href);
-  await page.waitForSelector('.chart canvas, .bars svg');
+  await page.waitForSelector('.chart svg, .bars svg');
   return { page, faults };
 }
 
-/** Pixels of a chart's canvas that are neither white nor transparent nor grey: the curves. */
-export function colouredPixels(page, selector) {
-  return page.$eval(`${selector} canvas`, (canvas) => {
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    let n = 0;
-    for (let k = 0; k < data.length; k += 4)
-      if (
-        data[k + 3] > 0 &&
-        Math.max(data[k], data[k + 1], data[k + 2]) - Math.min(data[k], data[k + 1], data[k + 2]) > 40
-      )
-        n++;
-    return n;
+/** The pixels of the first chart of a figure: { data, width, height }, bytes of red, green, blue and opacity. */
+async function pixelsOf(page, selector) {
+  const { width, height, data } = await page.$eval(`${selector} .chart svg`, async (svg) => {
+    const image = new Image();
+    const text = new XMLSerializer().serializeToString(svg);
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const { data: bytes } = context.getImageData(0, 0, canvas.width, canvas.height);
+    let packed = '';
+    for (let k = 0; k < bytes.length; k += 8192)
+      packed += String.fromCharCode(...bytes.subarray(k, k + 8192));
+    return { width: canvas.width, height: canvas.height, data: btoa(packed) };
   });
+  return { width, height, data: Buffer.from(data, 'base64') };
 }
 
-/** Height that the curves of a chart take, as a share of its canvas. */
-export function curveHeight(page, selector) {
-  return page.$eval(`${selector} canvas`, (canvas) => {
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    let [top, bottom] = [canvas.height, 0];
-    for (let k = 0; k < data.length; k += 4) {
-      const [high, low] = [
-        Math.max(data[k], data[k + 1], data[k + 2]),
-        Math.min(data[k], data[k + 1], data[k + 2]),
-      ];
-      if (data[k + 3] === 0 || high - low <= 40) continue;
-      const row = Math.floor(k / 4 / canvas.width);
-      [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
-    }
-    return (bottom - top) / canvas.height;
-  });
+/** Rows of the pixels of a chart with a spread of its colours, and the brightest of them, that fulfil a condition. */
+async function rowsOf(page, selector, holds) {
+  const { width, height, data } = await pixelsOf(page, selector);
+  const rows = [];
+  for (let k = 0; k < data.length; k += 4) {
+    const [high, low] = [
+      Math.max(data[k], data[k + 1], data[k + 2]),
+      Math.min(data[k], data[k + 1], data[k + 2]),
+    ];
+    if (data[k + 3] > 250 && holds(high - low, high)) rows.push(Math.floor(k / 4 / width));
+  }
+  return { rows, height };
 }
 
-/** Pixels of a chart's canvas that are tinted as lightly as the band of an error. */
-export function bandPixels(page, selector) {
-  return page.$eval(`${selector} canvas`, (canvas) => {
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    let n = 0;
-    for (let k = 0; k < data.length; k += 4) {
-      const [high, low] = [
-        Math.max(data[k], data[k + 1], data[k + 2]),
-        Math.min(data[k], data[k + 1], data[k + 2]),
-      ];
-      if (data[k + 3] > 250 && high > 200 && high - low >= 15 && high - low < 70) n++;
-    }
-    return n;
-  });
+const isCurve = (spread) => spread > 40;
+
+/** Pixels of a chart that are neither white nor grey: the curves. */
+export async function colouredPixels(page, selector) {
+  return (await rowsOf(page, selector, isCurve)).rows.length;
+}
+
+/** Height that the curves of a chart take, as a share of the drawing. */
+export async function curveHeight(page, selector) {
+  const { rows, height } = await rowsOf(page, selector, isCurve);
+  return (rows[rows.length - 1] - rows[0]) / height;
+}
+
+/** Pixels of a chart that are tinted as lightly as the band of an error. */
+export async function bandPixels(page, selector) {
+  const isBand = (spread, high) => high > 200 && spread >= 15 && spread < 70;
+  return (await rowsOf(page, selector, isBand)).rows.length;
 }
 
 /** Left edge of the plotting area of every chart over the cycle. */
 export function plotEdges(page) {
-  return page.$$eval('#cycle .figure:not(#along-the-face) .u-over', (overs) =>
+  return page.$$eval('#cycle .figure:not(#along-the-face) .over', (overs) =>
     overs.map((o) => {
       const b = o.getBoundingClientRect();
       return [Math.round(b.left), Math.round(b.right)].join();

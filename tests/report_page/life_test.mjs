@@ -67,7 +67,7 @@ async function opened(name, width) {
     if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`);
   });
   await page.goto(pathToFileURL(join(folder, `${name}.html`)).href);
-  await page.waitForSelector('.chart canvas');
+  await page.waitForSelector('.chart svg');
   return { page, faults };
 }
 

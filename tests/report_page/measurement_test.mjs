@@ -34,7 +34,7 @@ async function opened(name, width) {
     if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`);
   });
   await page.goto(pathToFileURL(join(pagesFolder, name)).href);
-  await page.waitForSelector('.chart canvas');
+  await page.waitForSelector('.chart svg');
   return { page, faults };
 }
 
@@ -65,7 +65,7 @@ for (const width of [390, 1400]) {
       /density of asperity peaks.*0\.038 ± 0\.003 µm⁻².*S-filter 2\.5 µm, pixel 1 µm/,
     );
     assert.match(await page.textContent('.warning'), /N depends on the cut-off/);
-    assert.equal(await page.locator('.chart canvas').count(), 5);
+    assert.equal(await page.locator('.chart svg').count(), 5);
     const titles = (await page.locator('.axis-title').allTextContents()).join('|');
     for (const title of [
       'height [µm]',

@@ -582,7 +582,7 @@ test('one crank angle alone has a place of some degrees', () => {
 
 test('maps over the crank angle name strokes and dead centres, other maps do not', () => {
   const named = ['intake', 'compression', 'power', 'exhaust', 'firing TDC', 'BDC'];
-  const words = (maps) => maps.svg({ width: 900, pictures: false });
+  const words = (maps) => maps.draw(900, false).shapes.join('');
   const ring = smallRing(0.01);
   ring.strips = { strip_hydrodynamic_load: { longName: 'load', unit: 'N/mm', range: [0, 1] } };
   ring.stripAngles = [20];

@@ -45,7 +45,7 @@ try {
       if (!/^(file|data|blob):/.test(request.url())) faults.push(`outside request: ${request.url()}`);
     });
     await page.goto(pathToFileURL(path).href);
-    await page.waitForSelector('.chart canvas');
+    await page.waitForSelector('.chart svg');
     assert.deepEqual(faults, []);
     assert.equal(
       await page.evaluate(() => document.documentElement.scrollWidth),
@@ -53,7 +53,7 @@ try {
       `no sideways scrolling at ${width}`,
     );
     assert.equal(await page.textContent('.card .card-value'), '2 of 2');
-    assert.equal(await page.locator('.chart canvas').count(), 3, 'one plot for each order of convergence');
+    assert.equal(await page.locator('.chart svg').count(), 3, 'one plot for each order of convergence');
     const verdicts = await page.locator('.checks .verdict').allTextContents();
     assert.ok(verdicts.length > 15 && verdicts.every((text) => text === 'holds'), verdicts.join());
     await page.close();

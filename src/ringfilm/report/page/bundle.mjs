@@ -20,17 +20,12 @@ function bundled(entry) {
     format: 'iife',
     charset: 'ascii',
     target: ['es2020'],
-    nodePaths: [join(workFolder, 'node_modules')],
     logLevel: 'warning',
   });
   return built.outputFiles[0].text.trim();
 }
 
 const style = bundled('src/style.css');
-const licence = readFileSync(join(workFolder, 'node_modules', 'uplot', 'LICENSE'), 'utf8').replaceAll(
-  '--',
-  '- -',
-);
 
 function refuseEnd(name, text, end) {
   if (text.toLowerCase().includes(end)) throw new Error(`the ${name} holds ${end} and would end too early`);
@@ -43,9 +38,9 @@ function parts(entry) {
   refuseEnd('style sheet', style, '</style');
   // The browser runs this very script and no other, and fetches nothing, whatever the data hold.
   const scriptHash = createHash('sha256').update(script).digest('base64');
-  const fill = { SCRIPT: script, SCRIPT_HASH: scriptHash, STYLE: style, UPLOT_LICENCE: licence.trim() };
+  const fill = { SCRIPT: script, SCRIPT_HASH: scriptHash, STYLE: style };
   const template = readFileSync(join(pageFolder, 'template.html'), 'utf8').replace(
-    /\{\{(SCRIPT|SCRIPT_HASH|STYLE|UPLOT_LICENCE)\}\}/g,
+    /\{\{(SCRIPT|SCRIPT_HASH|STYLE)\}\}/g,
     (_, name) => fill[name],
   );
   const cut = template.split(/\{\{(?:TITLE|DATA)\}\}/);

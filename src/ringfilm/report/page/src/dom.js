@@ -49,16 +49,13 @@ export function withSubscripts(text) {
     .map((piece, i) => (i % 2 ? element('sub', {}, piece.slice(1)) : piece));
 }
 
-/**
- * Starts the views of a page, and readies them and all folds for print.
- * @param more views that started themselves, as they are at the time of printing
- */
-export function startViews(views, more = []) {
+/** Starts the views of a page, and readies them and all folds for print. */
+export function startViews(views) {
   views.forEach((view) => view.start());
   window.addEventListener('beforeprint', () => {
     document.querySelectorAll('details.fold').forEach((fold) => {
       fold.open = true;
     });
-    [...views, ...more].forEach((view) => view.beforePrint());
+    views.forEach((view) => view.beforePrint());
   });
 }

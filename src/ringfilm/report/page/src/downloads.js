@@ -1,4 +1,5 @@
 // Files to take away: SVG and PNG of a figure as it is shown, CSV of the numbers behind it.
+import { element } from './dom.js';
 import { axisTitle } from './plot/scales.js';
 import { plain } from './units.js';
 
@@ -10,6 +11,11 @@ export function save(name, type, content) {
   link.click();
   link.remove();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+/** A button that takes something away. @param spoken its name where the label does not suffice */
+export function saveButton(label, onclick, spoken = null) {
+  return element('button', { type: 'button', class: 'download', 'aria-label': spoken, onclick }, label);
 }
 
 export function fileStem(title, id) {

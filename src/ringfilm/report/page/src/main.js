@@ -1,8 +1,8 @@
 // Puts the page together from the data that it carries.
 import { clearanceFigure, gapFigure } from './cycle/around_figures.js';
-import { AroundView } from './cycle/around_view.js';
+import { aroundView } from './cycle/around_view.js';
 import { hasBore } from './cycle/bore_drawing.js';
-import { BoreView } from './cycle/bore_view.js';
+import { boreView } from './cycle/bore_view.js';
 import { CycleGroup } from './plot/chart.js';
 import {
   cycleFigure,
@@ -12,10 +12,11 @@ import {
   shownElsewhere,
   zoomFigure,
 } from './cycle/cycle_figures.js';
-import { element, startViews, svgElement } from './dom.js';
+import { element, startViews } from './dom.js';
 import { contactPressureFigure, flowFactorFigure, realAreaFigure } from './cycle/contact_figures.js';
-import { FaceView, howToStoreFields } from './cycle/face_view.js';
-import { FigureView, Visibility } from './cycle/figure_view.js';
+import { faceView, howToStoreFields } from './cycle/face_view.js';
+import { caseEntry, ChartView, markHidden, Visibility } from './figure/chart_view.js';
+import { picker } from './figure/choices.js';
 import { firstScreen, operatingLine, reportTitle } from './cycle/first_screen.js';
 import { comparisonSection } from './cycle/comparison.js';
 import { influenceFigure, ledgerSection } from './cycle/ledger.js';
@@ -23,7 +24,6 @@ import { Model } from './model.js';
 import {
   energyFigure,
   faceFigure,
-  fieldAngles,
   linerFilmFigure,
   stribeckFigure,
   wearFigure,
@@ -31,9 +31,9 @@ import {
 import { byFace, comparisonFigures, comparisonTable } from './pack/pack_comparison.js';
 import { packFigures } from './pack/pack_figures.js';
 import { PackModel } from './pack/pack_model.js';
-import { PackDrawing, packSentences, ringTable } from './pack/pack_view.js';
-import { swatchSvg } from './plot/svg.js';
+import { packSentences, packView, ringTable } from './pack/pack_view.js';
 import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
+import { axisTitle } from './plot/scales.js';
 import { display } from './units.js';
 import { Unrolled } from './cycle/unrolled.js';
 
@@ -48,25 +48,9 @@ const kRanges = [
 
 function toolbar(model, visibility, group) {
   const cases = model.several
-    ? model.entries.map(({ series, name }) =>
-        element(
-          'button',
-          {
-            type: 'button',
-            class: 'entry',
-            'aria-pressed': 'true',
-            title: `Hide or show ${name}`,
-            'data-case': series,
-            onclick: () => visibility.toggle(series),
-          },
-          svgElement(swatchSvg({ caseIndex: series, part: null })),
-          element('span', { class: 'label' }, name),
-        ),
-      )
+    ? model.entries.map(({ series, name }) => caseEntry({ caseIndex: series, label: name }, visibility))
     : [];
-  visibility.listeners.push(() =>
-    cases.forEach((button, i) => button.setAttribute('aria-pressed', String(!visibility.hidden.has(i)))),
-  );
+  visibility.listeners.push(() => markHidden(cases, visibility));
   const ranges = kRanges.map(([label, low, high]) =>
     element(
       'button',
@@ -95,51 +79,23 @@ function toolbar(model, visibility, group) {
   );
 }
 
-/** A chart of a quantity that the reader picks. */
-function otherQuantity(model, context, started) {
-  const host = element('div', { class: 'bare' });
-  const names = model.curveQuantities.map((q) => q.name).filter((name) => !shownElsewhere().includes(name));
-  let view = null;
-  const show = (name) => {
-    if (view) {
-      view.charts.forEach(({ chart }) => chart && context.group.remove(chart));
-      context.visibility.forget(view);
-      started.splice(started.indexOf(view), 1);
-    }
-    view = new FigureView(
-      byFace(model, (own) => otherQuantityFigure(own, name)),
-      context,
-    );
-    host.replaceChildren(view.node);
-    view.heading.after(choice);
-    view.start();
-    started.push(view);
-  };
-  const picker = element(
-    'select',
-    {
-      id: 'quantity',
-      onchange: () => {
-        show(picker.value);
-        picker.focus();
-      },
-    },
-    names.map((name) => {
-      const q = model.curveQuantity.get(name);
-      const { unit } = display(q);
-      return element('option', { value: name }, `${q.long_name}${unit ? ` [${unit}]` : ''}`);
-    }),
-  );
-  const choice = element(
-    'div',
-    { class: 'choice' },
-    element('label', { for: 'quantity' }, 'Quantity'),
-    picker,
-  );
+/** A chart of a quantity that the reader picks; null without one. */
+function otherQuantity(model, context) {
+  const quantities = model.curveQuantities.filter(({ name }) => !shownElsewhere().includes(name));
+  if (quantities.length === 0) return null;
+  const names = quantities.map(({ name }) => name);
   const overlaid = model.payload.overlays.map((o) => o.quantity).find((name) => names.includes(name));
-  if (names.length === 0) return null;
-  picker.value = overlaid ?? (names.includes('power_loss') ? 'power_loss' : names[0]);
-  return { node: host, start: () => show(picker.value), beforePrint: () => {} };
+  const first = overlaid ?? (names.includes('power_loss') ? 'power_loss' : names[0]);
+  const figure = (name) => byFace(model, (own) => otherQuantityFigure(own, name));
+  const choice = picker(
+    'Quantity',
+    quantities.map((q) => [q.name, axisTitle(q.long_name, display(q).unit)]),
+    first,
+    (name) => view.replace(figure(name)),
+    { id: 'quantity' },
+  );
+  const view = new ChartView(figure(first), context, [choice]);
+  return view;
 }
 
 /** One line under the title of a figure that leaves the page: which case this is. Whole words only. */
@@ -171,13 +127,13 @@ function unrolledCases(model) {
  */
 function packPart(model, context) {
   if (model.comparesPacks) {
-    const views = comparisonFigures(model).map((figure) => new FigureView(figure, context));
+    const views = comparisonFigures(model).map((figure) => new ChartView(figure, context));
     return { words: [comparisonTable(model)], views };
   }
   if (model.packs.length !== 1) return null;
   const packed = new PackModel(model.packs[0], model);
-  const figures = packFigures(packed).map((figure) => new FigureView(figure, context));
-  const drawing = packed.hasCurves || packed.pack.gas ? new PackDrawing(packed, context) : null;
+  const figures = packFigures(packed).map((figure) => new ChartView(figure, context));
+  const drawing = packed.hasCurves || packed.pack.gas ? packView(packed, context) : null;
   return { words: [ringTable(packed), packSentences(packed)], views: [drawing, ...figures].filter(Boolean) };
 }
 
@@ -201,36 +157,35 @@ function buildPage(model) {
   const besidePaper = model.cases.some((c) => c.comparison.length > 0);
   const context = { visibility, group, besidePaper, stem: title, subtitle: subtitle(model) };
   const views = [];
-  const view = (figure) => (figure ? new FigureView(figure, context) : null);
-  const faceView = (make) => view(byFace(model, make));
-  const started = [];
+  const view = (figure) => (figure ? new ChartView(figure, context) : null);
+  const faced = (make) => view(byFace(model, make));
 
   const hasCurves = model.cases.some((c) => c.curves.crank_angle.length > 1);
   const cycle = hasCurves
     ? [
-        ...kCycleFigures.map((make) => faceView((own) => cycleFigure(own, make))),
-        otherQuantity(model, context, started),
+        ...kCycleFigures.map((make) => faced((own) => cycleFigure(own, make))),
+        otherQuantity(model, context),
       ].filter(Boolean)
     : [];
   const others = [
-    hasCurves ? faceView(zoomFigure) : null,
-    hasCurves ? faceView(stribeckFigure) : null,
-    faceView(linerFilmFigure),
-    faceView(wearFigure),
-    faceView(energyFigure),
+    hasCurves ? faced(zoomFigure) : null,
+    hasCurves ? faced(stribeckFigure) : null,
+    faced(linerFilmFigure),
+    faced(wearFigure),
+    faced(energyFigure),
   ].filter(Boolean);
-  const faces = [faceView(faceFigure)].filter(Boolean);
-  const along = fieldAngles(model).length ? new FaceView(model, context) : null;
+  const faces = [faced(faceFigure)].filter(Boolean);
+  const along = faceView(model, context);
   const unrolled = unrolledCases(model);
   const inBore = unrolled.find(({ data }) => hasBore(data));
   const around = [
-    inBore ? new BoreView(model, inBore, context) : null,
-    unrolled.length ? new AroundView(model, unrolled, context) : null,
+    inBore ? boreView(model, inBore, context) : null,
+    unrolled.length ? aroundView(model, unrolled, context) : null,
     hasCurves ? view(clearanceFigure(model)) : null,
     hasCurves ? view(gapFigure(model)) : null,
   ].filter(Boolean);
   const pack = packPart(model, context);
-  const contact = [contactPressureFigure, realAreaFigure, flowFactorFigure].map(faceView).filter(Boolean);
+  const contact = [contactPressureFigure, realAreaFigure, flowFactorFigure].map(faced).filter(Boolean);
   const influence = view(influenceFigure(model));
   views.push(
     ...cycle,
@@ -313,7 +268,7 @@ function buildPage(model) {
       provenanceSection(model),
     ].filter(Boolean),
   );
-  startViews(views, started);
+  startViews(views);
 }
 
 buildPage(new Model(JSON.parse(document.getElementById('result-data').textContent)));

@@ -263,6 +263,12 @@ export function wrapped(degrees) {
   return turned === -360 ? 360 : turned;
 }
 
+/** Index of the angle of a list that is nearest to another around the cycle, -1 in an empty list. */
+export function nearestAngle(angles, target) {
+  const away = (k) => Math.abs(wrapped(angles[k] - target));
+  return angles.reduce((best, _, k) => (best < 0 || away(k) < away(best) ? k : best), -1);
+}
+
 /** "20° after firing TDC" */
 export function angleInWords(degrees) {
   if (!Number.isFinite(degrees ?? NaN)) return 'at an angle not known';

@@ -1,6 +1,6 @@
 // The page of `ringfilm verify`: what was checked, against what, and how the errors fall with refinement.
 import { element, startViews } from './dom.js';
-import { FigureView, Visibility } from './cycle/figure_view.js';
+import { ChartView, Visibility } from './figure/chart_view.js';
 import { headWarning, numberCard, pageHead } from './page_head.js';
 import { section, table } from './tables.js';
 import { display, number, typeset, typesetMath, withUnit } from './units.js';
@@ -128,7 +128,7 @@ function convergenceFigure(c, line, i) {
 function caseSection(c, context, views) {
   const figures = c.lines
     .filter((line) => line.errors.every((e) => e > 0))
-    .map((line, i) => new FigureView(convergenceFigure(c, line, i), context));
+    .map((line, i) => new ChartView(convergenceFigure(c, line, i), context));
   views.push(...figures);
   return section(
     c.name,

@@ -1,7 +1,7 @@
 // The maps around the ring and the curves of the gap, as plain data for drawing.
 import { bandSentence, cyclePanel, ofEachCycle, valueWithUnit } from './cycle_figures.js';
 import { FieldMaps } from './field_maps.js';
-import { kStrokeBands } from '../plot/scales.js';
+import { axisTitle, kStrokeBands } from '../plot/scales.js';
 import { crankAxis, faceAxis, ringAxis } from './unrolled.js';
 import { angleInWords, crankTicks, number, tickText, withUnit, wrapped } from '../units.js';
 
@@ -92,7 +92,7 @@ function variesAround(data, name) {
 
 /** Sums of strips over crank angle and y, where the result holds no more. */
 export function stripMaps(data, { ends, face }) {
-  const rows = { ...ringAxis(data, { ends, face }), title: ends ? 'y from the gap' : 'y' };
+  const rows = { ...ringAxis(data, { ends, face }), label: ends ? 'y from the gap' : 'y' };
   const bends = data.strips.strip_min_film_thickness && variesAround(data, 'strip_min_film_thickness');
   const names = ['strip_hydrodynamic_load', 'strip_peak_film_pressure'];
   if (bends) names.push('strip_min_film_thickness', 'strip_asperity_load');
@@ -179,37 +179,31 @@ export function stripCaption(data, name) {
   );
 }
 
-/** One row a point that is drawn, for a spreadsheet. */
-export function fieldRows(data, k) {
-  const names = Object.keys(data.fields);
-  const header = [
-    'x [mm]',
-    'y [mm]',
-    ...names.map(
-      (name) =>
-        `${data.fields[name].longName}${data.fields[name].unit ? ` [${data.fields[name].unit}]` : ''}`,
-    ),
+const titleOf = ({ longName, unit }) => axisTitle(longName, unit);
+
+/** Columns with one row a point that is drawn, for a spreadsheet. */
+export function fieldColumns(data, k) {
+  const each = (of) => data.y.flatMap((_, j) => data.x.map((__, i) => of(j, i)));
+  return [
+    { title: 'x [mm]', values: each((j, i) => data.x[i]) },
+    { title: 'y [mm]', values: each((j) => data.y[j]) },
+    ...Object.entries(data.fields).map(([name, field]) => ({
+      title: titleOf(field),
+      values: each((j, i) => data.value(name, k, j, i)),
+    })),
   ];
-  const rows = data.y.flatMap((y, j) =>
-    data.x.map((x, i) => [x, y, ...names.map((name) => data.value(name, k, j, i))]),
-  );
-  return { header, rows };
 }
 
-export function stripRows(data) {
-  const names = Object.keys(data.strips);
-  const header = [
-    'crank angle [degree]',
-    'y [mm]',
-    ...names.map(
-      (name) =>
-        `${data.strips[name].longName}${data.strips[name].unit ? ` [${data.strips[name].unit}]` : ''}`,
-    ),
+export function stripColumns(data) {
+  const each = (of) => data.stripAngles.flatMap((_, k) => data.y.map((__, j) => of(k, j)));
+  return [
+    { title: 'crank angle [degree]', values: each((k) => wrapped(data.stripAngles[k])) },
+    { title: 'y [mm]', values: each((k, j) => data.y[j]) },
+    ...Object.entries(data.strips).map(([name, field]) => ({
+      title: titleOf(field),
+      values: each((k, j) => data.stripValue(name, k, j)),
+    })),
   ];
-  const rows = data.stripAngles.flatMap((angle, k) =>
-    data.y.map((y, j) => [wrapped(angle), y, ...names.map((name) => data.stripValue(name, k, j))]),
-  );
-  return { header, rows };
 }
 
 /** Less flow than this share of the largest has no meaningful shares. */

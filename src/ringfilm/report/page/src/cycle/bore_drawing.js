@@ -1,6 +1,7 @@
 // The ring in its bore at one crank angle: bore and ring as a polar drawing, and what the ring carries around it.
-import { document, frame, line } from '../plot/plot_frame.js';
+import { frame } from '../plot/plot_frame.js';
 import { key, kShown, polarBore } from '../plot/polar_bore.js';
+import { line } from '../plot/svg_shapes.js';
 
 const kFilm = '#003f7d';
 const kAsperities = '#d1490a';
@@ -100,8 +101,8 @@ function panels(data) {
     .filter(([, curves]) => curves.length);
 }
 
-/** The whole drawing at a crank angle as an SVG document. @param k number of the angle */
-export function boreSvg(data, k, width, { title = '', subtitle = '' } = {}) {
+/** The whole drawing at a crank angle. @param k number of the angle */
+export function boreDrawing(data, k, width) {
   const isWide = width >= 760;
   const left = isWide ? Math.min(460, width / 2) : width;
   const drawing = polar(data, k, left);
@@ -112,5 +113,5 @@ export function boreSvg(data, k, width, { title = '', subtitle = '' } = {}) {
     shapes.push(...panel(data, k, { ...at, y: bottom, height: kPanel }, label, curves));
     bottom += kPanel + 6;
   }
-  return document({ shapes, height: Math.max(drawing.height, bottom) }, width, { title, subtitle });
+  return { shapes, height: Math.max(drawing.height, bottom) };
 }

@@ -2,7 +2,7 @@
 import { element, svgElement } from '../dom.js';
 import { boundaryPowerShare } from '../model.js';
 import { massText, oilAbove } from './oil_above.js';
-import { swatchSvg } from '../plot/svg.js';
+import { swatchSvg } from '../plot/line_panel.js';
 import { angleInWords, errorText, meaningful, number } from '../units.js';
 
 /** A misprint of the reproduced paper, whose loads are 20 to 40 times too large: no model that anyone would choose. */

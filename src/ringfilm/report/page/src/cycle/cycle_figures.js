@@ -441,21 +441,3 @@ export function shownElsewhere() {
     'oil_flow_middle',
   ];
 }
-
-/** Text for people who cannot see the chart: what it spans. */
-export function spokenSummary(figure) {
-  return figure.panels
-    .map((panel) => {
-      const parts = panel.series.map((s) => {
-        const seen = s.y.filter((v) => v !== null && Number.isFinite(v));
-        return seen.length
-          ? `${s.label} from ${number(Math.min(...seen), 3)} to ${number(Math.max(...seen), 3)}`
-          : `${s.label} without values`;
-      });
-      return (
-        `${panel.yLabel}${panel.yUnit ? ` in ${panel.yUnit}` : ''} over ${panel.xLabel}: ` +
-        `${parts.join(', ')}`
-      );
-    })
-    .join('. ');
-}

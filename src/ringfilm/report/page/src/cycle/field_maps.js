@@ -1,37 +1,28 @@
 // Maps of fields one under the other over the same two axes: axes and colour bars as SVG, the fields as
 // pixels.
 import { heightColour } from '../plot/colour_map.js';
-import { axisTitle, deadCentre } from '../plot/scales.js';
+import { kNameRow, numbersAcross, numbersUp, titleAcross } from '../plot/plot_frame.js';
+import { axisTitle } from '../plot/scales.js';
 import { colourBar, numbersBelow, numbersBeside } from '../plot/svg_colour_bar.js';
-import { kFaint, kInk, px, rule, scaler, text } from '../plot/svg_shapes.js';
-import { number, tickText } from '../units.js';
+import { hatching, kFaint, kInk, kLetter, px, rectangle, rule, scaler, text } from '../plot/svg_shapes.js';
+import { number } from '../units.js';
 
 const kLeft = 58;
 const kBarRoom = 96;
 const kRight = 16;
 /** Below this width of the drawing colour bars lie under their maps. */
 const kWide = 560;
+/** Room of the axis above the first map [pixel]. */
+const kAbove = 30;
 
 /** Dark lines on white: no colour of a map, on paper neither. */
 const kHatch = { dark: [48, 52, 59], light: [255, 255, 255], period: 6, width: 1.6 };
 
-/** A letter is at most about so wide: a drawing cannot measure its text [pixel]. */
-const kLetter = 6.6;
-
-/** The names of dead centres under the numbers of a crank axis are so high [pixel]. */
-const kNameRow = 13;
-
-let drawn = 0;
-
 function hatchSample(left, top) {
-  const id = `hatch-${drawn++}`;
-  const dark = `rgb(${kHatch.dark})`;
+  const { id, pattern } = hatching(5, 1.5, `rgb(${kHatch.dark})`);
   return (
-    `<pattern id="${id}" width="5" height="5" patternUnits="userSpaceOnUse" ` +
-    'patternTransform="rotate(45)"><rect width="5" height="5" fill="#fff"/><rect width="1.5" ' +
-    `height="5" fill="${dark}"/></pattern>` +
-    `<rect class="hatch" x="${px(left)}" y="${px(top)}" width="18" height="12" fill="url(#${id})" ` +
-    `stroke="${kInk}" stroke-width="0.8"/>`
+    pattern +
+    rectangle(left, top, 18, 12, `class="hatch" fill="url(#${id})" stroke="${kInk}" stroke-width="0.8"`)
   );
 }
 
@@ -46,14 +37,14 @@ export class FieldMaps {
   }
 
   /** Where everything is in a drawing of that width. */
-  layout(width, top) {
+  layout(width) {
     const beside = width >= kWide;
     const w = width - kLeft - (beside ? kBarRoom : kRight);
     const h = this.height(w);
     const names = this.columns.crank ? kNameRow : 0;
-    let y = top;
+    let y = 0;
     const plots = this.maps.map((map, n) => {
-      y += 24 + (n === 0 && this.above ? 30 : 0);
+      y += 24 + (n === 0 && this.above ? kAbove : 0);
       const plot = { left: kLeft, top: y, width: w, height: h };
       y += h + 24 + names + (n === this.maps.length - 1 ? 20 : 0);
       const bar = beside
@@ -73,85 +64,39 @@ export class FieldMaps {
   }
 
   /** @param pictures whether the fields themselves are drawn too; on the screen they lie under the drawing */
-  svg({ width = 760, heading = true, subtitle = '', pictures = true } = {}) {
-    const out = [];
-    let top = 0;
-    if (heading) {
-      out.push(
-        text(8, 20, this.title, {
-          size: Math.min(16, (width - 16) / (0.6 * this.title.length)),
-          weight: 600,
-        }),
-      );
-      if (subtitle) out.push(text(8, 39, subtitle, { fill: kFaint }));
-      top = subtitle ? 46 : 26;
-    }
-    const layout = this.layout(width, top);
-    this.maps.forEach((map, n) => out.push(...this.map(map, layout.plots[n], n, layout.beside, pictures)));
-    const height = layout.bottom;
-    return (
-      `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 ` +
-      `0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation ` +
-      `Sans', sans-serif">` +
-      `${pictures ? '<rect width="100%" height="100%" fill="#fff"/>' : ''}${out.join('')}</svg>`
-    );
+  draw(width, pictures) {
+    const { plots, beside, bottom } = this.layout(width);
+    return {
+      shapes: this.maps.flatMap((map, n) => this.map(map, plots[n], n, beside, pictures)),
+      height: bottom,
+    };
   }
 
   map(map, plot, n, beside, pictures) {
     const { x, y } = this.scales(plot);
     const [right, low] = [plot.left + plot.width, plot.top + plot.height];
-    const out = [
-      text(4, plot.top - 9 - (n === 0 && this.above ? 30 : 0), axisTitle(map.title, map.unit), {
-        weight: 600,
-      }),
-    ];
+    const head = plot.top - 9 - (n === 0 && this.above ? kAbove : 0);
+    const out = [text(4, head, axisTitle(map.title, map.unit), { weight: 600 })];
     if (map.hatchLabel) {
       const left = right - 24 - kLetter * map.hatchLabel.length;
-      out.push(
-        hatchSample(left, plot.top - 19 - (n === 0 && this.above ? 30 : 0)),
-        text(left + 24, plot.top - 9 - (n === 0 && this.above ? 30 : 0), map.hatchLabel, { fill: kFaint }),
-      );
+      out.push(hatchSample(left, head - 10), text(left + 24, head, map.hatchLabel, { fill: kFaint }));
     }
     if (pictures)
       out.push(
         `<image href="${this.picture(map, plot)}" x="${px(plot.left)}" y="${px(plot.top)}" ` +
           `width="${px(plot.width)}" height="${px(plot.height)}" preserveAspectRatio="none"/>`,
       );
-    if (this.rows.pieces.length > 1 || this.columns.pieces.length > 1) {
-      for (const [from, to] of this.columns.pieces) {
-        for (const [upper, lower] of this.rows.pieces) {
-          out.push(
-            `<rect x="${px(x(from))}" y="${px(y(upper))}" width="${px(x(to) - x(from))}" ` +
-              `height="${px(y(lower) - y(upper))}" fill="none" stroke="${kInk}"/>`,
-          );
-        }
-      }
-    } else {
-      out.push(
-        `<rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" ` +
-          `height="${px(plot.height)}" fill="none" stroke="${kInk}"/>`,
-      );
-    }
-    const across = this.columns.ticks(plot.width / 70);
-    for (const v of across.values)
-      out.push(
-        rule(x(v), low, x(v), low + 5, kInk),
-        text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }),
-      );
-    for (const v of across.values.filter((at) => deadCentre(this.columns, at)))
-      out.push(
-        text(x(v), low + 31, deadCentre(this.columns, v), { anchor: 'middle', size: 11, fill: kFaint }),
-      );
-    const down = this.rows.ticks(Math.max(2, plot.height / 36));
-    for (const v of down.values)
-      out.push(
-        rule(plot.left - 5, y(v), plot.left, y(v), kInk),
-        text(plot.left - 8, y(v) + 4, tickText(v, down.step), { anchor: 'end' }),
-      );
+    for (const [from, to] of this.columns.pieces)
+      for (const [upper, lower] of this.rows.pieces)
+        out.push(
+          rectangle(x(from), y(upper), x(to) - x(from), y(lower) - y(upper), `fill="none" stroke="${kInk}"`),
+        );
     out.push(
+      ...numbersAcross(this.columns.ticks(plot.width / 70), this.columns, x, low),
+      ...numbersUp(this.rows.ticks(Math.max(2, plot.height / 36)), y, plot.left),
       `<text transform="translate(13 ${px((plot.top + low) / 2)}) rotate(-90)" ` +
         'text-anchor="middle" font-size="12" ' +
-        `fill="${kFaint}">${axisTitle(this.rows.title, this.rows.unit)}</text>`,
+        `fill="${kFaint}">${axisTitle(this.rows.label, this.rows.unit)}</text>`,
     );
     if (n === 0 && this.above) out.push(...this.axisAbove(plot, x));
     if (this.edgeWords) {
@@ -160,15 +105,7 @@ export class FieldMaps {
         text(plot.left + 5, low - 5, this.edgeWords[1], { size: 11, halo: '#fff' }),
       );
     }
-    if (n === this.maps.length - 1)
-      out.push(
-        text(
-          (plot.left + right) / 2,
-          low + 35 + (this.columns.crank ? kNameRow : 0),
-          axisTitle(this.columns.title, this.columns.unit),
-          { anchor: 'middle', fill: kFaint },
-        ),
-      );
+    if (n === this.maps.length - 1) out.push(titleAcross(this.columns, (plot.left + right) / 2, low));
     out.push(
       ...colourBar(plot.bar, beside),
       ...(beside ? numbersBeside(plot.bar, map.range) : numbersBelow(plot.bar, map.range)),
@@ -251,7 +188,7 @@ export class FieldMaps {
    * the maps.
    */
   at(px0, py0, width) {
-    for (const [n, plot] of this.layout(width, 0).plots.entries()) {
+    for (const [n, plot] of this.layout(width).plots.entries()) {
       const [a, b] = [(px0 - plot.left) / plot.width, (py0 - plot.top) / plot.height];
       if (a < 0 || a > 1 || b < 0 || b > 1) continue;
       const atColumn = this.columns.from + a * (this.columns.to - this.columns.from);

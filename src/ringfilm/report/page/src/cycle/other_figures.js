@@ -1,5 +1,5 @@
 // The figures that are not drawn over crank angle.
-import { angle as shownAngle, display, number, wrapped } from '../units.js';
+import { angle as shownAngle, display, nearestAngle, number, wrapped } from '../units.js';
 import { ofEachCycle, valueWithUnit } from './cycle_figures.js';
 
 const kStribeckWindow = 90;
@@ -238,12 +238,8 @@ export function energyFigure(model) {
 /** The panels along the face at one crank angle; every case that has fields near that angle. */
 export function fieldFigure(model, angle) {
   const near = (c) => {
-    let best = -1;
-    c.fields.crank_angle.forEach((a, k) => {
-      if (best < 0 || Math.abs(wrapped(a) - angle) < Math.abs(wrapped(c.fields.crank_angle[best]) - angle))
-        best = k;
-    });
-    return best >= 0 && Math.abs(wrapped(c.fields.crank_angle[best]) - angle) < 1e-6 ? best : -1;
+    const k = nearestAngle(c.fields.crank_angle, angle);
+    return k >= 0 && Math.abs(wrapped(c.fields.crank_angle[k] - angle)) < 1e-6 ? k : -1;
   };
   const shown = model.cases.map((c) => [c, near(c)]).filter(([, k]) => k >= 0);
   const series = (name, size, part = null) =>

@@ -1,10 +1,9 @@
 // Ring, groove, liner and pressures, drawn from the numbers of the case where the gas pressure peaks; under a constant
 // pressure where the film is thinnest.
 import { element, svgElement } from '../dom.js';
-import { area, line } from '../plot/plot_frame.js';
 import { caseColour } from '../plot/palette.js';
-import { kFaint, kInk, px, rule, text } from '../plot/svg_shapes.js';
-import { angleInWords, number, wrapped } from '../units.js';
+import { area, kFaint, kInk, line, px, rectangle, rule, svgDocument, text } from '../plot/svg_shapes.js';
+import { angleInWords, nearestAngle, number, wrapped } from '../units.js';
 
 const kWidth = 470;
 const kHeight = 300;
@@ -26,23 +25,10 @@ const kGas = '#f7d9d0';
 const kBelow = '#dbe8f4';
 const kWall = '#dfe2e7';
 
-/** Values of a case at the sample nearest to an angle. */
-function sampleAt(c, angle) {
-  const distance = (a) => Math.abs(wrapped(wrapped(a) - angle));
-  const angles = c.curves.crank_angle;
-  const k = angles.reduce((best, a, i) => (distance(a) < distance(angles[best]) ? i : best), 0);
-  return (name) => c.curves[name]?.[k] ?? null;
-}
-
 /** Index of the stored fields within a degree of an angle, -1 without them. */
 function fieldsAt(c, angle) {
-  const distance = (a) => Math.abs(wrapped(wrapped(a) - angle));
-  const angles = c.fields.crank_angle;
-  const nearest = angles.reduce(
-    (best, a, i) => (best < 0 || distance(a) < distance(angles[best]) ? i : best),
-    -1,
-  );
-  return nearest >= 0 && distance(angles[nearest]) <= 1 ? nearest : -1;
+  const k = nearestAngle(c.fields.crank_angle, angle);
+  return k >= 0 && Math.abs(wrapped(c.fields.crank_angle[k] - angle)) <= 1 ? k : -1;
 }
 
 /**
@@ -52,7 +38,8 @@ function fieldsAt(c, angle) {
 export function sectionState(c, angle) {
   const { x, face_height: height } = c.fields;
   if (x.length < 2 || height.length !== x.length || c.curves.crank_angle.length === 0) return null;
-  const at = sampleAt(c, angle);
+  const sample = nearestAngle(c.curves.crank_angle, angle);
+  const at = (name) => c.curves[name]?.[sample] ?? null;
   const film = at('min_film_thickness') ?? 0;
   const k = fieldsAt(c, angle);
   const lowest = Math.min(...height);
@@ -79,8 +66,7 @@ export function exaggeration(state) {
 
 const bar = (pressure) => `${number(pressure / 1e5, 3)}\u00a0bar`;
 
-const box = (x, y, width, height, fill, stroke = 'none') =>
-  `<rect x="${px(x)}" y="${px(y)}" width="${px(width)}" height="${px(height)}" fill="${fill}" stroke="${stroke}"/>`;
+const box = (x, y, width, height, fill) => rectangle(x, y, width, height, `fill="${fill}"`);
 
 /** An arrow from one point to another, both on a level. */
 function arrow(from, to, y, stroke) {
@@ -185,11 +171,8 @@ export function sectionSvg(state) {
   const y = (x) => kFace.top + ((x - first) / (last - first)) * (kFace.bottom - kFace.top);
   const across = kWidestGap / Math.max(...state.gap);
   const edge = state.x.map((x, i) => [kLiner - across * state.gap[i], y(x)]);
-  return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${kWidth}" height="${kHeight}" viewBox="0 0 ${kWidth} ` +
-    `${kHeight}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">` +
-    `${[...solids(edge, state), ...pressures(state, y), ...labels(state, y)].join('')}</svg>`
-  );
+  const shapes = [...solids(edge, state), ...pressures(state, y), ...labels(state, y)];
+  return svgDocument({ shapes, height: kHeight }, kWidth);
 }
 
 function drawing(model, c) {

@@ -167,7 +167,7 @@ export class Unrolled {
  */
 export function faceAxis(data) {
   return {
-    title: 'x',
+    label: 'x',
     unit: 'mm',
     from: 0,
     to: data.face,
@@ -184,7 +184,7 @@ export function ringAxis(data, { ends, face }) {
   };
   if (!ends) {
     return {
-      title: 'y, along the ring',
+      label: 'y, along the ring',
       unit: 'mm',
       from: 0,
       to: data.length,
@@ -198,7 +198,7 @@ export function ringAxis(data, { ends, face }) {
   const reach = half + data.endLength(face);
   const y = (v) => (v < 0 ? data.length + half + v : v - half);
   return {
-    title: 'along the ring, from the middle of the gap',
+    label: 'along the ring, from the middle of the gap',
     unit: 'mm',
     from: -reach,
     to: reach,
@@ -233,7 +233,7 @@ export function crankAxis(angles) {
     shown[shown.length - 1].at + widest / 2,
   );
   return {
-    title: 'crank angle, firing TDC = 0',
+    label: 'crank angle, firing TDC = 0',
     unit: '°',
     from: -360,
     to: 360,

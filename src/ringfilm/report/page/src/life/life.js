@@ -1,6 +1,6 @@
 // The page of `ringfilm life`: friction, oil and film over the running hours, and how each number is known.
 import { element, startViews } from '../dom.js';
-import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { ChartView, Visibility } from '../figure/chart_view.js';
 import { headWarning, numberCard, pageHead } from '../page_head.js';
 import { section, table } from '../tables.js';
 import { display, withUnit } from '../units.js';
@@ -114,7 +114,7 @@ function pointsTable(life) {
 }
 
 function faceSection(life, context, views) {
-  const view = new FigureView(faceFigure(life, life.states.length - 1), context);
+  const view = new ChartView(faceFigure(life, life.states.length - 1), context);
   views.push(view);
   const label = element('output', { for: 'face-hours' }, hoursText(life.states.at(-1).hours));
   const slider = element('input', {
@@ -128,9 +128,7 @@ function faceSection(life, context, views) {
     oninput: () => {
       const k = Number(slider.value);
       label.textContent = hoursText(life.states[k].hours);
-      const figure = faceFigure(life, k);
-      view.replace(figure);
-      view.caption.textContent = figure.caption;
+      view.replace(faceFigure(life, k));
     },
   });
   return section(
@@ -153,7 +151,7 @@ function wearSection(life) {
 }
 
 function figureRow(figures, context, views) {
-  const made = figures.map((figure) => new FigureView(figure, context));
+  const made = figures.map((figure) => new ChartView(figure, context));
   views.push(...made);
   return made.map((view) => view.node);
 }

@@ -1,9 +1,9 @@
 // The page of a measurement: what an instrument gave, what became of it, and what a case takes from it.
 import { element, startViews } from '../dom.js';
-import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { ChartView, Visibility } from '../figure/chart_view.js';
 import { boreFigure } from './bore_figure.js';
-import { DrawingView } from './drawing_view.js';
-import { MapView } from './map_view.js';
+import { DrawingView } from '../figure/drawing_view.js';
+import { mapFigure } from '../plot/map_figure.js';
 import { curveFigure, withoutPoints } from './measurement_figures.js';
 import { fragmentBlock, groupTable, numbersTable, shownNumber } from './measurement_tables.js';
 import { section, table } from '../tables.js';
@@ -101,16 +101,12 @@ function firstScreen(measurement) {
 function figureViews(measurement, context) {
   const maps = measurement.maps
     .filter((map) => !map.empty && map.points_x > 1 && map.points_y > 1)
-    .map((map) => new MapView(map, context));
+    .map((map) => new DrawingView(mapFigure(map), context));
   const curves = measurement.curves
     .map(curveFigure)
     .filter(Boolean)
-    .map((figure) => {
-      // A curve that is hidden in one figure remains visible in the others.
-      const view = new FigureView(figure, { ...context, visibility: new Visibility() });
-      if (figure.long) view.node.classList.add('long');
-      return view;
-    });
+    // A curve that is hidden in one figure remains visible in the others.
+    .map((figure) => new ChartView(figure, { ...context, visibility: new Visibility() }));
   const bore = boreFigure(measurement);
   return { maps, curves, drawings: bore ? [new DrawingView(bore, context)] : [] };
 }

@@ -1,5 +1,5 @@
 // The page of the gas of a ring pack alone: no films, so no friction and no oil.
-import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { ChartView, Visibility } from '../figure/chart_view.js';
 import { code, element, startViews } from '../dom.js';
 import { shownInput } from '../model.js';
 import { headWarning, numberCard, pageHead } from '../page_head.js';
@@ -9,7 +9,7 @@ import { gasSum, gasValue, kBlowBy, kStandard } from './gas_words.js';
 import { angleInWords, number, sentence, shortPath, typeset, wrapped } from '../units.js';
 import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
 import { packOfGas, regionWords } from './pack_model.js';
-import { gasTables, PackDrawing } from './pack_view.js';
+import { gasTables, packView } from './pack_view.js';
 
 const kBar = 1e5;
 
@@ -155,8 +155,8 @@ function buildPage(payload) {
   };
   const figures = [gasPressures(packed), blowBy(packed), ringPositions(packed)]
     .filter(Boolean)
-    .map((figure) => new FigureView(figure, context));
-  const views = [new PackDrawing(packed, context), ...figures];
+    .map((figure) => new ChartView(figure, context));
+  const views = [packView(packed, context), ...figures];
   const { gas } = payload;
   document.getElementById('report').replaceChildren(
     ...[

@@ -1,10 +1,10 @@
 // Rings, grooves and liner of a pack, drawn from the numbers of the case, with the gas pressures at one crank angle.
-import { kFaint, kInk, px, rule, text } from '../plot/svg_shapes.js';
+import { kFaint, kInk, rectangle, rule, text } from '../plot/svg_shapes.js';
 import { caseColour } from '../plot/palette.js';
 import { number } from '../units.js';
 import { inputOf, regionWords } from './pack_model.js';
 
-const kWidth = 470;
+export const kPackWidth = 470;
 const kMargin = { top: 54, bottom: 34 };
 /** Height of the pack from the first groove to below the last ring [pixel]. */
 const kPackHeight = 330;
@@ -25,8 +25,7 @@ const kHigh = [226, 120, 74];
 const bar = (p) => `${number(p / 1e5, 3)}\u00a0bar`;
 
 const box = (x, y, width, height, fill, stroke = 'none') =>
-  `<rect x="${px(x)}" y="${px(y)}" width="${px(Math.max(0, width))}" height="${px(Math.max(0, height))}" ` +
-  `fill="${fill}" stroke="${stroke}"/>`;
+  rectangle(x, y, width, height, `fill="${fill}" stroke="${stroke}"`);
 
 /** Colour of a pressure between the extremes of the cycle, by its logarithm. */
 function gasColour(p, [low, high]) {
@@ -139,8 +138,8 @@ function labels(packed, at, scale) {
   return out;
 }
 
-/** The pack at a crank angle as an SVG document. */
-export function packSvg(packed, angle) {
+/** The pack at a crank angle. */
+export function packDrawing(packed, angle) {
   const list = heights(packed);
   const last = list[list.length - 1];
   const scale = kPackHeight / (last.top + last.width + last.land);
@@ -166,8 +165,5 @@ export function packSvg(packed, angle) {
     text(kLiner + 18, height - 8, 'liner', { fill: kFaint, size: 11 }),
     ...labels(packed, at, scale),
   ];
-  return (
-    `<svg xmlns="http://www.w3.org/2000/svg" width="${kWidth}" height="${height}" viewBox="0 0 ${kWidth} ${height}" ` +
-    `font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif">${shapes.join('')}</svg>`
-  );
+  return { shapes, height };
 }

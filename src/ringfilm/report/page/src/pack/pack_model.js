@@ -1,6 +1,6 @@
 // A ring pack of the payload with its cases, and the gas between its rings: computed, or the pressures that are given.
 import { kOnlyCase, onCycleAxis } from '../model.js';
-import { wrapped } from '../units.js';
+import { nearestAngle, wrapped } from '../units.js';
 
 const kBar = 1e5;
 
@@ -83,13 +83,7 @@ export class PackModel {
 
   /** Pressure of a region [Pa] at a crank angle of the charts. */
   pressureAt(region, angle) {
-    const at = ((angle % 720) + 720) % 720;
-    let best = 0;
-    region.angle.forEach((a, k) => {
-      const distance = (b) => Math.min(Math.abs(b - at), 720 - Math.abs(b - at));
-      if (distance(a) < distance(region.angle[best])) best = k;
-    });
-    return region.pressure[best];
+    return region.pressure[nearestAngle(region.angle, angle)];
   }
 
   /** Height of a ring above its lower flank [m] at a crank angle; null where it is not computed. */

@@ -1,109 +1,47 @@
 // The drawing of a ring pack with its slider, and the section of a pack on the page.
-import { element, svgElement } from '../dom.js';
-import { fileStem, save, savePng } from '../downloads.js';
+import { element } from '../dom.js';
+import { AngleSlider } from '../figure/choices.js';
+import { DrawingView } from '../figure/drawing_view.js';
 import { boundaryPowerShare } from '../model.js';
 import { figure as numberCell, folded, table } from '../tables.js';
-import { angleInWords, display, number, withUnit } from '../units.js';
+import { display, number, withUnit } from '../units.js';
 import { blowByWords, withoutRounding } from './gas_words.js';
-import { packSvg } from './pack_drawing.js';
+import { kPackWidth, packDrawing } from './pack_drawing.js';
 
-export class PackDrawing {
-  constructor(packed, context) {
-    Object.assign(this, { packed, context, angle: Math.round(packed.model.peakAngle(packed.cases[0]) ?? 0) });
-    this.host = element('div', { class: 'pack-drawing', role: 'img' });
-    this.print = element('div', { class: 'print-only' });
-    this.slider = element('input', {
-      type: 'range',
-      min: -360,
-      max: 360,
-      step: 1,
-      value: this.angle,
-      id: 'pack-angle',
-      'aria-label': 'crank angle of the drawing of the ring pack',
-      oninput: () => {
-        this.show(Number(this.slider.value));
-        context.group.point(this.angle);
-      },
-    });
-    this.angleText = element('output', { for: 'pack-angle' });
-    context.group.followers.push((angle) => this.follow(angle));
-    this.node = element(
-      'figure',
-      { id: 'pack-drawing', class: 'figure half' },
-      element(
-        'div',
-        { class: 'figure-heading' },
-        element('h3', {}, 'The pack and its gas pressures'),
-        this.downloads(),
-      ),
-      element(
-        'div',
-        { class: 'slider' },
-        element('label', { for: 'pack-angle' }, 'Crank angle'),
-        this.slider,
-        this.angleText,
-      ),
-      element('div', { class: 'panels' }, this.host),
-      this.print,
-      element(
-        'figcaption',
-        {},
-        'Widths of the rings and heights of the piston lands to scale, from the keys of the case; side clearances ' +
-          'and the gap to the liner enlarged, thicknesses not to scale. The darker a space, the higher its pressure ' +
-          '(logarithmic). Rings are drawn where they are in their grooves at this crank angle.',
-      ),
-    );
-  }
+/** All crank angles of the slider. */
+const kAngles = Array.from({ length: 720 }, (_, k) => k - 359);
 
-  follow(angle) {
-    const next = Math.round(angle);
-    if (next === this.angle || this.isWaiting) return;
-    this.isWaiting = true;
-    requestAnimationFrame(() => {
-      this.isWaiting = false;
-      this.slider.value = next;
-      this.show(next);
-    });
-  }
-
-  show(angle) {
-    this.angle = angle;
-    const words = angleInWords(angle);
-    this.angleText.textContent = words.replace(/^at /, '');
-    this.slider.setAttribute('aria-valuetext', words);
-    this.host.setAttribute('aria-label', `Section of the ring pack ${words}`);
-    this.host.replaceChildren(svgElement(packSvg(this.packed, angle)));
-  }
-
-  downloads() {
-    const name = (ending) => `${fileStem(this.context.stem, 'ring-pack')}.${ending}`;
-    const button = (label, action) =>
-      element(
-        'button',
-        {
-          type: 'button',
-          class: 'download',
-          'aria-label': `Drawing of the ring pack as ${label}`,
-          onclick: action,
-        },
-        label,
-      );
-    const svg = () => packSvg(this.packed, this.angle);
-    return element(
-      'span',
-      { class: 'downloads' },
-      button('PNG', () => savePng(name('png'), svg())),
-      button('SVG', () => save(name('svg'), 'image/svg+xml', svg())),
-    );
-  }
-
-  start() {
-    this.show(this.angle);
-  }
-
-  beforePrint() {
-    this.print.replaceChildren(svgElement(packSvg(this.packed, this.angle)));
-  }
+export function packView(packed, context) {
+  const slider = new AngleSlider({
+    id: 'pack-angle',
+    spoken: 'crank angle of the drawing of the ring pack',
+    angles: kAngles,
+    at: packed.model.peakAngle(packed.cases[0]),
+    group: context.group,
+    show: () => view.redraw(),
+  });
+  const figure = {
+    id: 'pack-drawing',
+    file: 'ring-pack',
+    named: 'Drawing of the ring pack',
+    title: 'The pack and its gas pressures',
+    half: true,
+    host: 'pack-drawing',
+    fixedWidth: kPackWidth,
+    get savedTitle() {
+      return `${figure.title} ${slider.words}`;
+    },
+    get spoken() {
+      return `Section of the ring pack ${slider.words}`;
+    },
+    draw: () => packDrawing(packed, slider.angle),
+    caption: () =>
+      'Widths of the rings and heights of the piston lands to scale, from the keys of the case; side clearances ' +
+      'and the gap to the liner enlarged, thicknesses not to scale. The darker a space, the higher its pressure ' +
+      '(logarithmic). Rings are drawn where they are in their grooves at this crank angle.',
+  };
+  const view = new DrawingView(figure, context, [slider.node]);
+  return view;
 }
 
 /** Friction of each ring and of the pack, with a column for each value that adds up. */

@@ -1,56 +1,32 @@
-// One panel as an interactive uPlot chart. The panel's plain data decide everything; this file only draws.
-import uPlot from 'uplot';
-import { onNewWidth } from '../dom.js';
-import {
-  arrowHeads,
-  arrowPath,
-  bandOutlines,
-  deadCentre,
-  freePlace,
-  kDeadCentres,
-  kPeakLabel,
-  kRoomForPeak,
-  kSpanHeight,
-  kStrokeBands,
-  markIndices,
-  markPlaces,
-  spanBars,
-  xRange,
-  xTicks,
-  yRange,
-  yTicks,
-} from './scales.js';
-import { caseColour, caseMark, kBandOpacity, markPath, partDash } from './palette.js';
-import { tickText } from '../units.js';
+// One panel of curves that follows the pointer: the drawing of files and print, and a cursor over it.
+import { element, onNewWidth, svgElement } from '../dom.js';
+import { linePanel } from './line_panel.js';
+import { caseColour } from './palette.js';
+import { xRange } from './scales.js';
+import { svgDocument } from './svg_shapes.js';
 
-const kInk = '#30343b';
-const kFaint = '#5c6470';
-const sansFont = (size) => `${size}px 'Segoe UI', 'Helvetica Neue', Arial, 'Liberation Sans', sans-serif`;
-const kFont = sansFont(12);
-const kSmallFont = sansFont(11);
+const kHeight = 300;
+/** A shorter drag is a click [pixel]. */
+const kShortestDrag = 4;
 
-/** All charts over the cycle, so that a zoom in one goes through all. */
+/** All charts over the cycle, so that cursor and zoom of one go through all. */
 export class CycleGroup {
   constructor() {
-    this.sync = uPlot.sync('cycle');
     this.charts = [];
     this.listeners = [];
     /** Called with the crank angle under the cursor. */
     this.followers = [];
-    this.isDriven = false;
+  }
+  /** Puts the cursors of all charts at an angle; null: away. */
+  point(angle) {
+    this.charts.forEach((chart) => chart.point(angle));
   }
   moved(angle) {
-    if (!this.isDriven) this.followers.forEach((follow) => follow(angle));
-  }
-  /** Puts the cursors of all charts at an angle. */
-  point(angle) {
-    this.isDriven = true;
-    this.charts.forEach((chart) => chart.point(angle));
-    this.isDriven = false;
+    this.point(angle);
+    if (angle !== null) this.followers.forEach((follow) => follow(angle));
   }
   remove(chart) {
     this.charts = this.charts.filter((other) => other !== chart);
-    chart.plot.destroy();
   }
   zoom(low, high) {
     this.charts.forEach((chart) => chart.zoom(low, high));
@@ -58,381 +34,119 @@ export class CycleGroup {
   }
 }
 
-function pixels(u, drawIn) {
-  const ratio = devicePixelRatio;
-  const { ctx } = u;
-  ctx.save();
-  ctx.scale(ratio, ratio);
-  drawIn(ctx, {
-    left: u.bbox.left / ratio,
-    top: u.bbox.top / ratio,
-    width: u.bbox.width / ratio,
-    height: u.bbox.height / ratio,
-    x: (v) => u.valToPos(v, 'x', true) / ratio,
-    y: (v) => u.valToPos(v, 'y', true) / ratio,
-  });
-  ctx.restore();
-}
-
-function line(ctx, x1, y1, x2, y2, stroke, dash = []) {
-  ctx.strokeStyle = stroke;
-  ctx.lineWidth = 1;
-  ctx.setLineDash(dash);
-  ctx.beginPath();
-  ctx.moveTo(x1, y1);
-  ctx.lineTo(x2, y2);
-  ctx.stroke();
-}
-
-/** Words with a white rim, legible where a curve runs behind them. */
-function rimmed(ctx, label, x, y) {
-  ctx.textAlign = 'left';
-  ctx.fillStyle = kFaint;
-  ctx.setLineDash([]);
-  ctx.lineWidth = 3;
-  ctx.strokeStyle = '#fff';
-  ctx.strokeText(label, x, y);
-  ctx.fillText(label, x, y);
+/** Index of the sample nearest to `at`, -1 without samples; in the order of time that of the nearest angle. */
+function nearest(series, at) {
+  const xs = series.angle ?? series.x;
+  let best = -1;
+  for (let k = 0; k < xs.length; k++)
+    if (
+      xs[k] !== null &&
+      series.y[k] !== null &&
+      (best < 0 || Math.abs(xs[k] - at) < Math.abs(xs[best] - at))
+    )
+      best = k;
+  return best;
 }
 
 export class Chart {
   /**
-   * @param visible returns whether a series is shown; @param readOut receives the x value under the cursor,
-   * null when it leaves
+   * @param visible returns whether a series is shown; @param readOut receives the index of the sample at the
+   * cursor in each series, null when the cursor leaves
    */
-  constructor(host, panel, { visible, readOut, group, height }) {
-    Object.assign(this, { host, panel, visible, readOut, group, height });
-    this.full = xRange(panel);
-    this.window = this.full;
-    this.plot = new uPlot(this.options(), this.data(), host);
-    this.listenToTouch();
-    if (group) group.charts.push(this);
-    onNewWidth(host, () => this.fit());
+  constructor(host, panel, { visible, readOut, group }) {
+    Object.assign(this, { host, visible, readOut, group });
+    this.line = element('div', { class: 'cursor-line' });
+    this.selection = element('div', { class: 'selection' });
+    this.over = element('div', { class: 'over' }, this.selection, this.line);
+    this.listen();
+    this.replace(panel);
+    group?.charts.push(this);
+    onNewWidth(host, () => this.draw());
   }
 
-  data() {
-    const { panel } = this;
-    if (panel.inOrderOfTime) return [null, ...panel.series.map((s) => [s.x, s.y])];
-    return uPlot.join(
-      panel.series.map((s) => [s.x, s.y]),
-      panel.series.map((s) => s.y.map(() => 2)),
+  /** Another panel in the place of this one, in the same window of the same axis. */
+  replace(panel) {
+    const full = xRange(panel);
+    if (full.join() !== this.full?.join()) this.window = full;
+    Object.assign(this, { panel, full });
+    this.line.hidden = Boolean(panel.inOrderOfTime);
+    this.dots?.forEach((dot) => dot.remove());
+    this.dots = panel.series.map((s) =>
+      element('div', { class: 'cursor-dot', style: `background: ${caseColour(s.caseIndex)}` }),
     );
+    this.over.append(...this.dots);
+    this.draw();
   }
 
-  options() {
-    const { panel } = this;
-    const axisLook = {
-      stroke: kInk,
-      font: kFont,
-      ticks: { stroke: kInk, size: 5, width: 1 },
-      border: { show: true, stroke: kInk, width: 1 },
-    };
-    return {
-      mode: panel.inOrderOfTime ? 2 : 1,
-      width: this.host.clientWidth || 320,
-      height: this.height,
-      padding: [panel.crank ? 22 : 10, 14, 0, 0],
-      legend: { show: false },
-      scales: {
-        x: { time: false, distr: panel.xScale === 'log' ? 3 : 1, range: () => this.window },
-        y: {
-          distr: panel.yScale === 'log' ? 3 : 1,
-          // The panel of now: that of the options may have been replaced.
-          range: () => yRange(this.panel, this.visible, this.window),
-        },
-      },
-      axes: [
-        {
-          ...axisLook,
-          size: panel.crank ? 44 : 30,
-          gap: 4,
-          grid: { show: !panel.crank, stroke: '#e3e6ea', width: 1 },
-          splits: (u, i, low, high) => xTicks(panel, low, high, u.bbox.width / devicePixelRatio / 70).values,
-          filter: (u, list) => list,
-          values: (u, list) => {
-            const { step } = xTicks(panel, ...this.window, u.bbox.width / devicePixelRatio / 70);
-            return list.map((v) => [tickText(v, step), deadCentre(panel, v)].filter(Boolean).join('\n'));
-          },
-        },
-        {
-          ...axisLook,
-          size: 54,
-          gap: 4,
-          grid: { show: true, stroke: '#e3e6ea', width: 1 },
-          splits: (u, i, low, high) => yTicks(panel, low, high, u.bbox.height / devicePixelRatio / 32).values,
-          filter: (u, list) => list,
-          values: (u, list) => {
-            const { step } = yTicks(
-              panel,
-              u.scales.y.min,
-              u.scales.y.max,
-              u.bbox.height / devicePixelRatio / 32,
-            );
-            return list.map((v) => tickText(v, step));
-          },
-        },
-      ],
-      series: [panel.inOrderOfTime ? null : {}, ...panel.series.map((s) => this.seriesOptions(s))],
-      cursor: {
-        y: false,
-        points: { show: !panel.inOrderOfTime, size: 7 },
-        drag: { x: !panel.inOrderOfTime, y: false, setScale: false },
-        ...(this.group
-          ? {
-              sync: {
-                key: this.group.sync.key,
-                scales: ['x', null],
-                setSeries: false,
-                filters: { pub: (type) => type === 'mousemove' || type === 'mouseleave' },
-              },
-            }
-          : {}),
-        bind: {
-          dblclick: () => () => {
-            this.zoomAll(...this.full);
-            return null;
-          },
-        },
-      },
-      hooks: {
-        drawClear: [
-          (u) =>
-            pixels(u, (ctx, box) => {
-              this.drawBehind(ctx, box);
-              this.drawErrors(ctx, box);
-            }),
-        ],
-        draw: [(u) => pixels(u, (ctx, box) => this.drawOver(ctx, box))],
-        setCursor: [(u) => this.cursorMoved(u)],
-        setSelect: [(u) => this.selected(u)],
-      },
-    };
+  draw() {
+    const { panel, host } = this;
+    const width = host.clientWidth || 320;
+    const box = { x: 0, y: 0, width, height: kHeight };
+    const { shapes, plot, x, y } = linePanel(panel, box, this.visible, this.window);
+    Object.assign(this, { plot, x, y, shown: this.shownSeries() });
+    this.over.style.cssText =
+      `left:${plot.left}px;top:${plot.top}px;` +
+      `width:${plot.right - plot.left}px;height:${plot.bottom - plot.top}px`;
+    host.replaceChildren(svgElement(svgDocument({ shapes, height: kHeight }, width)), this.over);
+    this.point(this.at ?? null);
   }
 
-  seriesOptions(s) {
-    // A point rounded to whole pixels would make a straight line waver.
-    const look = {
-      stroke: caseColour(s.caseIndex),
-      width: 1.8,
-      pxAlign: 0,
-      dash: partDash(s.part),
-      show: this.visible(s),
-    };
-    if (this.panel.inOrderOfTime) {
-      return {
-        ...look,
-        facets: [
-          { scale: 'x', auto: true },
-          { scale: 'y', auto: true },
-        ],
-        paths: (u, i) => this.drawInOrder(u, i),
-      };
-    }
-    if (s.part === 'measured')
-      return {
-        ...look,
-        stroke: '#000',
-        width: 0,
-        paths: () => null,
-        points: { show: true, size: 4.5, width: 1, stroke: '#000', fill: '#fff' },
-      };
-    // Drawn over all lines, with the marks.
-    if (s.part === 'points') return { ...look, paths: () => null, points: { show: false } };
-    return { ...look, points: { show: false } };
+  shownSeries() {
+    return this.panel.series.map((s) => this.visible(s)).join();
   }
 
-  /** The errors about the curves, light and behind everything that is drawn. */
-  drawErrors(ctx, box) {
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(box.left, box.top, box.width, box.height);
-    ctx.clip();
-    ctx.globalAlpha = kBandOpacity;
-    for (const s of this.panel.series.filter(this.visible)) {
-      ctx.fillStyle = caseColour(s.caseIndex);
-      for (const outline of bandOutlines(s)) {
-        ctx.beginPath();
-        for (const [x, y] of outline) ctx.lineTo(box.x(x), box.y(y));
-        ctx.fill();
-      }
-    }
-    ctx.restore();
+  /** Draws anew after `visible` has changed its mind. */
+  refresh() {
+    if (this.shownSeries() !== this.shown) this.draw();
   }
 
-  /** Stroke bands, dead centres, the peak of the pressure. */
-  drawBehind(ctx, box) {
-    const { panel } = this;
-    if (!panel.crank) return;
-    const [from, to] = this.window;
-    ctx.font = kSmallFont;
-    const widest = Math.max(...kStrokeBands.map((band) => ctx.measureText(band.name).width));
-    ctx.font = sansFont(Math.min(11, Math.max(8, (11 * (box.x(180) - box.x(0) - 4)) / widest)));
-    ctx.textAlign = 'center';
-    ctx.textBaseline = 'alphabetic';
-    kStrokeBands.forEach((band, i) => {
-      const [a, b] = [Math.max(band.from, from), Math.min(band.to, to)];
-      if (b <= a) return;
-      if (i % 2 === 1) {
-        ctx.fillStyle = '#f4f6f8';
-        ctx.fillRect(box.x(a), box.top, box.x(b) - box.x(a), box.height);
-      }
-      const room = box.x(b) - box.x(a);
-      ctx.fillStyle = kFaint;
-      if (room > ctx.measureText(band.name).width + 3)
-        ctx.fillText(band.name, (box.x(a) + box.x(b)) / 2, box.top - 7);
-    });
-    for (const bar of spanBars(panel, this.window, this.visible)) {
-      ctx.fillStyle = caseColour(bar.caseIndex);
-      ctx.fillRect(
-        box.x(bar.from),
-        box.top + bar.top,
-        Math.max(1, box.x(bar.to) - box.x(bar.from)),
-        kSpanHeight,
-      );
-    }
-    for (const centre of kDeadCentres) {
-      if (centre.at > from && centre.at < to)
-        line(
-          ctx,
-          box.x(centre.at),
-          box.top + box.height,
-          box.x(centre.at),
-          box.top - (centre.at === 0 ? 5 : 0),
-          '#aab1bb',
-        );
-    }
-    for (const peak of panel.peaks ?? []) {
-      if (peak.at >= from && peak.at <= to)
-        line(
-          ctx,
-          box.x(peak.at),
-          box.top + box.height,
-          box.x(peak.at),
-          box.top - 3,
-          caseColour(peak.caseIndex),
-          [3, 3],
-        );
-    }
-    const [first] = panel.peaks ?? [];
-    const roomForPeak = (box.x(180) - box.x(0)) / 2 - (box.x(first?.at ?? 0) - box.x(0)) > kRoomForPeak;
-    if (first && first.at >= from && first.at <= to && roomForPeak) {
-      ctx.textAlign = 'left';
-      ctx.fillStyle = kFaint;
-      ctx.fillText(kPeakLabel, box.x(first.at) + 3, box.top - 7);
-    }
+  /** Value of x at a distance from the left edge of the plot. */
+  valueAt(left) {
+    const [low, high] = this.window;
+    const share = left / (this.plot.right - this.plot.left);
+    return this.panel.xScale === 'log' ? low * (high / low) ** share : low + share * (high - low);
   }
 
-  /** Zero line, limits, the marks of each case. */
-  drawOver(ctx, box) {
-    const { panel, plot } = this;
-    const { min: bottom, max: top } = plot?.scales.y ?? {};
-    if (bottom === undefined) return;
-    if (panel.zeroLine && bottom < 0 && top > 0)
-      line(ctx, box.left, box.y(0), box.left + box.width, box.y(0), kInk);
-    ctx.setLineDash([]);
-    const count = panel.series.filter((s) => s.caseIndex !== null).length;
-    for (const s of panel.series.filter(this.visible)) {
-      for (const k of markIndices(s, ...this.window, count, panel.xScale)) {
-        const outline = new Path2D(markPath(caseMark(s.caseIndex), box.x(s.x[k]), box.y(s.y[k]), 3.4));
-        ctx.fillStyle = '#fff';
-        ctx.fill(outline);
-        ctx.lineWidth = 1.4;
-        ctx.strokeStyle = caseColour(s.caseIndex);
-        ctx.stroke(outline);
-      }
-    }
-    ctx.font = kSmallFont;
-    for (const mark of markPlaces(
-      panel.xMarks ?? [],
-      box.x,
-      (label) => ctx.measureText(label).width,
-      box.left,
-      box.left + box.width,
-    )) {
-      line(ctx, mark.line, box.top, mark.line, box.top + box.height, kFaint, [4, 3]);
-      rimmed(ctx, mark.label, mark.left, box.top + 11 + 13 * mark.row);
-    }
-    for (const mark of panel.yMarks ?? []) {
-      if (mark.at < bottom || mark.at > top) continue;
-      line(ctx, box.left, box.y(mark.at), box.left + box.width, box.y(mark.at), kFaint, [2, 3]);
-      ctx.font = kSmallFont;
-      const place = freePlace(panel, this.visible, mark.at, ctx.measureText(mark.label).width, box);
-      rimmed(ctx, mark.label, place.x, place.y);
-    }
-    if (this.marked) this.drawMarked(ctx, box);
-  }
-
-  /** A curve whose x does not only grow: drawn in the order of its points, with arrows. */
-  drawInOrder(u, i) {
-    const s = this.panel.series[i - 1];
-    pixels(u, (ctx, box) => {
-      const points = s.x.map((v, k) => (v === null || s.y[k] === null ? null : [box.x(v), box.y(s.y[k])]));
-      ctx.beginPath();
-      ctx.rect(box.left, box.top, box.width, box.height);
-      ctx.clip();
-      ctx.strokeStyle = ctx.fillStyle = caseColour(s.caseIndex);
-      ctx.lineWidth = 1.8;
-      ctx.lineJoin = 'round';
-      ctx.beginPath();
-      let pen = false;
-      for (const p of points) {
-        if (p) ctx[pen ? 'lineTo' : 'moveTo'](...p);
-        pen = p !== null;
-      }
-      ctx.stroke();
-      for (const head of arrowHeads(points, 6)) ctx.fill(new Path2D(arrowPath(head, 6)));
-    });
-    return null;
-  }
-
-  /** In a chart in the order of time the read-out belongs to the nearest point, not to an x value. */
-  drawMarked(ctx, box) {
-    for (const { s, k } of this.marked) {
-      ctx.beginPath();
-      ctx.arc(box.x(s.x[k]), box.y(s.y[k]), 4.5, 0, 2 * Math.PI);
-      ctx.fillStyle = caseColour(s.caseIndex);
-      ctx.fill();
-    }
-  }
-
-  cursorMoved(u) {
-    const { left, top } = u.cursor;
-    if (left === undefined || left < 0) {
-      if (this.marked) {
-        this.marked = null;
-        u.redraw(false, false);
-      }
-      return this.readOut(null);
-    }
-    if (!this.panel.inOrderOfTime) {
-      const at = u.posToVal(left, 'x');
-      this.group?.moved(at);
-      return this.readOut(at);
-    }
-    let best = null;
+  /** In the order of time the angle of the point nearest to the pointer, elsewhere the value of x under it. */
+  target({ left, top }) {
+    if (!this.panel.inOrderOfTime) return this.valueAt(left);
+    let best = { distance: Infinity, angle: null };
     for (const s of this.panel.series.filter(this.visible)) {
       s.x.forEach((v, k) => {
         if (v === null || s.y[k] === null) return;
-        const distance = Math.hypot(u.valToPos(v, 'x') - left, u.valToPos(s.y[k], 'y') - top);
-        if (!best || distance < best.distance) best = { distance, angle: s.angle[k] };
+        const distance = Math.hypot(this.x(v) - this.plot.left - left, this.y(s.y[k]) - this.plot.top - top);
+        if (distance < best.distance) best = { distance, angle: s.angle[k] };
       });
     }
-    if (!best) return undefined;
-    // The same instant in every case, for a comparison.
-    this.marked = this.panel.series
-      .filter(this.visible)
-      .map((s) => ({ s, k: s.angle.indexOf(best.angle) }))
-      .filter(({ s, k }) => k >= 0 && s.x[k] !== null);
-    u.redraw(false, false);
-    return this.readOut(best.angle);
+    return best.angle;
   }
 
-  selected(u) {
-    const { left, width } = u.select;
-    if (width < 4) return;
-    const [low, high] = [u.posToVal(left, 'x'), u.posToVal(left + width, 'x')];
-    u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-    this.zoomAll(low, high);
+  /** Puts the cursor at an x value, in the order of time at an angle; away where the window does not show it. */
+  point(at) {
+    const { panel, plot, window } = this;
+    const isShown = at !== null && (panel.inOrderOfTime || (at >= window[0] && at <= window[1]));
+    this.at = isShown ? at : null;
+    this.over.classList.toggle('pointed', isShown);
+    if (!isShown) {
+      this.readOut(null);
+      return;
+    }
+    if (!panel.inOrderOfTime) this.line.style.transform = `translateX(${this.x(at) - plot.left}px)`;
+    const places = panel.series.map((s) => nearest(s, at));
+    panel.series.forEach((s, i) => {
+      const k = places[i];
+      const [left, top] = k < 0 ? [NaN, NaN] : [this.x(s.x[k]) - plot.left, this.y(s.y[k]) - plot.top];
+      const isInside = left >= -1 && left <= plot.right - plot.left + 1 && Number.isFinite(top);
+      const { style } = this.dots[i];
+      style.display = isInside && this.visible(s) ? '' : 'none';
+      style.transform = `translate(${left}px, ${top}px)`;
+    });
+    this.readOut(places);
+  }
+
+  move(at) {
+    if (this.group) this.group.moved(at);
+    else this.point(at);
   }
 
   zoomAll(low, high) {
@@ -442,44 +156,49 @@ export class Chart {
 
   zoom(low, high) {
     this.window = [Math.max(low, this.full[0]), Math.min(high, this.full[1])];
-    this.plot.setScale('x', { min: this.window[0], max: this.window[1] });
+    this.draw();
   }
 
-  /** Puts the cursor at an x value; away where the window does not show it. */
-  point(at) {
-    const { plot } = this;
-    const isShown = at >= this.window[0] && at <= this.window[1];
-    const away = { left: -10, top: -10 };
-    plot.setCursor(isShown ? { left: plot.valToPos(at, 'x'), top: 0 } : away, true, false);
-  }
-
-  /** Shows and hides series after `visible` has changed its mind. */
-  refresh() {
-    this.panel.series.forEach((s, i) => {
-      if (this.plot.series[i + 1].show !== this.visible(s))
-        this.plot.setSeries(i + 1, { show: this.visible(s) });
-    });
-  }
-
-  /** New numbers for the same series. */
-  replace(panel) {
-    this.panel = panel;
-    this.plot.setData(this.data());
-  }
-
-  fit() {
-    const width = this.host.clientWidth;
-    if (width > 0 && width !== this.plot.width) this.plot.setSize({ width, height: this.height });
-  }
-
-  /** A finger moves the cursor sideways; the page still scrolls up and down. */
-  listenToTouch() {
-    const { over } = this.plot;
-    over.style.touchAction = 'pan-y';
-    over.addEventListener('pointermove', (event) => {
-      if (event.pointerType !== 'touch') return;
+  /** A mouse moves the cursor and drags a zoom; a finger moves the cursor sideways, and the page up and down. */
+  listen() {
+    const { over, selection } = this;
+    let from = null;
+    const placeOf = (event) => {
       const box = over.getBoundingClientRect();
-      this.plot.setCursor({ left: event.clientX - box.left, top: event.clientY - box.top }, true, true);
+      const within = (v, most) => Math.min(most, Math.max(0, v));
+      return {
+        left: within(event.clientX - box.left, box.width),
+        top: within(event.clientY - box.top, box.height),
+      };
+    };
+    over.addEventListener('pointermove', (event) => {
+      const place = placeOf(event);
+      if (from !== null) {
+        selection.style.left = `${Math.min(from, place.left)}px`;
+        selection.style.width = `${Math.abs(place.left - from)}px`;
+      }
+      this.move(this.target(place));
     });
+    over.addEventListener('pointerleave', (event) => {
+      if (event.pointerType !== 'touch') this.move(null);
+    });
+    over.addEventListener('pointerdown', (event) => {
+      if (event.pointerType === 'touch' || event.button !== 0 || this.panel.inOrderOfTime) return;
+      over.setPointerCapture(event.pointerId);
+      from = placeOf(event).left;
+      event.preventDefault();
+    });
+    over.addEventListener('pointerup', (event) => {
+      if (from === null) return;
+      const ends = [from, placeOf(event).left].sort((a, b) => a - b);
+      from = null;
+      selection.style.width = '0';
+      if (ends[1] - ends[0] >= kShortestDrag) this.zoomAll(...ends.map((left) => this.valueAt(left)));
+    });
+    over.addEventListener('pointercancel', () => {
+      from = null;
+      selection.style.width = '0';
+    });
+    over.addEventListener('dblclick', () => this.zoomAll(...this.full));
   }
 }

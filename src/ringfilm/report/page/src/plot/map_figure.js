@@ -1,16 +1,14 @@
 // A height map as plain SVG: the picture in true proportions, axes, colour bar, scale bar, framed regions.
 import { heightColour, kMissingColour } from './colour_map.js';
+import { element } from '../dom.js';
+import { numbersAcross, numbersUp, titleAcross } from './plot_frame.js';
 import { axisTitle } from './scales.js';
 import { colourBar, numbersBelow, numbersBeside } from './svg_colour_bar.js';
-import { kFaint, kInk, px, rule, scaler, text } from './svg_shapes.js';
+import { clipped, kFaint, kInk, kLetter, px, rectangle, scaler, text } from './svg_shapes.js';
 import { kMissing, unpacked } from './packed.js';
-import { number, ticks, tickText, typesetUnit, withUnit } from '../units.js';
+import { number, ticks, typesetUnit, withUnit } from '../units.js';
 
-/** Numbers the parts that one drawing refers to: a page has two drawings of one map. */
-let drawn = 0;
 const kTallest = 560;
-/** A letter is at most about so wide: a drawing cannot measure its text [pixel]. */
-const kLetter = 6.4;
 
 /** The unit in which lengths of this size are read, from `from` of it on: { unit, size in m }. */
 export function lengthUnit(metres, from) {
@@ -21,7 +19,7 @@ export function lengthUnit(metres, from) {
   return units.find(({ size }) => metres >= from * size) ?? { unit: 'nm', size: 1e-9 };
 }
 
-export class MapFigure {
+class MapFigure {
   constructor(map) {
     Object.assign(this, map, { unit: typesetUnit(map.unit) });
     this.width = map.points_x * map.step_x;
@@ -60,7 +58,7 @@ export class MapFigure {
   }
 
   /** Where everything is in a drawing of that width, true proportions. */
-  layout(width, top) {
+  layout(width) {
     const kLeft = 58;
     const kBarRoom = 104;
     const beside = width >= 560;
@@ -68,8 +66,8 @@ export class MapFigure {
     let h = (w * this.height) / this.width;
     if (h > kTallest) [w, h] = [(w * kTallest) / h, kTallest];
     const tall = h >= 130;
-    const plot = { left: kLeft, top: top + 22, width: w, height: h };
-    const below = plot.top + h + 46;
+    const plot = { left: kLeft, right: kLeft + w, top: 22, bottom: 22 + h, width: w, height: h };
+    const below = plot.bottom + 46;
     const scaleBarInside = h >= 70;
     const lastRow = scaleBarInside ? (this.missing_points > 0 ? 24 : 0) : 40;
     return {
@@ -81,46 +79,21 @@ export class MapFigure {
     };
   }
 
-  svg({ width = 760, heading = true, subtitle = '' } = {}) {
-    const out = [];
-    let top = 0;
-    if (heading) {
-      out.push(text(8, 20, this.title, { size: 16, weight: 600 }));
-      top = 26;
-      if (subtitle) out.push(text(8, 39, subtitle, { fill: kFaint }));
-      if (subtitle) top = 46;
-    }
-    const layout = this.layout(width, top);
+  draw(width) {
+    const layout = this.layout(width);
     const { plot } = layout;
-    const clip = `map-clip-${drawn++}`;
-    out.push(
-      `<clipPath id="${clip}"><rect x="${px(plot.left)}" y="${px(plot.top)}" ` +
-        `width="${px(plot.width)}" height="${px(plot.height)}"/></clipPath>`,
-      `<g clip-path="url(#${clip})">`,
-      this.picture(plot),
-      ...this.frameShapes(plot),
-      '</g>',
-      ...this.axes(plot),
-    );
-    if (layout.scaleBarInside)
-      out.push(...this.scaleBar(plot, plot.left + plot.width - 10, plot.top + plot.height - 12, true));
-    out.push(...(layout.barBeside ? this.barBeside(plot) : this.barBelow(plot, layout.below)));
     const last = layout.bottom - 10;
-    if (this.missing_points > 0) {
-      out.push(
-        `<rect x="${px(plot.left)}" y="${px(last - 10)}" width="14" height="12" ` +
-          `fill="${kMissingColour}" stroke="${kFaint}"/>`,
-        text(plot.left + 20, last, 'not measured'),
-      );
-    }
-    if (!layout.scaleBarInside) out.push(...this.scaleBar(plot, plot.left + plot.width, last, false));
-    const height = layout.bottom + 4;
-    return (
-      `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${px(height)}" viewBox="0 ` +
-      `0 ${width} ${px(height)}" font-family="'Segoe UI', 'Helvetica Neue', Arial, 'Liberation ` +
-      `Sans', sans-serif">` +
-      `<rect width="100%" height="100%" fill="#fff"/>${out.join('')}</svg>`
-    );
+    const isGrey = this.missing_points > 0;
+    const shapes = [
+      ...clipped(plot, [this.picture(plot), ...this.frameShapes(plot)]),
+      ...this.axes(plot),
+      ...(layout.scaleBarInside ? this.scaleBar(plot, plot.right - 10, plot.bottom - 12, true) : []),
+      ...(layout.barBeside ? this.barBeside(plot) : this.barBelow(plot, layout.below)),
+      isGrey ? rectangle(plot.left, last - 10, 14, 12, `fill="${kMissingColour}" stroke="${kFaint}"`) : '',
+      isGrey ? text(plot.left + 20, last, 'not measured') : '',
+      ...(layout.scaleBarInside ? [] : this.scaleBar(plot, plot.right, last, false)),
+    ];
+    return { shapes, height: layout.bottom + 4 };
   }
 
   picture(plot) {
@@ -136,48 +109,30 @@ export class MapFigure {
   frameShapes(plot) {
     const [sx, sy] = [plot.width / this.width, plot.height / this.height];
     return this.frames.flatMap((frame) => {
-      const box =
-        `x="${px(plot.left + frame.x * sx)}" y="${px(plot.top + frame.y * sy)}" ` +
-        `width="${px(frame.width * sx)}" height="${px(frame.height * sy)}" fill="none"`;
+      const [left, top] = [plot.left + frame.x * sx, plot.top + frame.y * sy];
+      const framed = (look) =>
+        rectangle(left, top, frame.width * sx, frame.height * sy, `fill="none" ${look}`);
       return [
-        `<rect class="frame" ${box} stroke="#fff" stroke-width="3.5" ` +
-          `stroke-opacity="0.85"/><rect ${box} stroke="#000" stroke-width="1.3"/>`,
-        text(plot.left + frame.x * sx + 4, plot.top + frame.y * sy + 13, frame.label, {
-          size: 12,
-          weight: 600,
-          fill: '#000',
-          halo: '#fff',
-        }),
+        framed('class="frame" stroke="#fff" stroke-width="3.5" stroke-opacity="0.85"'),
+        framed('stroke="#000" stroke-width="1.3"'),
+        text(left + 4, top + 13, frame.label, { weight: 600, fill: '#000', halo: '#fff' }),
       ];
     });
   }
 
   axes(plot) {
     const { unit, size } = this.lengths;
-    const [right, low] = [plot.left + plot.width, plot.top + plot.height];
-    const x = scaler(false, 0, this.width / size, plot.left, right);
-    const y = scaler(false, 0, this.height / size, plot.top, low);
-    const out = [
-      `<rect x="${px(plot.left)}" y="${px(plot.top)}" width="${px(plot.width)}" ` +
-        `height="${px(plot.height)}" fill="none" stroke="${kInk}"/>`,
-    ];
-    const across = ticks(0, this.width / size, Math.max(2, plot.width / 70));
-    for (const v of across.values)
-      out.push(
-        rule(x(v), low, x(v), low + 5, kInk),
-        text(x(v), low + 18, tickText(v, across.step), { anchor: 'middle' }),
-      );
+    const x = scaler(false, 0, this.width / size, plot.left, plot.right);
+    const y = scaler(false, 0, this.height / size, plot.top, plot.bottom);
+    const across = { label: 'x', unit };
     const up = ticks(0, this.height / size, plot.height / 40);
-    for (const v of up.values)
-      out.push(
-        rule(plot.left - 5, y(v), plot.left, y(v), kInk),
-        text(plot.left - 8, y(v) + 4, tickText(v, up.step), { anchor: 'end' }),
-      );
-    out.push(
-      text(plot.left + plot.width / 2, low + 35, axisTitle('x', unit), { anchor: 'middle', fill: kFaint }),
-    );
-    out.push(text(4, plot.top - 8, axisTitle('y', unit), { fill: kFaint }));
-    return out;
+    return [
+      rectangle(plot.left, plot.top, plot.width, plot.height, `fill="none" stroke="${kInk}"`),
+      ...numbersAcross(ticks(0, this.width / size, Math.max(2, plot.width / 70)), across, x, plot.bottom),
+      ...numbersUp(up, y, plot.left),
+      titleAcross(across, plot.left + plot.width / 2, plot.bottom),
+      text(4, plot.top - 8, axisTitle('y', unit), { fill: kFaint }),
+    ];
   }
 
   /** A bar of 1, 2 or 5 times a power of ten, at most a quarter of the width, that ends at x. */
@@ -189,17 +144,10 @@ export class MapFigure {
     const label = `${String(Number(length.toPrecision(1)))}\u202f${unit}`;
     const w = (length * size * plot.width) / this.width;
     const wide = Math.max(w, kLetter * label.length) + 12;
-    const out = onPicture
-      ? [
-          `<rect x="${px(x - wide)}" y="${px(y - 22)}" width="${px(wide)}" height="30" ` +
-            'fill="#fff" fill-opacity="0.88"/>',
-        ]
-      : [];
     const middle = x - wide / 2;
     return [
-      ...out,
-      `<rect class="scale-bar" x="${px(middle - w / 2)}" y="${px(y - 1)}" width="${px(w)}" ` +
-        'height="4" fill="#000"/>',
+      onPicture ? rectangle(x - wide, y - 22, wide, 30, 'fill="#fff" fill-opacity="0.88"') : '',
+      rectangle(middle - w / 2, y - 1, w, 4, 'class="scale-bar" fill="#000"'),
       text(middle, y - 7, label, { anchor: 'middle', fill: '#000', weight: 600 }),
     ];
   }
@@ -238,7 +186,7 @@ export class MapFigure {
 
   /** What lies under a place in pixels of a drawing of that width; null outside the picture. */
   at(x, y, width) {
-    const { plot } = this.layout(width, 0);
+    const { plot } = this.layout(width);
     const [a, b] = [(x - plot.left) / plot.width, (y - plot.top) / plot.height];
     if (a < 0 || a >= 1 || b < 0 || b >= 1) return null;
     const value = this.value(
@@ -249,7 +197,8 @@ export class MapFigure {
     const place =
       `x ${withUnit((a * this.width) / size, unit, 3)}, y ` +
       `${withUnit((b * this.height) / size, unit, 3)}`;
-    return { place, value: value === null ? 'not measured' : withUnit(value, this.unit, 4) };
+    const words = value === null ? 'not measured' : withUnit(value, this.unit, 4);
+    return [`${place}: `, element('b', {}, words)];
   }
 
   description() {
@@ -275,4 +224,18 @@ export class MapFigure {
     ];
     return sentences.filter(Boolean).join(' ');
   }
+}
+
+/** A height map as a figure of the page. */
+export function mapFigure(map) {
+  const drawn = new MapFigure(map);
+  return {
+    id: map.name,
+    title: map.title,
+    host: 'map',
+    draw: (width) => drawn.draw(width),
+    at: (x, y, width) => drawn.at(x, y, width),
+    caption: () => [map.caption, drawn.description()].filter(Boolean).join(' '),
+    spoken: `${map.title}: ${drawn.description()}`,
+  };
 }

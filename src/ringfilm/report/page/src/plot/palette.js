@@ -28,19 +28,18 @@ export function isOneOfSeveral(index) {
 export const kBandOpacity = 0.22;
 
 const kPartDash = {
-  total: [],
-  boundary: [9, 4],
-  viscous: [2, 3],
-  measured: [],
-  across: [9, 4],
-  sliding: [2, 3],
+  boundary: '9 4',
+  viscous: '2 3',
+  across: '9 4',
+  sliding: '2 3',
 };
 
+/** Dashes of the line of a part, '' for a full line. */
 export function partDash(part) {
-  return kPartDash[part] ?? [];
+  return kPartDash[part] ?? '';
 }
 
-/** Outline of a mark of radius r around (x, y), as SVG path data; Path2D reads the same text. */
+/** Outline of a mark of radius r around (x, y) as SVG path data. */
 export function markPath(shape, x, y, r) {
   const at = (dx, dy) => `${(x + dx).toFixed(2)} ${(y + dy).toFixed(2)}`;
   switch (shape) {

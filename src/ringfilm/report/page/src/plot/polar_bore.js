@@ -1,6 +1,5 @@
 // A ring in its bore in polar coordinates, deviations from a circle enlarged.
-import { line } from './plot_frame.js';
-import { kFaint, kInk, px, rule, text } from './svg_shapes.js';
+import { area, kFaint, kInk, line, px, rule, text } from './svg_shapes.js';
 import { number } from '../units.js';
 
 const kBore = '#8a93a0';
@@ -22,8 +21,6 @@ export function key(entries, left, top) {
     text(left + 76 * n + 23, top, words, { size: 11 }),
   ]);
 }
-
-const path = (points) => points.map(([x, y], n) => `${n ? 'L' : 'M'}${px(x)} ${px(y)}`).join('');
 
 /** The parts of a line at which something holds. */
 function parts(points, holds) {
@@ -57,11 +54,10 @@ export function polarBore({ turns, bore, clearance, isApart, apart, most, gap },
   };
   const boreLine = turns.map((turn, j) => at(turn, radius + scale * bore[j]));
   const ringLine = turns.map((turn, j) => at(turn, radius + scale * (bore[j] - clearance[j])));
-  const between = `${path(boreLine)}${path([...ringLine].reverse()).replace('M', 'L')}Z`;
   const shapes = [
     `<circle cx="${px(centre.x)}" cy="${px(centre.y)}" r="${px(radius)}" fill="none" stroke="#d5d9df" ` +
       `stroke-dasharray="4 4"/>`,
-    `<path d="${between}" fill="#f6d9c8" stroke="none"/>`,
+    area([...boreLine, ...[...ringLine].reverse()], '#f6d9c8', 1),
     line([...boreLine, boreLine[0]], kBore, { width: 1.6 }), // it continues across the gap of the ring
     line(ringLine, kRing, { width: 2.2 }),
     ...parts(ringLine, isApart).map((part) => line(part, kApart, { width: 4 })),

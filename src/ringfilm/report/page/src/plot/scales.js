@@ -26,23 +26,20 @@ export function deadCentre(panel, at) {
   return (panel.crank && kDeadCentres.find((centre) => centre.at === at)?.name) || '';
 }
 
-function extent(lists) {
-  let low = Infinity;
-  let high = -Infinity;
-  for (const list of lists) {
-    for (const v of list) {
-      if (v !== null && Number.isFinite(v)) {
-        if (v < low) low = v;
-        if (v > high) high = v;
-      }
-    }
+/** Lowest and highest of the numbers among `values`; null without one. */
+export function extent(values) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const v of values) {
+    if (v === null || v === undefined || !Number.isFinite(v)) continue;
+    if (v < low) low = v;
+    if (v > high) high = v;
   }
   return low <= high ? [low, high] : null;
 }
 
 export function xRange(panel) {
   if (panel.xRange) return panel.xRange;
-  const found = extent(panel.series.map((s) => s.x)) ?? [0, 1];
+  const found = extent(panel.series.flatMap((s) => s.x)) ?? [0, 1];
   return panel.xScale === 'log' ? [found[0] / 1.15, found[1] * 1.15] : found;
 }
 
@@ -67,16 +64,13 @@ export function logarithmic(figure) {
 /** Range of y over the visible series within the x window, with some air. */
 export function yRange(panel, visible, [low, high]) {
   if (panel.yRange) return panel.yRange;
-  const lists = panel.series
-    .filter(visible)
-    .flatMap((s) =>
-      [s.y, ...(s.bands ?? []).flatMap(({ low: under, high: over }) => [under, over])].map((list) => [
-        s,
-        list,
-      ]),
-    )
-    .map(([s, list]) => list.filter((_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high)));
-  const found = extent(lists);
+  const found = extent(
+    panel.series.filter(visible).flatMap((s) => {
+      const isInside = (_, k) => s.x[k] === null || (s.x[k] >= low && s.x[k] <= high);
+      const edges = (s.bands ?? []).flatMap(({ low: under, high: over }) => [under, over]);
+      return [s.y, ...edges].flatMap((list) => list.filter(isInside));
+    }),
+  );
   if (!found) return panel.yScale === 'log' ? [0.1, 10] : [0, 1];
   let [bottom, top] = found;
   if (panel.yScale === 'log') return [Math.max(bottom, top / kWidestRatio) / 1.3, top * 1.3];
@@ -92,13 +86,10 @@ export function yRange(panel, visible, [low, high]) {
   ];
 }
 
-export function xTicks(panel, low, high, count) {
-  if (panel.crank) return crankTicks(low, high, count);
-  return panel.xScale === 'log' ? logTicks(low, high) : ticks(low, high, count);
-}
-
-export function yTicks(panel, low, high, count) {
-  return panel.yScale === 'log' ? logTicks(low, high) : ticks(low, high, count);
+/** Ticks of an axis { low, high, log, crank }, about `count` of them. */
+export function axisTicks({ low, high, log, crank }, count) {
+  if (crank) return crankTicks(low, high, count);
+  return log ? logTicks(low, high) : ticks(low, high, count);
 }
 
 /**

@@ -1,10 +1,11 @@
 // The colours of a map beside their numbers.
 import { colourText, kHeightColours } from './colour_map.js';
-import { kInk, px, rule, scaler, text } from './svg_shapes.js';
+import { kInk, newId, px, rectangle, rule, scaler, text } from './svg_shapes.js';
 import { ticks, tickText } from '../units.js';
 
-/** Numbers the gradients: a page has several drawings. */
-let drawn = 0;
+const kEdge = `stroke="${kInk}" stroke-width="0.8"`;
+/** Length of a pointed end [pixel]. */
+const kPoint = 9;
 
 function gradient(id, upright) {
   const stops = kHeightColours
@@ -22,34 +23,24 @@ function gradient(id, upright) {
 
 /** The bar alone; a pointed end where values lie above or below the colours. */
 export function colourBar({ left, top, width, height }, upright, { above = false, below = false } = {}) {
-  const id = `map-colours-${drawn++}`;
-  const kPoint = 9;
-  const [first, last] = [
-    colourText(kHeightColours[0]),
-    colourText(kHeightColours[kHeightColours.length - 1]),
-  ];
-  const out = [
-    gradient(id, upright),
-    `<rect class="colour-bar" x="${px(left)}" y="${px(top)}" width="${px(width)}" ` +
-      `height="${px(height)}" fill="url(#${id})" stroke="${kInk}" stroke-width="0.8"/>`,
-  ];
-  const point = (a, b, c, fill) =>
-    `<path d="M${a.map(px).join(' ')}L${b.map(px).join(' ')}L${c.map(px).join(' ')}Z" ` +
-    `fill="${fill}" stroke="${kInk}" stroke-width="0.8"/>`;
+  const id = newId('map-colours');
   const [right, low] = [left + width, top + height];
-  if (above)
-    out.push(
-      upright
-        ? point([left, top], [right, top], [left + width / 2, top - kPoint], last)
-        : point([right, top], [right, low], [right + kPoint, top + height / 2], last),
-    );
-  if (below)
-    out.push(
-      upright
-        ? point([left, low], [right, low], [left + width / 2, low + kPoint], first)
-        : point([left, top], [left, low], [left - kPoint, top + height / 2], first),
-    );
-  return out;
+  /** A point beyond the end of the bar at `from`, to the side of `sign`. */
+  const point = (from, sign, colour) => {
+    const [a, b] = upright ? [left, right] : [top, low];
+    const corners = [
+      [from, a],
+      [from, b],
+      [from + sign * kPoint, (a + b) / 2],
+    ].map(([along, across]) => (upright ? [across, along] : [along, across]));
+    return `<path d="M${corners.map((c) => c.map(px).join(' ')).join('L')}Z" fill="${colourText(colour)}" ${kEdge}/>`;
+  };
+  return [
+    gradient(id, upright),
+    rectangle(left, top, width, height, `class="colour-bar" fill="url(#${id})" ${kEdge}`),
+    above ? point(upright ? top : right, upright ? -1 : 1, kHeightColours[kHeightColours.length - 1]) : '',
+    below ? point(upright ? low : left, upright ? 1 : -1, kHeightColours[0]) : '',
+  ];
 }
 
 /** Numbers along an upright bar, to its right. */

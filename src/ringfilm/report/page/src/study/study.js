@@ -1,8 +1,9 @@
 // The page of a study: what varied, what came of it, the pictures of its kind, how sure they are.
 import { CycleGroup } from '../plot/chart.js';
-import { DrawingView, picker } from '../measurement/drawing_view.js';
+import { picker } from '../figure/choices.js';
+import { DrawingView } from '../figure/drawing_view.js';
 import { element, startViews } from '../dom.js';
-import { FigureView, Visibility } from '../cycle/figure_view.js';
+import { ChartView, Visibility } from '../figure/chart_view.js';
 import { comparisonFigure } from './study_compare.js';
 import { curveFigures } from './study_curves.js';
 import { effectsFigure, indicesFigure, rankingFigure, sensitivityFigure } from './study_decides.js';
@@ -222,7 +223,7 @@ the study and run it anew.',
           model.curves.scenarios || model.several ? ' A name in a legend hides its curve.' : ''
         }`,
       ),
-      kept(figures.map((figure) => new FigureView(figure, { ...context, visibility, group }))),
+      kept(figures.map((figure) => new ChartView(figure, { ...context, visibility, group }))),
     ];
   };
   const settle = () => {

@@ -1,9 +1,9 @@
 // Bases and choices side by side.
 import { caseColour } from '../plot/palette.js';
-import { airy, fitted, frame, mark } from '../plot/plot_frame.js';
+import { airy, frame } from '../plot/plot_frame.js';
 import { axisTitle } from '../plot/scales.js';
 import { panelGrid } from './study_spread.js';
-import { px, rule, safe, text } from '../plot/svg_shapes.js';
+import { fitted, mark, rule, text, titled } from '../plot/svg_shapes.js';
 import { percent, withUnit } from '../units.js';
 
 const kRow = 22;
@@ -48,31 +48,25 @@ export function comparisonFigure(model) {
     const range = airy(all.flatMap((s) => (s ? [s.middle, ...s.outer] : [])));
     const { plot, x, shapes, edges } = frame(
       box,
-      { ...range, label: '', unit: '' },
+      range,
       { low: 0, high: 1, bare: true, label: q.short_name, unit: q.shown },
       { left: room, bottom: 30 },
     );
     const out = [...shapes];
     all.forEach((s, g) => {
       const at = plot.top + ((plot.bottom - plot.top) * (g + 0.5)) / groups.length;
-      out.push(
-        `<text x="${px(plot.left - 8)}" y="${px(at + 4)}" text-anchor="end" ` +
-          `font-size="12">${safe(fitted(groups[g].name, room - 14, 7))}<title>` +
-          `${safe(groups[g].name)}</title></text>`,
-      );
+      const name = fitted(groups[g].name, room - 14, 7);
+      out.push(`<g>${text(plot.left - 8, at + 4, name, { anchor: 'end' })}${titled(groups[g].name)}</g>`);
       if (!s) {
         out.push(text(plot.left + 6, at + 4, 'not solved', { size: 11 }));
         return;
       }
       const colour = caseColour(colourOf(g));
-      const tooltip = safe(
-        `${groups[g].name}: ` +
-          model.valueText(q, middleOf(model, model.comparison[q.name][g])) +
-          ` (${s.n} scenarios)`,
-      );
+      const middle = model.valueText(q, middleOf(model, model.comparison[q.name][g]));
+      const tooltip = `${groups[g].name}: ${middle} (${s.n} scenarios)`;
       out.push(rule(x(s.outer[0]), at, x(s.outer[1]), at, colour, 1.6));
       if (s.inner) out.push(rule(x(s.inner[0]), at, x(s.inner[1]), at, colour, 7));
-      if (s.middle !== null) out.push(mark(colourOf(g), x(s.middle), at, 4.6, { tooltip, stroke: colour }));
+      if (s.middle !== null) out.push(mark(colourOf(g), [[x(s.middle), at]], 4.6, { tooltip }));
     });
     return [...out, ...edges];
   };

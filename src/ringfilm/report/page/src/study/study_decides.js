@@ -1,8 +1,22 @@
 // Which input decides: indices of Sobol, one-at-a-time sensitivity (tornado), elementary effects of Morris.
 import { caseColour } from '../plot/palette.js';
-import { baseSwatch, extent, fitted, frame, kGrid, kLetter, legend, line, mark } from '../plot/plot_frame.js';
-import { axisTitle } from '../plot/scales.js';
-import { kFaint, kInk, px, rule, safe, scaler, text } from '../plot/svg_shapes.js';
+import { frame } from '../plot/plot_frame.js';
+import { axisTitle, extent } from '../plot/scales.js';
+import {
+  fitted,
+  kFaint,
+  kGrid,
+  kInk,
+  kLetter,
+  legend,
+  line,
+  mark,
+  rectangle,
+  rule,
+  scaler,
+  text,
+} from '../plot/svg_shapes.js';
+import { baseEntries } from './study_spread.js';
 import { number, percent, ticks, tickText, withUnit } from '../units.js';
 
 const kBar = 10;
@@ -40,15 +54,29 @@ function lyingRows(rows, axis, width, top) {
   return { shapes: out, bottom: bottom + 44 };
 }
 
-const solid = (x, y) => `<rect x="${x + 2}" y="${y - 5}" width="24" height="9" fill="${kInk}"/>`;
-const light = (x, y) =>
-  `<rect x="${x + 2}" y="${y - 5}" width="24" height="9" fill="${kInk}" fill-opacity="0.3" stroke="${kInk}"/>`;
+const kSolid = (colour) => `fill="${colour}"`;
+const kLight = (colour) => `fill="${colour}" fill-opacity="0.3" stroke="${colour}" stroke-width="0.8"`;
+const sample = (look) => (x, y) => rectangle(x + 2, y - 5, 24, 9, look(kInk));
 
-function baseEntries(model) {
-  return model.several
-    ? model.bases.map((b) => ({ label: fitted(b.name, 300), swatch: baseSwatch(b.index) }))
-    : [];
+/** Names of the bases and of the two looks of the bars, above rows of lying bars. */
+function namedRows(model, light, solid, rows, axis, width) {
+  const named = legend([...baseEntries(model), light, solid], width);
+  const drawn = lyingRows(rows, axis, width, named.height + 6);
+  return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
 }
+
+/** A bar from zero to a value. */
+const lyingBar = (x, value, y, height, look, words = '') =>
+  rectangle(Math.min(x(0), x(value)), y, Math.max(0.8, Math.abs(x(value) - x(0))), height, look, words);
+
+/** A confidence interval across a bar. */
+const interval = (low, high, y) => [
+  rule(low, y + kBar / 2, high, y + kBar / 2, kInk, 1.2),
+  ...[low, high].map((end) => rule(end, y + 1, end, y + kBar - 1, kInk, 1.2)),
+];
+
+/** Share of the base in front of what is said on it, where there are several. */
+const ofBase = (model, b) => (model.several ? `${model.bases[b].name} ` : '');
 
 export function indicesFigure(model, chosen) {
   const all = () => model.indices[chosen.value] ?? [];
@@ -61,15 +89,6 @@ export function indicesFigure(model, chosen) {
     title: 'Which input decides: shares in the variance',
     half: true,
     draw(width) {
-      const named = legend(
-        [
-          ...baseEntries(model),
-          { label: 'alone (first index)', swatch: solid },
-          { label: 'with interactions (total)', swatch: light },
-        ],
-        width,
-        0,
-      );
       const ends = extent(
         all().flatMap((found) => (found ? [...found.first, ...found.total].filter(Boolean).flat() : [])),
       ) ?? [0, 1];
@@ -87,30 +106,29 @@ export function indicesFigure(model, chosen) {
           all()
             .map((found, b) => ({ found, b }))
             .filter(({ found }) => found?.total[g])
-            .flatMap(({ found, b }, place) => {
-              return ['first', 'total'].flatMap((which, i) => {
+            .flatMap(({ found, b }, place) =>
+              ['first', 'total'].flatMap((which, i) => {
                 const [value, low, high] = found[which][g];
                 const y = top + (2 * place + i) * kBar;
-                const [from, to] = [Math.min(x(0), x(value)), Math.max(x(0), x(value))];
                 const inside = (v) => x(Math.min(axis.high, Math.max(axis.low, v)));
+                const words =
+                  `${model.bases[b].name}, ${name}: ${which} index ${number(value, 2)} ` +
+                  `(${number(low, 2)} to ${number(high, 2)})`;
                 return [
-                  `<rect x="${px(from)}" y="${px(y)}" width="${px(Math.max(0.6, to - from))}" height="${kBar - 2}" \
-fill="${caseColour(b)}" ${
-                    i
-                      ? `fill-opacity="0.3" stroke="${caseColour(b)}" \
-stroke-width="0.8"`
-                      : ''
-                  }><title>${safe(`${model.bases[b].name}, ${name}: ${i ? 'total' : 'first'} index \
-${number(value, 2)} (${number(low, 2)} to ${number(high, 2)})`)}</title></rect>`,
-                  rule(inside(low), y + kBar / 2 - 1, inside(high), y + kBar / 2 - 1, kInk, 1.2),
-                  rule(inside(low), y + 1, inside(low), y + kBar - 3, kInk, 1.2),
-                  rule(inside(high), y + 1, inside(high), y + kBar - 3, kInk, 1.2),
+                  lyingBar(x, value, y, kBar - 2, (i ? kLight : kSolid)(caseColour(b)), words),
+                  ...interval(inside(low), inside(high), y - 1),
                 ];
-              });
-            }),
+              }),
+            ),
       }));
-      const drawn = lyingRows(rows, axis, width, named.height + 6);
-      return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
+      return namedRows(
+        model,
+        { label: 'alone (first index)', swatch: sample(kSolid) },
+        { label: 'with interactions (total)', swatch: sample(kLight) },
+        rows,
+        axis,
+        width,
+      );
     },
     caption() {
       const q = model.quantity.get(chosen.value);
@@ -174,15 +192,6 @@ export function sensitivityFigure(model, chosen) {
     title: 'Which input moves it how far',
     half: true,
     draw(width) {
-      const named = legend(
-        [
-          ...baseEntries(model),
-          { label: 'factor low', swatch: light },
-          { label: 'factor high', swatch: solid },
-        ],
-        width,
-        0,
-      );
       const found = extent(order().flatMap(({ ends }) => ends.filter(Boolean).flat())) ?? [-1, 1];
       const air = 0.12 * (Math.max(0, found[1]) - Math.min(0, found[0]) || 1);
       const axis = {
@@ -201,20 +210,21 @@ export function sensitivityFigure(model, chosen) {
             .filter(({ pair }) => pair)
             .flatMap(({ pair, b }, place) => {
               const y = top + place * (kBar + 3);
-              const bar = (v, high) =>
-                `<rect x="${px(Math.min(x(0), x(v)))}" \
-y="${px(y + (Math.sign(pair[0]) === Math.sign(pair[1]) && high ? 3 : 0))}" \
-width="${px(Math.max(0.8, Math.abs(x(v) - x(0))))}" \
-height="${Math.sign(pair[0]) === Math.sign(pair[1]) && high ? kBar - 6 : kBar}" fill="${caseColour(b)}" \
-${
-  high
-    ? ''
-    : `fill-opacity="0.3" stroke="${caseColour(b)}" \
-stroke-width="0.8"`
-}><title>${safe(`${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: \
-${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
-              const [least, most] = [Math.min(...pair, 0), Math.max(...pair, 0)];
+              const isOneSided = Math.sign(pair[0]) === Math.sign(pair[1]);
               const label = (v) => (relative() ? percent(v / 100) : number(v, 3));
+              const bar = (v, high) => {
+                const words = relative() ? percent(v / 100) : withUnit(v, q().shown);
+                const within = high && isOneSided ? 3 : 0;
+                return lyingBar(
+                  x,
+                  v,
+                  y + within,
+                  kBar - 2 * within,
+                  (high ? kSolid : kLight)(caseColour(b)),
+                  `${model.bases[b].name}, ${f.name} ${high ? 'high' : 'low'}: ${words}`,
+                );
+              };
+              const [least, most] = [Math.min(...pair, 0), Math.max(...pair, 0)];
               return [
                 bar(pair[0], false),
                 bar(pair[1], true),
@@ -225,8 +235,14 @@ ${relative() ? percent(v / 100) : withUnit(v, q().shown)}`)}</title></rect>`;
               ];
             }),
       }));
-      const drawn = lyingRows(rows, axis, width, named.height + 6);
-      return { shapes: [...named.shapes, ...drawn.shapes], height: drawn.bottom };
+      return namedRows(
+        model,
+        { label: 'factor low', swatch: sample(kLight) },
+        { label: 'factor high', swatch: sample(kSolid) },
+        rows,
+        axis,
+        width,
+      );
     },
     caption: () =>
       model.has_sample
@@ -237,17 +253,13 @@ highest third (solid)${
 and the highest (last) of them,'
               : ','
           } against the median of all (${all()
-            .map(
-              (s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`,
-            )
+            .map((s, b) => `${ofBase(model, b)}${model.valueText(q(), s.middle)}`)
             .join(
               ', ',
             )}); all other factors vary as they do. Of correlated factors it holds what comes with them.`
         : `${q().short_name} with each factor alone at its lowest value (light) and at its highest (solid), against \
 the scenario that moves none (${all()
-            .map(
-              (s, b) => `${model.several ? `${model.bases[b].name} ` : ''}${model.valueText(q(), s.middle)}`,
-            )
+            .map((s, b) => `${ofBase(model, b)}${model.valueText(q(), s.middle)}`)
             .join(', ')}); a distribution at its quantiles of 5 % and 95 %.`,
     columns: () => [
       { title: 'factor', values: model.factors.map((f) => f.name) },
@@ -337,12 +349,11 @@ export function effectsFigure(model, chosen) {
             caseColour(chosen.base),
             1.2,
           ),
-          mark(chosen.base, x(e.mean_absolute), at, 4.2, {
+          mark(chosen.base, [[x(e.mean_absolute), at]], 4.2, {
             fill: caseColour(chosen.base),
-            tooltip: safe(
-              `${e.factor.name}: µ* ${withUnit(e.mean_absolute, q().shown)} ± ${number(e.half_width, 2)}, σ \
-${number(e.deviation)}`,
-            ),
+            tooltip:
+              `${e.factor.name}: µ* ${withUnit(e.mean_absolute, q().shown)} ± ${number(e.half_width, 2)}, ` +
+              `σ ${number(e.deviation)}`,
           }),
         );
       }
@@ -391,7 +402,6 @@ export function rankingFigure(model, chosen) {
         label: 'µ*: mean size of the effect',
         unit: q().shown,
       };
-      const colour = caseColour(chosen.base);
       const rows = effects.map((e) => ({
         name: `${e.rank}  ${e.factor.name}`,
         bars: 1,
@@ -401,11 +411,8 @@ export function rankingFigure(model, chosen) {
             x(e.mean_absolute + e.half_width),
           ];
           return [
-            `<rect x="${px(x(0))}" y="${px(y)}" width="${px(Math.max(0.8, x(e.mean_absolute) - x(0)))}" \
-height="${kBar}" fill="${colour}"/>`,
-            rule(low, y + kBar / 2, high, y + kBar / 2, kInk, 1.3),
-            rule(low, y + 1, low, y + kBar - 1, kInk, 1.3),
-            rule(high, y + 1, high, y + kBar - 1, kInk, 1.3),
+            lyingBar(x, e.mean_absolute, y, kBar, kSolid(caseColour(chosen.base))),
+            ...interval(low, high, y),
             text(
               high + 5,
               y + 9,

@@ -1,14 +1,27 @@
 // Maps over two factors of a grid, and curves where only one factor is a number.
+import { element } from '../dom.js';
 import { colourText, heightColour } from '../plot/colour_map.js';
 import { contourLines, filledBands, labelPlace } from '../plot/contour.js';
 import { caseColour } from '../plot/palette.js';
-import { airy, extent, fitted, frame, kLetter, legend, line, mark } from '../plot/plot_frame.js';
-import { axisTitle } from '../plot/scales.js';
+import { airy, frame } from '../plot/plot_frame.js';
+import { axisTitle, extent } from '../plot/scales.js';
 import { shortWithUnit } from './study_model.js';
-import { kFaint, kInk, px, rule, safe, text } from '../plot/svg_shapes.js';
+import {
+  fitted,
+  hatching,
+  kFaint,
+  kInk,
+  kLetter,
+  legend,
+  line,
+  mark,
+  px,
+  rectangle,
+  rule,
+  text,
+} from '../plot/svg_shapes.js';
 import { number, ticks, tickText, withUnit } from '../units.js';
 
-let drawn = 0;
 const kLevels = 13;
 /** Place among the colours of a map that has one only. */
 const kFlat = 0.6;
@@ -121,15 +134,12 @@ export function mapFigure(model, q, choice) {
     draw(width) {
       const { across, up, height, plot, x, y, shapes, edges } = geometry(width);
       const [xs, ys] = [across.levels.map(x), up.levels.map(y)];
-      const id = drawn++;
+      const [wide, tall] = [plot.right - plot.left, plot.bottom - plot.top];
+      const { id, pattern } = hatching(8, 2, kFaint);
       const out = [
-        `<pattern id="hatch-${id}" width="8" height="8" patternUnits="userSpaceOnUse" ` +
-          'patternTransform="rotate(45)"><rect width="8" height="8" fill="#fff"/><line x1="0" ' +
-          `y1="0" x2="0" y2="8" stroke="${kFaint}" stroke-width="2"/></pattern>`,
+        pattern,
         ...shapes,
-        `<rect class="unsolved" x="${px(plot.left)}" y="${px(plot.top)}" ` +
-          `width="${px(plot.right - plot.left)}" height="${px(plot.bottom - plot.top)}" ` +
-          `fill="url(#hatch-${id})"/>`,
+        rectangle(plot.left, plot.top, wide, tall, `class="unsolved" fill="url(#${id})"`),
       ];
       filledBands(xs, ys, value, levels).forEach((polygons, band) => {
         if (polygons.length === 0) return;
@@ -191,11 +201,8 @@ export function mapFigure(model, q, choice) {
       const [from, to] = [plot.left, plot.right];
       const w = (to - from) / (levels.length + 1);
       const most = Math.ceil((levels.length * 52) / Math.max(1, to - from));
-      const bar = Array.from(
-        { length: levels.length + 1 },
-        (_, k) =>
-          `<rect x="${px(from + k * w)}" y="${px(barTop)}" width="${px(w)}" height="12" ` +
-          `fill="${colour(k)}" stroke="${kInk}" stroke-width="0.6"/>`,
+      const bar = Array.from({ length: levels.length + 1 }, (_, k) =>
+        rectangle(from + k * w, barTop, w, 12, `fill="${colour(k)}" stroke="${kInk}" stroke-width="0.6"`),
       );
       levels.forEach((level, k) => {
         if (k % most === 0)
@@ -284,7 +291,8 @@ export function mapFigure(model, q, choice) {
             4,
           )
         : 'not solved';
-      return { place: `${across.label} ${between(across, a)}, ${up.label} ${between(up, b)}`, value: found };
+      const place = `${across.label} ${between(across, a)}, ${up.label} ${between(up, b)}`;
+      return [`${place}: `, element('b', {}, found)];
     },
   };
 }
@@ -357,11 +365,10 @@ export function gridCurvesFigure(model, q) {
           ? shown.map((c) => ({
               label: fitted(c.label, width - 60),
               swatch: (x, y) =>
-                rule(x, y, x + 28, y, caseColour(c.look), 2, c.dash) + mark(c.look, x + 14, y, 3.4),
+                rule(x, y, x + 28, y, caseColour(c.look), 2, c.dash) + mark(c.look, [[x + 14, y]], 3.4),
             }))
           : [],
         width,
-        0,
       );
       const height = 300;
       const { axis } = shown[0];
@@ -383,10 +390,8 @@ export function gridCurvesFigure(model, q) {
           line(points, caseColour(c.look), { dash: c.dash }),
           ...points.map((p, k) =>
             p
-              ? mark(c.look, p[0], p[1], 3.2, {
-                  tooltip: safe(
-                    `${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`,
-                  ),
+              ? mark(c.look, [p], 3.2, {
+                  tooltip: `${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`,
                 })
               : '',
           ),

@@ -1,8 +1,9 @@
 // How the values of a sample are spread, and how certain their statistics are by the number of points.
 import { caseColour, kBandOpacity } from '../plot/palette.js';
-import { airy, area, baseSwatch, extent, fitted, frame, legend, line } from '../plot/plot_frame.js';
-import { axisTitle } from '../plot/scales.js';
-import { kInk, px, rule, safe } from '../plot/svg_shapes.js';
+import { swatch } from '../plot/line_panel.js';
+import { airy, frame } from '../plot/plot_frame.js';
+import { axisTitle, extent } from '../plot/scales.js';
+import { area, dot, fitted, kInk, legend, line, rule, titled } from '../plot/svg_shapes.js';
 import { short } from './study_model.js';
 import { number, percent } from '../units.js';
 
@@ -19,17 +20,14 @@ export function panelGrid(count, roomFor, height, top, width = roomFor) {
   };
 }
 
-const baseLegend = (model, width, more = []) =>
-  legend(
-    [
-      ...(model.several
-        ? model.bases.map((b) => ({ label: fitted(b.name, 300), swatch: baseSwatch(b.index) }))
-        : []),
-      ...more,
-    ],
-    width,
-    0,
-  );
+/** The names of the bases for a legend, where there are several. */
+export function baseEntries(model) {
+  if (!model.several) return [];
+  return model.bases.map((b) => ({
+    label: fitted(b.name, 300),
+    swatch: (x, y) => swatch({ caseIndex: b.index, bars: true }, x, y),
+  }));
+}
 
 export function histogramFigure(model) {
   const shown = model.mainValues.filter((q) => model.histograms[q.name]?.edges.length > 1);
@@ -69,17 +67,12 @@ export function histogramFigure(model) {
         Math.min(plot.right, Math.max(plot.left, x(q.convert(v)))),
       );
       const at = plot.top - 4 - boxRow * (model.bases.length - b - 0.5);
+      const [fifth, median, last] = [0, 2, 4].map((i) => model.valueText(q, s.quantiles[i][0]));
       out.push(
-        '<g><title>' +
-          safe(
-            `${model.bases[b].name}: 5 % ${model.valueText(q, s.quantiles[0][0])}, median ` +
-              `${model.valueText(q, s.quantiles[2][0])}, 95 % ` +
-              `${model.valueText(q, s.quantiles[4][0])}`,
-          ) +
-          '</title>',
+        `<g>${titled(`${model.bases[b].name}: 5 % ${fifth}, median ${median}, 95 % ${last}`)}`,
         rule(low, at, high, at, caseColour(b), 3),
-        `<circle cx="${px(middle)}" cy="${px(at)}" r="4" fill="#fff" stroke="${caseColour(b)}" ` +
-          'stroke-width="2"/></g>',
+        dot(middle, at, 4, `fill="#fff" stroke="${caseColour(b)}" stroke-width="2"`),
+        '</g>',
       );
     });
     return [...out, ...lines];
@@ -91,7 +84,7 @@ export function histogramFigure(model) {
     id: 'histograms',
     title: 'How the values of the cycle are spread',
     draw(width) {
-      const named = baseLegend(model, width);
+      const named = legend(baseEntries(model), width);
       const grid = panelGrid(shown.length, width, kHeight, named.height + 4);
       return {
         shapes: [...named.shapes, ...shown.flatMap((q, i) => panel(q, grid.at(i)))],
@@ -189,13 +182,14 @@ export function convergenceFigure(model, chosen) {
         (t, k) =>
           t &&
           out.push(
-            `<circle cx="${px(x(c.n[k]))}" cy="${px(clipped(y(t[0])))}" r="2.4" ` +
-              `fill="${caseColour(c.b)}"><title>` +
-              safe(
-                `${model.bases[c.b].name}, ${c.n[k]} points: ${c.label} ${number(t[0])} ` +
-                  `(${number(t[1])} to ${number(t[2])})`,
-              ) +
-              '</title></circle>',
+            dot(
+              x(c.n[k]),
+              clipped(y(t[0])),
+              2.4,
+              `fill="${caseColour(c.b)}"`,
+              `${model.bases[c.b].name}, ${c.n[k]} points: ${c.label} ${number(t[0])} ` +
+                `(${number(t[1])} to ${number(t[2])})`,
+            ),
           ),
       );
     }
@@ -209,7 +203,7 @@ export function convergenceFigure(model, chosen) {
         label: shareText(share),
         swatch: (x, y) => rule(x, y, x + 28, y, kInk, 2, dashes[i]),
       }));
-      const named = baseLegend(model, width, lines);
+      const named = legend([...baseEntries(model), ...lines], width);
       const grid = panelGrid(2, Math.min(width, 959), kConvergenceHeight, named.height + 4);
       const wide = grid.columns === 2 ? width / 2 : width;
       return {
@@ -248,15 +242,15 @@ export function convergenceFigure(model, chosen) {
       found().flatMap((c, b) => {
         if (!c) return [];
         const q = of();
-        const titled = (words, triples) =>
+        const columnsOf = (words, triples) =>
           ['', ', low', ', high'].map((end, i) => ({
             title: axisTitle(`${model.bases[b].name}: ${words} of ${q.short_name}${end}`, q.shown),
             values: triples.map((t) => (t ? q.convert(t[i]) : null)),
           }));
         return [
           { title: `${model.bases[b].name}: points`, values: c.n },
-          ...titled('mean', c.mean),
-          ...c.quantiles.flatMap((triples, i) => titled(`${100 * model.converging_shares[i]} %`, triples)),
+          ...columnsOf('mean', c.mean),
+          ...c.quantiles.flatMap((triples, i) => columnsOf(`${100 * model.converging_shares[i]} %`, triples)),
         ];
       }),
   };

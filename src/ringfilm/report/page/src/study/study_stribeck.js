@@ -1,7 +1,8 @@
 // One point a scenario: friction coefficient against Stribeck number, by its share of boundary friction.
-import { caseMark, markPath } from '../plot/palette.js';
-import { airy, extent, frame, legend, mark } from '../plot/plot_frame.js';
-import { kInk, px, safe } from '../plot/svg_shapes.js';
+import { caseMark } from '../plot/palette.js';
+import { airy, frame } from '../plot/plot_frame.js';
+import { extent } from '../plot/scales.js';
+import { dot, kInk, legend, mark } from '../plot/svg_shapes.js';
 import { number, percent } from '../units.js';
 
 /** Steps of the share of boundary friction in the friction power, in per cent. */
@@ -39,19 +40,18 @@ export function stribeckFigure(model) {
       const bases = model.several
         ? model.bases.map((b) => ({
             label: b.name,
-            swatch: (x, y) => mark(b.index, x + 14, y, 4.4, { stroke: kInk }),
+            swatch: (x, y) => mark(b.index, [[x + 14, y]], 4.4, { stroke: kInk }),
           }))
         : [];
       const named = legend(
         [
           ...there.map((r) => ({
             label: `boundary friction ${r.name} of the power`,
-            swatch: (x, y) => `<circle cx="${px(x + 14)}" cy="${px(y)}" r="5" fill="${r.colour}"/>`,
+            swatch: (x, y) => dot(x + 14, y, 5, `fill="${r.colour}"`),
           })),
           ...bases,
         ],
         width,
-        0,
       );
       const height = Math.min(460, Math.max(320, 0.5 * width));
       const { x, y, shapes, edges } = frame(
@@ -74,17 +74,16 @@ export function stribeckFigure(model) {
         },
       );
       const r = all.length > 500 ? 2.6 : 4;
-      const points = all.map(
-        (p) =>
-          `<path d="${markPath(model.several ? caseMark(p.base) : 'circle', x(p.x), y(p.y), r)}" ` +
-          `fill="${step(p).colour}" fill-opacity="0.75" ` +
-          `stroke="${caseMark(p.base) === 'cross' && model.several ? step(p).colour : '#fff'}" ` +
-          'stroke-width="0.5"><title>' +
-          safe(
+      const points = all.map((p) =>
+        mark(model.several ? p.base : null, [[x(p.x), y(p.y)]], r, {
+          fill: step(p).colour,
+          opacity: 0.75,
+          stroke: model.several && caseMark(p.base) === 'cross' ? step(p).colour : '#fff',
+          width: 0.5,
+          tooltip:
             `scenario ${p.scenario}, ${model.bases[p.base].name}: S ${number(p.x, 3)}, µ ` +
-              `${number(p.y, 3)}, λ ${number(p.film, 3)}, boundary friction ${number(p.boundary, 3)} % of the power`,
-          ) +
-          '</title></path>',
+            `${number(p.y, 3)}, λ ${number(p.film, 3)}, boundary friction ${number(p.boundary, 3)} % of the power`,
+        }),
       );
       return { shapes: [...named.shapes, ...shapes, ...points, ...edges], height: named.height + height };
     },
