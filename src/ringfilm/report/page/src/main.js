@@ -34,7 +34,7 @@ import { PackModel } from './pack/pack_model.js';
 import { packSentences, packView, ringTable } from './pack/pack_view.js';
 import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
 import { axisTitle } from './plot/scales.js';
-import { display } from './units.js';
+import { converted, display } from './units.js';
 import { Unrolled } from './cycle/unrolled.js';
 
 const kRanges = [
@@ -117,7 +117,7 @@ function unrolledCases(model) {
       name: c.name,
       data: new Unrolled(c.unrolled, { fields, strips }),
       peakAngle: c.values.peak_gas_pressure_angle,
-      face: Math.max(0, ...c.fields.x) * 1e3,
+      face: converted(Math.max(0, ...c.fields.x), 'mm'),
     }));
 }
 

@@ -1,122 +1,71 @@
 // From SI to the units in which engineers read, and numbers as text.
 
-/** Size of each display unit in SI, exact. */
-const kSizeInSi = {
-  1: 1,
-  '%': 0.01,
-  degree: 1,
-  deg: 1,
-  m: 1,
-  mm: 1e-3,
-  um: 1e-6,
-  nm: 1e-9,
-  m2: 1,
-  mm2: 1e-6,
-  um2: 1e-12,
-  'um mm': 1e-9,
-  m3: 1,
-  'm3/s': 1,
-  cm3: 1e-6,
-  'l/min': 1e-3 / 60,
-  'um-2': 1e12,
-  'm-2': 1,
-  'mm-2': 1e6,
-  Pa: 1,
-  kPa: 1e3,
-  MPa: 1e6,
-  GPa: 1e9,
-  bar: 1e5,
-  N: 1,
-  kN: 1e3,
-  'N/m': 1,
-  'N/mm': 1e3,
-  'kN/m': 1e3,
-  kg: 1,
-  mg: 1e-6,
-  W: 1,
-  kW: 1e3,
-  mW: 1e-3,
-  J: 1,
-  mJ: 1e-3,
-  kJ: 1e3,
-  'J/m': 1,
-  'J/mm': 1e3,
-  'mJ/mm': 1,
-  'kg/s': 1,
-  'g/s': 1e-3,
-  'mg/s': 1e-6,
-  'kg/(m s)': 1,
-  'g/(m s)': 1e-3,
-  'kg/m3': 1,
-  'm/s': 1,
-  s: 1,
-  'rad/s': 1,
-  rpm: Math.PI / 30,
-  'Pa s': 1,
-  'Pa.s': 1,
-  'mPa s': 1e-3,
-  'mPa.s': 1e-3,
-  cP: 1e-3,
-  'm2/s': 1,
-  'mm2/s': 1e-6,
-  cSt: 1e-6,
-  '1/Pa': 1,
-  'Pa-1': 1,
-  '1/GPa': 1e-9,
-  'GPa-1': 1e-9,
-  '1/MPa': 1e-6,
+/** Sizes in SI of the symbols of which units are made, and of the prefixes before them. */
+const kSymbols = {
+  ...{ 1: 1, '%': 0.01, m: 1, s: 1, min: 60, l: 1e-3, g: 1e-3, K: 1, N: 1, J: 1, W: 1, Pa: 1, bar: 1e5 },
+  ...{ rad: 1, rpm: Math.PI / 30, degree: 1, deg: 1, P: 0.1, St: 1e-4 },
 };
+const kPrefixes = { n: 1e-9, u: 1e-6, m: 1e-3, c: 1e-2, k: 1e3, M: 1e6, G: 1e9 };
 
+/** Size of one symbol with its power: of "um-2" 1e12. */
+function symbolSize(text) {
+  const [, symbol, power = '1'] = /^(1|%|[A-Za-z]+)(-?\d+)?$/.exec(text) ?? [];
+  const size = kSymbols[symbol] ?? kPrefixes[symbol?.[0]] * kSymbols[symbol?.slice(1)];
+  return size ** Number(power);
+}
+
+/** Size in SI of a unit such as "kg/(m s)"; NaN where it is not known. */
+function sizeInSi(unit) {
+  const product = (text) =>
+    text
+      .replace(/[()]/g, '')
+      .split(/[ .]/)
+      .reduce((size, symbol) => size * symbolSize(symbol), 1);
+  const [above, ...below] = unit.split('/');
+  return below.reduce((size, text) => size / product(text), product(above));
+}
+
+/** A value in SI, or a list of them, in another unit; null stays null. */
+export function converted(value, unit) {
+  const size = sizeInSi(unit);
+  const one = (v) => (v === null || v === undefined ? null : v / size);
+  return Array.isArray(value) ? value.map(one) : one(value);
+}
+
+/** Units that are printed otherwise than by the rules of typesetUnit(). */
 const kShownUnit = {
   1: '',
   degree: '°',
   deg: '°',
-  um: 'µm',
-  um2: 'µm²',
-  'um mm': 'µm mm',
-  'um-2': 'µm⁻²',
-  'm-2': 'm⁻²',
-  'mm-2': 'mm⁻²',
-  m2: 'm²',
-  mm2: 'mm²',
-  m3: 'm³',
-  cm3: 'cm³',
+  degC: '°C',
   'mPa.s': 'mPa s',
   'Pa.s': 'Pa s',
-  'kg/m3': 'kg/m³',
-  'm2/s': 'm²/s',
-  'mm2/s': 'mm²/s',
   'Pa-1': '1/Pa',
   'GPa-1': '1/GPa',
-  degC: '°C',
 };
 
-/** The unit as an axis shows it; '' for a plain number. */
-export function shownUnit(unit) {
-  return unit in kShownUnit ? kShownUnit[unit] : unit;
-}
-
-/** Any unit in the spelling of the program: "um3" is µm³, "nN V-1" is nN V⁻¹. */
+/** A unit in the spelling of the program as it is printed: "um3" is µm³, "nN V-1" is nN V⁻¹; '' of a plain number. */
 export function typesetUnit(unit) {
   if (unit in kShownUnit) return kShownUnit[unit];
-  const raised = (power) => [...power].map((c) => kSuperscript[c]).join('');
   return unit
     .replace(/\bu(?=[A-Za-z])/g, 'µ')
-    .replace(/(?<=[A-Za-z])-?\d+/g, raised)
+    .replace(/(?<=[A-Za-z])-?\d+/g, superscript)
     .replace(/\./g, '\u202f');
 }
 
 /** How to show a quantity: { unit, convert }. Without a known display unit in SI. */
-export function display(quantity) {
-  const { unit, display_unit: shown } = quantity;
-  if (unit === 'K' && shown === 'degC')
-    return { unit: '°C', convert: (v) => (v === null ? null : v - 273.15) };
-  if (unit === 'rad' && shown === 'degree')
-    return { unit: '°', convert: (v) => (v === null ? null : (v * 180) / Math.PI) };
-  const size = kSizeInSi[shown];
-  if (!shown || size === undefined) return { unit: shownUnit(unit), convert: (v) => v };
-  // Dividing by 1e-6 and multiplying by 1e6 differ in the last bit; the reader sees four digits.
-  return { unit: shownUnit(shown), convert: (v) => (v === null ? null : v / size) };
+export function display({ unit, display_unit: shown }) {
+  const kept = (convert) => (v) => (v === null ? null : convert(v));
+  if (unit === 'K' && shown === 'degC') return { unit: '°C', convert: kept((v) => v - 273.15) };
+  if (unit === 'rad' && shown === 'degree') return { unit: '°', convert: kept(degrees) };
+  const size = shown ? sizeInSi(shown) : NaN;
+  if (Number.isNaN(size)) return { unit: typesetUnit(unit), convert: (v) => v };
+  return { unit: typesetUnit(shown), convert: kept((v) => v / size) };
+}
+
+/** An angle in radian in degree. */
+export function degrees(radian) {
+  return (radian * 180) / Math.PI;
 }
 
 const kSuperscript = {
@@ -133,6 +82,8 @@ const kSuperscript = {
   9: '⁹',
 };
 
+const superscript = (text) => [...String(text)].map((c) => kSuperscript[c]).join('');
+
 /**
  * Four significant digits, powers of ten outside 0.001..100000, a true minus sign, an en dash where there is
  * no number.
@@ -144,8 +95,7 @@ export function number(value, digits = 4) {
   let text;
   if (size < 1e-3 || size >= 1e6) {
     const [mantissa, exponent] = value.toExponential(digits - 1).split('e');
-    const power = [...String(Number(exponent))].map((c) => kSuperscript[c]).join('');
-    text = `${mantissa}\u202f·\u202f10${power}`;
+    text = `${mantissa}\u202f·\u202f10${superscript(Number(exponent))}`;
   } else if (size >= 10 ** digits) {
     text = value.toFixed(0);
   } else {
@@ -231,10 +181,8 @@ export function withErrorAndPower(value, error, unit, digits = 4) {
   if (!(error > 0) || !(size > 0) || (size >= 1e-3 && size < 1e6))
     return withError(value, error, unit, digits);
   const exponent = Math.floor(Math.log10(size));
-  const power = [...String(exponent)].map((c) => kSuperscript[c]).join('');
-  return (
-    `(${withError(value / 10 ** exponent, error / 10 ** exponent, unit, digits)})\u202f·\u202f10` + `${power}`
-  );
+  const size10 = 10 ** exponent;
+  return `(${withError(value / size10, error / size10, unit, digits)})\u202f·\u202f10${superscript(exponent)}`;
 }
 
 /** A stated value in the digits it was stated with, at most four. */
@@ -364,8 +312,7 @@ const kTypeset = [
 export function typeset(text) {
   const powers = text.replace(
     /(?<![\w.])(\d+(?:\.\d+)?)e\+?(-?)0*(\d+)\b/g,
-    (_, mantissa, sign, digits) =>
-      `${mantissa}\u202f·\u202f10${[...(sign + digits)].map((c) => kSuperscript[c]).join('')}`,
+    (_, mantissa, sign, digits) => `${mantissa}\u202f·\u202f10${superscript(sign + digits)}`,
   );
   return kTypeset.reduce((out, [plainUnit, printed]) => out.replace(plainUnit, printed), powers);
 }

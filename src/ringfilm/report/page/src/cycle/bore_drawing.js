@@ -11,6 +11,7 @@ const kThickness = '#a04fa0';
 const kEnds = 0.04;
 const kPanel = 178;
 const kFullTurn = 2 * Math.PI;
+const kMicrometresPerMillimetre = 1000;
 /** Half of what the page may have lost by rounding. */
 const kIsLifted = 0.5;
 
@@ -29,7 +30,7 @@ function largestDeviation(data) {
 
 /** By how much the drawing enlarges deviations over the bore itself. */
 export function enlargement(data) {
-  const boreRadius = (data.circumference * 1e3) / kFullTurn; // [um]
+  const boreRadius = (kMicrometresPerMillimetre * data.circumference) / kFullTurn; // [um]
   return (kShown * boreRadius) / largestDeviation(data);
 }
 

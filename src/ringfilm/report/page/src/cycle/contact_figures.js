@@ -1,17 +1,16 @@
 // Figures of the contact law: pressure, real area and flow factors against the separation.
 
-const kMicrometres = 1e6;
-const kMegapascals = 1e-6;
-/** Below it nothing is drawn [Pa]. */
-const kLeastPressure = 1e5;
+import { converted } from '../units.js';
 
-function separations(c) {
-  return c.contact.separation.map((h) => h * kMicrometres);
-}
+/** Below it nothing is drawn [MPa]. */
+const kLeastPressure = 0.1;
+
+const separations = (c) => converted(c.contact.separation, 'um');
 
 /** A pressure on a logarithmic axis, or a gap. */
-function shown(p) {
-  return p !== null && p >= kLeastPressure ? p * kMegapascals : null;
+function shown(pressure) {
+  const p = converted(pressure, 'MPa');
+  return p !== null && p >= kLeastPressure ? p : null;
 }
 
 /** One standard deviation about a law to both sides, as charts draw it; none where it is not known. */
@@ -20,7 +19,7 @@ function bands(law) {
     law.pressure.map((p, k) =>
       shown(p) === null || law.log_deviation[k] === null
         ? null
-        : Math.max(shown(p) * Math.exp(sign * law.log_deviation[k]), kLeastPressure * kMegapascals),
+        : Math.max(shown(p) * Math.exp(sign * law.log_deviation[k]), kLeastPressure),
     );
   return law.log_deviation.some((d) => d !== null) ? { bands: [{ low: edge(-1), high: edge(1) }] } : {};
 }

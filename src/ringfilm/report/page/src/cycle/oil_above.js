@@ -1,5 +1,5 @@
 // The oil that a ring leaves on the liner above it.
-import { number } from '../units.js';
+import { converted, withUnit } from '../units.js';
 
 const mean = (list) => list.reduce((sum, v) => sum + v, 0) / list.length;
 
@@ -10,7 +10,7 @@ const mean = (list) => list.reduce((sum, v) => sum + v, 0) / list.length;
 export function oilAbove(c) {
   const { film_behind_power: power, film_behind_intake: intake } = c.stroke;
   if (!c.complete || !(power?.length > 0) || !(intake?.length > 0)) return null;
-  return { film: (1e6 * (mean(power) + mean(intake))) / 2 };
+  return { film: converted((mean(power) + mean(intake)) / 2, 'um') };
 }
 
 /** Less oil is not distinguished [mg]. */
@@ -18,6 +18,6 @@ const kLeastMass = 1e-3;
 
 /** A mass of oil in mg as text. @param kilograms null where it is not known */
 export function massText(kilograms) {
-  if (kilograms > 0 && kilograms * 1e6 < kLeastMass) return `below ${kLeastMass}\u00a0mg`;
-  return kilograms === null || kilograms === undefined ? '–' : `${number(kilograms * 1e6, 3)}\u00a0mg`;
+  const mass = converted(kilograms, 'mg');
+  return mass > 0 && mass < kLeastMass ? `below ${kLeastMass}\u00a0mg` : withUnit(mass, 'mg', 3);
 }

@@ -1,5 +1,5 @@
 // The figures that are not drawn over crank angle.
-import { angle as shownAngle, display, nearestAngle, number, wrapped } from '../units.js';
+import { angle as shownAngle, converted, display, nearestAngle, number, wrapped } from '../units.js';
 import { ofEachCycle, valueWithUnit } from './cycle_figures.js';
 
 const kStribeckWindow = 90;
@@ -62,8 +62,8 @@ export function faceFigure(model) {
       caseIndex: c.series,
       part: null,
       label: c.name,
-      x: c.fields.x.map((v) => v * 1e3),
-      y: c.fields.face_height.map((v) => v * 1e6),
+      x: converted(c.fields.x, 'mm'),
+      y: converted(c.fields.face_height, 'um'),
     }));
   if (series.length === 0) return null;
   const edge = (s) =>
@@ -109,8 +109,8 @@ export function linerFilmFigure(model) {
     caseIndex: c.series,
     part,
     label: `${model.cases.length > 1 ? `${c.name}, ` : ''}${where} the ring`,
-    x: c.stroke.liner_position.map((v) => v * 1e3),
-    y: c.stroke[`film_${where === 'behind' ? 'behind' : 'ahead'}_${stroke}`].map((v) => v * 1e6),
+    x: converted(c.stroke.liner_position, 'mm'),
+    y: converted(c.stroke[`film_${where === 'behind' ? 'behind' : 'ahead'}_${stroke}`], 'um'),
   });
   const panel = ([stroke, words]) => {
     const series = cases.flatMap((c) => [
@@ -146,7 +146,7 @@ export function wearFigure(model) {
       caseIndex: c.series,
       part: null,
       label: c.name,
-      x: c.stroke.liner_position.map((v) => v * 1e3),
+      x: converted(c.stroke.liner_position, 'mm'),
       y: [...c.stroke.archard_wear_load_density],
     }));
   if (series.length === 0) return null;
@@ -242,17 +242,17 @@ export function fieldFigure(model, angle) {
     return k >= 0 && Math.abs(wrapped(c.fields.crank_angle[k] - angle)) < 1e-6 ? k : -1;
   };
   const shown = model.cases.map((c) => [c, near(c)]).filter(([, k]) => k >= 0);
-  const series = (name, size, part = null) =>
+  const series = (name, unit, part = null) =>
     shown
       .filter(([c]) => c.fields[name].length > 0)
       .map(([c, k]) => ({
         caseIndex: c.series,
         part,
         label: c.name,
-        x: c.fields.x.map((v) => v * 1e3),
-        y: c.fields[name][k].map((v) => (v === null ? null : v / size)),
+        x: converted(c.fields.x, 'mm'),
+        y: converted(c.fields[name][k], unit),
       }));
-  const widest = Math.max(...shown.map(([c]) => c.fields.x[c.fields.x.length - 1] * 1e3));
+  const widest = Math.max(...shown.map(([c]) => converted(c.fields.x[c.fields.x.length - 1], 'mm')));
   const common = { xLabel: 'distance from the chamber edge', xUnit: 'mm', xRange: [0, widest] };
   return {
     id: 'along-the-face',
@@ -265,7 +265,7 @@ export function fieldFigure(model, angle) {
         fromZero: true,
         yLabel: 'film pressure',
         yUnit: 'bar',
-        series: series('film_pressure', 1e5),
+        series: series('film_pressure', 'bar'),
       },
       {
         ...common,
@@ -273,7 +273,7 @@ export function fieldFigure(model, angle) {
         yScale: 'log',
         yLabel: 'film thickness',
         yUnit: 'µm',
-        series: series('film_thickness', 1e-6),
+        series: series('film_thickness', 'um'),
       },
       {
         ...common,
@@ -281,7 +281,7 @@ export function fieldFigure(model, angle) {
         fromZero: true,
         yLabel: 'asperity pressure',
         yUnit: 'bar',
-        series: series('asperity_pressure', 1e5, 'boundary'),
+        series: series('asperity_pressure', 'bar', 'boundary'),
       },
       // Where the film is full everywhere at every angle, the picture would show nothing.
       shown.some(([c]) => c.fields.film_content.some((list) => list.some((v) => v !== null && v < 1))) && {
@@ -290,7 +290,7 @@ export function fieldFigure(model, angle) {
         yRange: [0, 1.05],
         yLabel: 'liquid share of the gap',
         yUnit: '',
-        series: series('film_content', 1),
+        series: series('film_content', '1'),
       },
     ].filter((panel) => panel && panel.series.length > 0),
     caption:

@@ -3,7 +3,7 @@
 import { element, svgElement } from '../dom.js';
 import { caseColour } from '../plot/palette.js';
 import { area, kFaint, kInk, line, px, rectangle, rule, svgDocument, text } from '../plot/svg_shapes.js';
-import { angleInWords, nearestAngle, number, wrapped } from '../units.js';
+import { angleInWords, converted, nearestAngle, number, wrapped } from '../units.js';
 
 const kWidth = 470;
 const kHeight = 300;
@@ -64,7 +64,7 @@ export function exaggeration(state) {
   return kWidestGap / Math.max(...state.gap) / along;
 }
 
-const bar = (pressure) => `${number(pressure / 1e5, 3)}\u00a0bar`;
+const bar = (pressure) => `${number(converted(pressure, 'bar'), 3)}\u00a0bar`;
 
 const box = (x, y, width, height, fill) => rectangle(x, y, width, height, `fill="${fill}"`);
 
@@ -153,15 +153,20 @@ function labels(state, y) {
     text(ring, middle - 4, `gas ${bar(behind)}`, { size: 11 }),
     state.tension === null ? '' : text(ring, middle + 11, `tension ${bar(state.tension)}`, { size: 11 }),
     rule(kLiner + 40, 52, kLiner + 1, y(state.x[thinnest]), kInk, 0.8),
-    text(kLiner + 12, 46, `film ${number(state.film * 1e6, 3)} µm`, { weight: 600 }),
+    text(kLiner + 12, 46, `film ${number(converted(state.film, 'um'), 3)} µm`, { weight: 600 }),
     rule(kWidth - 26, kFace.top, kWidth - 26, kFace.bottom, kFaint),
     rule(kWidth - 30, kFace.top, kWidth - 22, kFace.top, kFaint),
     rule(kWidth - 30, kFace.bottom, kWidth - 22, kFace.bottom, kFaint),
-    text(kWidth - 4, kFace.top - 6, `${number(1e3 * (state.x[state.x.length - 1] - state.x[0]), 3)} mm`, {
-      anchor: 'end',
-      size: 11,
-      fill: kFaint,
-    }),
+    text(
+      kWidth - 4,
+      kFace.top - 6,
+      `${number(converted(state.x[state.x.length - 1] - state.x[0], 'mm'), 3)} mm`,
+      {
+        anchor: 'end',
+        size: 11,
+        fill: kFaint,
+      },
+    ),
   ];
 }
 

@@ -1,7 +1,7 @@
 // The unrolled film as the page carries it: fields at some crank angles, strips and nodes, and the axes they
 // lie on.
 import { kMissing, unpacked } from '../plot/packed.js';
-import { crankTicks, display, ticks, wrapped } from '../units.js';
+import { converted, crankTicks, degrees, display, ticks, wrapped } from '../units.js';
 
 /** Less liquid than this is a cavity: a full gap may miss 1 by what the numbers were rounded to. */
 const kFull = 0.9995;
@@ -60,23 +60,23 @@ export class Unrolled {
   /** @param payload what the page carries of one case; @param quantities those of fields and of strips */
   constructor(payload, { fields, strips }) {
     this.stored = payload.stored;
-    this.gap = payload.end_gap * 1e3;
+    this.gap = converted(payload.end_gap, 'mm');
     this.closed = payload.end_gap === 0;
-    this.circumference = payload.circumference * 1e3;
-    this.gapPosition = (payload.gap_position * 180) / Math.PI;
-    this.x = payload.x.map((v) => v * 1e3);
+    this.circumference = converted(payload.circumference, 'mm');
+    this.gapPosition = degrees(payload.gap_position);
+    this.x = converted(payload.x, 'mm');
     this.angles = payload.crank_angle;
     this.fields = decodedAll(payload.fields, fields);
     this.stripAngles = payload.strips.crank_angle;
     this.strips = decodedAll(payload.strips.fields, strips);
     this.hasFields = this.angles.length > 0 && Boolean(this.fields.film_pressure);
-    this.y = (this.hasFields ? payload.y : payload.strips.y).map((v) => v * 1e3);
+    this.y = converted(this.hasFields ? payload.y : payload.strips.y, 'mm');
     this.length = this.closed ? this.circumference : this.y[this.y.length - 1];
     this.face = this.x.length ? this.x[this.x.length - 1] : 0;
-    const inMm = (point) => ({ x: point.x * 1e3, y: point.y * 1e3, value: point.value });
+    const inMm = ({ x, y, value }) => ({ x: converted(x, 'mm'), y: converted(y, 'mm'), value });
     this.highestPressure = payload.highest_pressure.map((p) => ({
       ...inMm(p),
-      value: this.fields.film_pressure ? p.value / 1e5 : null,
+      value: this.fields.film_pressure ? converted(p.value, 'bar') : null,
     }));
     this.lowestFilmContent = payload.lowest_film_content.map(inMm);
     // Reynolds' exit has no film content: what is stored of it is 1 everywhere, and cavities are where the
@@ -87,7 +87,10 @@ export class Unrolled {
     // Half a step of what was rounded.
     this.ruptureBelow =
       isStated && pressure
-        ? (payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1)) / 1e5
+        ? converted(
+            payload.rupture_pressure + ((0.5 + 1e-6) * (pressure.high - pressure.low)) / (kMissing - 1),
+            'bar',
+          )
         : null;
     if (isStated) delete this.fields.film_content;
     // A closed ring: what is nearer to the joint than to the last strip belongs to the first again.

@@ -1,6 +1,6 @@
 // Whether a result is usual: published ranges, as docs/manual/guide/plausibility.md argues them.
 import { element } from '../dom.js';
-import { number } from '../units.js';
+import { converted, number } from '../units.js';
 
 /** Usual friction mean effective pressure in the engine of a car [kPa], by the kind of ring and of the pack. */
 export const kUsualFmep = {
@@ -40,8 +40,8 @@ const kWords = {
 /** The range of FMEP of a kind in the engine of a case, by its bore and peak pressure, and in words by which. */
 export function fmepRange(model, c, kind) {
   const { low, high, words } = kUsualFmep[kind];
-  const bore = (model.input(c, 'engine.bore')?.value_si ?? 0) * 1e3;
-  const peak = (c.values.peak_gas_pressure ?? 0) / 1e5;
+  const bore = converted(model.input(c, 'engine.bore')?.value_si ?? 0, 'mm');
+  const peak = converted(c.values.peak_gas_pressure ?? 0, 'bar');
   const reasons = [
     bore > kLargestCarBore ? `a bore of ${number(bore, 3)} mm` : null,
     peak > kHighestCarPeak ? `a peak pressure of ${number(peak, 3)} bar` : null,

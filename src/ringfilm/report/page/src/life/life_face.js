@@ -1,14 +1,11 @@
 // The face over the running time: the first one, the chosen one, and how they are known.
 import { element } from '../dom.js';
 import { kOnlyCase } from '../model.js';
-import { number } from '../units.js';
+import { converted, number } from '../units.js';
 import { table, figure as cell } from '../tables.js';
 import { hoursText, kStandings } from './life_words.js';
 
-const kMillimetre = 1e-3;
-const kMicrometre = 1e-6;
-
-const inMicrometres = (values) => values.map((value) => value / kMicrometre);
+const inMicrometres = (values) => converted(values, 'um');
 
 /** Every so many places of a measured face have a dot. */
 const kDotsOfAFace = 40;
@@ -29,7 +26,7 @@ function measuredSeries(x, measured) {
 
 /** The face of reported state k beside the first one; of a face that wears also as it lies on the first one. */
 export function faceFigure(life, k) {
-  const x = life.x.map((place) => place / kMillimetre);
+  const x = converted(life.x, 'mm');
   const [first, state] = [life.states[0], life.states[k]];
   const label = `${hoursText(state.hours)}, ${state.standing}`;
   const measured = (life.measured_faces ?? []).find((face) => face.hours === state.hours);
@@ -84,11 +81,11 @@ export function distanceTable(life) {
     'Distance from the measured face, rms, offset and tilt free',
     [
       'running time',
-      ...widths.map((width) => cell(`within ${number(width / kMillimetre, 2)} mm of the middle`)),
+      ...widths.map((width) => cell(`within ${number(converted(width, 'mm'), 2)} mm of the middle`)),
     ],
     compared.map((state) => [
       hoursText(state.hours),
-      ...state.measured_face_distance.map((row) => cell(`${number(row.rms / kMicrometre, 2)} µm`)),
+      ...state.measured_face_distance.map((row) => cell(`${number(converted(row.rms, 'um'), 2)} µm`)),
     ]),
     { folds: true },
   );
@@ -97,8 +94,8 @@ export function distanceTable(life) {
 /** Edges of all faces, and their distance from the last measured one where the face wears. */
 export function facesOf(life) {
   const edges = (state) =>
-    `${number(state.face_height_chamber_edge / kMicrometre, 3)} µm at the chamber edge, ` +
-    `${number(state.face_height_crankcase_edge / kMicrometre, 3)} µm at the crankcase edge`;
+    `${number(converted(state.face_height_chamber_edge, 'um'), 3)} µm at the chamber edge, ` +
+    `${number(converted(state.face_height_crankcase_edge, 'um'), 3)} µm at the crankcase edge`;
   return element(
     'ul',
     {},

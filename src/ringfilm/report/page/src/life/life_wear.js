@@ -1,15 +1,11 @@
 // Material that a ring has lost: what a scenario gives, what measured faces allow, and their lower bounds.
 import { element } from '../dom.js';
 import { figure, table } from '../tables.js';
-import { display, number, withUnit } from '../units.js';
+import { converted, degrees, display, number, withUnit } from '../units.js';
 import { hoursText } from './life_words.js';
 
-const kAreaUnit = 1e-9; // um mm
-const kMicrometre = 1e-6;
-const kMillimetre = 1e-3;
-
-const area = (value) => figure(withUnit(value / kAreaUnit, 'µm mm', 3));
-const depth = (value) => figure(withUnit(value / kMicrometre, 'µm', 3));
+const area = (value) => figure(withUnit(converted(value, 'um mm'), 'µm mm', 3));
+const depth = (value) => figure(withUnit(converted(value, 'um'), 'µm', 3));
 const ends = (pair, unit) => figure(pair ? `${number(pair[0], 3)} to ${withUnit(pair[1], unit, 3)}` : '–');
 
 export function wornTable(life) {
@@ -38,12 +34,12 @@ export function wornTable(life) {
 }
 
 const trusted = (margin) =>
-  margin > 0 ? `without ${number(margin / kMillimetre, 2)} mm at each edge` : 'whole width';
+  margin > 0 ? `without ${number(converted(margin, 'mm'), 2)} mm at each edge` : 'whole width';
 
 const basisOf = (row) =>
   row.basis === 'least-wear'
     ? `least wear, ${trusted(row.untrusted_margin)}`
-    : `closest face within ${number(row.half_width / kMillimetre, 2)} mm of the middle`;
+    : `closest face within ${number(converted(row.half_width, 'mm'), 2)} mm of the middle`;
 
 function coefficientText(row) {
   if (row.coefficient !== null) return `${row.coefficient.toExponential(1)} m²/N`;
@@ -85,7 +81,7 @@ function boundsAt(states, k) {
         area(bound.worn_area),
         depth(bound.largest_worn_depth),
         depth(bound.depth_at_middle),
-        figure(`${number((bound.tilt * 180 * 60) / Math.PI, 2)}′`),
+        figure(`${number(60 * degrees(bound.tilt), 2)}′`),
       ];
     }),
     { folds: true },

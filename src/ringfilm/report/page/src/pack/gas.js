@@ -6,12 +6,10 @@ import { headWarning, numberCard, pageHead } from '../page_head.js';
 import { CycleGroup } from '../plot/chart.js';
 import { figure as numberCell, folded, section, table } from '../tables.js';
 import { gasSum, gasValue, kBlowBy, kStandard } from './gas_words.js';
-import { angleInWords, number, sentence, shortPath, typeset, wrapped } from '../units.js';
+import { angleInWords, converted, number, sentence, shortPath, typeset, wrapped } from '../units.js';
 import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
 import { packOfGas, regionWords } from './pack_model.js';
 import { gasTables, packView } from './pack_view.js';
-
-const kBar = 1e5;
 
 const kOperating = [
   ['engine.bore', 'bore'],
@@ -56,7 +54,7 @@ function firstScreen(payload) {
         detail: `${gasValue(gas, kBlowBy.flow)} ${kStandard}`,
       }),
       below
-        ? numberCard(`Peak on ${regionWords(below.name)}`, number(below.peak_pressure / kBar, 3), {
+        ? numberCard(`Peak on ${regionWords(below.name)}`, number(converted(below.peak_pressure, 'bar'), 3), {
             of: ' bar',
             detail: angleInWords(wrapped(below.peak_pressure_angle)),
           })
@@ -75,9 +73,9 @@ function regionTable({ regions }) {
     ['region', head('peak [bar]'), head('at'), ...(hasMeans ? [head('mean [bar]')] : [])],
     regions.map((region) => [
       regionWords(region.name),
-      numberCell(number(region.peak_pressure / kBar, 4)),
+      numberCell(number(converted(region.peak_pressure, 'bar'), 4)),
       numberCell(angleInWords(wrapped(region.peak_pressure_angle))),
-      ...(hasMeans ? [numberCell(number(region.mean_pressure / kBar, 4))] : []),
+      ...(hasMeans ? [numberCell(number(converted(region.mean_pressure, 'bar'), 4))] : []),
     ]),
   );
 }

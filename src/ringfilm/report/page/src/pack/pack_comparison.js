@@ -2,12 +2,9 @@
 import { kCycleRange } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
 import { figure as numberCell, table } from '../tables.js';
-import { display, number } from '../units.js';
+import { converted, display, number } from '../units.js';
 import { blowByWords, gasSum, kBlowBy, kStandard } from './gas_words.js';
 import { PackModel, regionWords } from './pack_model.js';
-
-const kMilligrams = 1e6;
-const kMicrometres = 1e6;
 
 /** The packs of a page that compares them, each with its cases and its colour. */
 export function comparedPacks(model) {
@@ -170,11 +167,7 @@ function packBlowBy(packs) {
     gas.paths.map((path) => path.name).filter((name) => /^(end gap|face of ring) \d+$/.test(name)),
   );
   if (gaps.length === 0) return null;
-  const flow = ({ gas }, i) =>
-    onCycleAxis(
-      gas.crank_angle,
-      gas.flow[i].map((v) => v * kMilligrams),
-    );
+  const flow = ({ gas }, i) => onCycleAxis(gas.crank_angle, converted(gas.flow[i], 'mg/s'));
   return {
     id: 'pack-blow-by',
     title: 'Blow-by',
@@ -218,15 +211,7 @@ function packPositions(packs) {
           const i = one.pack.gas?.rings.indexOf(n) ?? -1;
           if (i < 0) return [];
           const { gas } = one.pack;
-          return [
-            line(
-              one,
-              onCycleAxis(
-                gas.crank_angle,
-                gas.position[i].map((z) => z * kMicrometres),
-              ),
-            ),
-          ];
+          return [line(one, onCycleAxis(gas.crank_angle, converted(gas.position[i], 'um')))];
         }),
         { fromZero: true },
       ),

@@ -1,7 +1,7 @@
 // Rings, grooves and liner of a pack, drawn from the numbers of the case, with the gas pressures at one crank angle.
 import { kFaint, kInk, rectangle, rule, text } from '../plot/svg_shapes.js';
 import { caseColour } from '../plot/palette.js';
-import { number } from '../units.js';
+import { converted, number } from '../units.js';
 import { inputOf, regionWords } from './pack_model.js';
 
 export const kPackWidth = 470;
@@ -22,7 +22,7 @@ const kWall = '#dfe2e7';
 const kLow = [219, 232, 244];
 const kHigh = [226, 120, 74];
 
-const bar = (p) => `${number(p / 1e5, 3)}\u00a0bar`;
+const bar = (p) => `${number(converted(p, 'bar'), 3)}\u00a0bar`;
 
 const box = (x, y, width, height, fill, stroke = 'none') =>
   rectangle(x, y, width, height, `fill="${fill}" stroke="${stroke}"`);

@@ -1,12 +1,9 @@
 // The figures of a ring pack over the engine cycle.
 import { kCycleRange, pressurePeaks } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
-import { angleInWords, number } from '../units.js';
+import { angleInWords, converted, number } from '../units.js';
 import { blowByWords } from './gas_words.js';
 import { inputOf, regionWords } from './pack_model.js';
-
-const kMilligrams = 1e6;
-const kMicrometres = 1e6;
 
 function panel(packed, id, axis, series) {
   return {
@@ -73,7 +70,7 @@ export function gasPressures(packed) {
         .filter((region) => /^land/.test(region.name))
         .map(
           (region) =>
-            `${regionWords(region.name)} ${number(region.peak_pressure / 1e5, 3)} bar ` +
+            `${regionWords(region.name)} ${number(converted(region.peak_pressure, 'bar'), 3)} bar ` +
             angleInWords(
               region.peak_pressure_angle > 360
                 ? region.peak_pressure_angle - 720
@@ -101,11 +98,7 @@ export function gasPressures(packed) {
 export function blowBy(packed) {
   const { gas, ring_numbers: numbers } = packed.pack;
   if (!gas) return null;
-  const onAxis = (values) =>
-    onCycleAxis(
-      gas.crank_angle,
-      values.map((v) => v * kMilligrams),
-    );
+  const onAxis = (values) => onCycleAxis(gas.crank_angle, converted(values, 'mg/s'));
   const passages = gas.paths
     .map((path, i) => ({ found: /^(end gap|face of ring) (\d+)$/.exec(path.name), i }))
     .filter(({ found }) => found !== null);
@@ -138,14 +131,11 @@ export function blowBy(packed) {
 export function ringPositions(packed) {
   const { gas } = packed.pack;
   if (!gas || gas.rings.length === 0) return null;
-  const clearance = (n) => (inputOf(packed.cases[n - 1], 'ring.side_clearance') ?? 0) * kMicrometres;
+  const clearance = (n) => converted(inputOf(packed.cases[n - 1], 'ring.side_clearance') ?? 0, 'um');
   const series = gas.rings.flatMap((n, i) => {
     const caseIndex = packed.cases[n - 1]?.series ?? null;
     const events = gas.events.filter((event) => event.ring === n);
-    const curve = onCycleAxis(
-      gas.crank_angle,
-      gas.position[i].map((z) => z * kMicrometres),
-    );
+    const curve = onCycleAxis(gas.crank_angle, converted(gas.position[i], 'um'));
     const points = events
       .map((event) => [
         event.crank_angle > 360 ? event.crank_angle - 720 : event.crank_angle,

@@ -1,8 +1,6 @@
 // A ring pack of the payload with its cases, and the gas between its rings: computed, or the pressures that are given.
 import { kOnlyCase, onCycleAxis } from '../model.js';
-import { nearestAngle, wrapped } from '../units.js';
-
-const kBar = 1e5;
+import { converted, nearestAngle, wrapped } from '../units.js';
 
 /** Value of an input of a case in SI; null where it is not in use. */
 export function inputOf(c, key) {
@@ -75,10 +73,7 @@ export class PackModel {
 
   /** Pressure of a region in bar on the axis of the charts. */
   pressureCurve(region) {
-    return onCycleAxis(
-      region.angle,
-      region.pressure.map((p) => p / kBar),
-    );
+    return onCycleAxis(region.angle, converted(region.pressure, 'bar'));
   }
 
   /** Pressure of a region [Pa] at a crank angle of the charts. */
