@@ -32,6 +32,10 @@ export function onNewWidth(node, act) {
   ).observe(node);
 }
 
+export function section(id, heading, ...content) {
+  return element('section', { id, class: 'section' }, element('h2', {}, heading), content);
+}
+
 /** A key or setting in type of its own, which may break after a dot, an underscore or an equals sign only. */
 export function code(text, attributes = {}) {
   const pieces = String(text).match(/[^._=/]*[._=/]|[^._=/]+$/g) ?? [];

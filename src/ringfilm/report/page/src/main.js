@@ -12,7 +12,7 @@ import {
   shownElsewhere,
   zoomFigure,
 } from './cycle/cycle_figures.js';
-import { element, startViews } from './dom.js';
+import { element, section, startViews } from './dom.js';
 import { contactPressureFigure, flowFactorFigure, realAreaFigure } from './cycle/contact_figures.js';
 import { faceView, howToStoreFields } from './cycle/face_view.js';
 import { caseEntry, ChartView, markHidden, Visibility } from './figure/chart_view.js';
@@ -32,7 +32,8 @@ import { byFace, comparisonFigures, comparisonTable } from './pack/pack_comparis
 import { packFigures } from './pack/pack_figures.js';
 import { PackModel } from './pack/pack_model.js';
 import { packSentences, packView, ringTable } from './pack/pack_view.js';
-import { cycleValuesSection, inputsSection, notesSection, provenanceSection, section } from './tables.js';
+import { charts, showPage } from './page_head.js';
+import { cycleValuesSection, inputsSection, notesSection, provenanceSection } from './tables.js';
 import { axisTitle } from './plot/scales.js';
 import { converted, display } from './units.js';
 import { Unrolled } from './cycle/unrolled.js';
@@ -145,11 +146,6 @@ function hasNoFields(model) {
 /** Film and friction: before the fields along the face. */
 const kFirstRow = 2;
 
-/** Two in a row where there is room. */
-function charts(nodes) {
-  return element('div', { class: 'charts' }, nodes);
-}
-
 function buildPage(model) {
   const visibility = new Visibility();
   const group = new CycleGroup();
@@ -198,76 +194,59 @@ function buildPage(model) {
     ...(influence ? [influence] : []),
   );
 
-  const contents = [
-    ['pack', 'Ring pack', pack],
-    ['cycle', 'Over the cycle', cycle.length],
-    ['friction', 'Friction and wear', others.length],
-    ['face', 'Face', faces.length],
-    ['contact', 'Contact law', contact.length],
-    ['around', 'Around the ring', around.length],
-    ['cycle-values', 'Cycle values', 1],
-    ['comparison', 'Published values', model.cases.some((c) => c.comparison.length)],
-    ['ledger', 'Assumptions', model.cases.some((c) => c.ledger.length)],
-    ['validity', 'Validity', 1],
-    ['inputs', 'Inputs', 1],
-    ['provenance', 'Provenance', 1],
-  ].filter(([, , there]) => there);
-
-  document.getElementById('report').replaceChildren(
-    ...[
-      firstScreen(model),
-      element(
-        'nav',
-        { class: 'contents', 'aria-label': 'Contents' },
-        contents.map(([id, label]) => element('a', { href: `#${id}` }, label)),
-      ),
-      pack
-        ? section(
-            'pack',
-            model.comparesPacks ? 'Ring packs' : 'Ring pack',
-            pack.words,
-            charts(pack.views.map((v) => v.node)),
-          )
-        : null,
-      cycle.length
-        ? section(
-            'cycle',
-            'Over the engine cycle',
-            element(
-              'p',
-              { class: 'how' },
-              'Drag across a chart to zoom all of them, double-click for the whole cycle; ' +
-                (along ? 'the cursor moves the fields along the face; ' : '') +
-                'the ' +
-                'thin dashed line marks the peak of the gas pressure.',
-              model.several ? ' A name in a legend hides that case in the whole page.' : '',
-            ),
-            toolbar(model, visibility, group),
-            charts([
-              ...cycle.slice(0, kFirstRow).map((v) => v.node),
-              along ? along.node : hasNoFields(model) ? howToStoreFields() : null,
-              ...cycle.slice(kFirstRow).map((v) => v.node),
-            ]),
-          )
-        : null,
-      others.length ? section('friction', 'Friction and wear', charts(others.map((v) => v.node))) : null,
-      faces.length ? section('face', 'Face of the ring', charts(faces.map((v) => v.node))) : null,
-      contact.length ? section('contact', 'Contact law', charts(contact.map((v) => v.node))) : null,
-      around.length
-        ? section(
-            'around',
-            'Around the ring',
-            around.map((v) => v.node),
-          )
-        : null,
-      cycleValuesSection(model),
-      comparisonSection(model),
-      ledgerSection(model, influence?.node),
-      notesSection(model),
-      inputsSection(model),
-      provenanceSection(model),
-    ].filter(Boolean),
+  const how = element(
+    'p',
+    { class: 'how' },
+    'Drag across a chart to zoom all of them, double-click for the whole cycle; ' +
+      (along ? 'the cursor moves the fields along the face; ' : '') +
+      'the thin dashed line marks the peak of the gas pressure.',
+    model.several ? ' A name in a legend hides that case in the whole page.' : '',
   );
+  const cycleParts = [
+    ...cycle.slice(0, kFirstRow),
+    along ?? (hasNoFields(model) ? howToStoreFields() : null),
+    ...cycle.slice(kFirstRow),
+  ];
+  const part = (id, label, heading, list, ...content) => ({
+    id,
+    label,
+    node: list?.length ? section(id, heading, content.length ? content : charts(list)) : null,
+  });
+  showPage(firstScreen(model), [
+    part(
+      'pack',
+      'Ring pack',
+      model.comparesPacks ? 'Ring packs' : 'Ring pack',
+      pack ? [pack] : null,
+      pack?.words,
+      charts(pack?.views ?? []),
+    ),
+    part(
+      'cycle',
+      'Over the cycle',
+      'Over the engine cycle',
+      cycle,
+      how,
+      toolbar(model, visibility, group),
+      charts(cycleParts),
+    ),
+    part('friction', 'Friction and wear', 'Friction and wear', others),
+    part('face', 'Face', 'Face of the ring', faces),
+    part('contact', 'Contact law', 'Contact law', contact),
+    part(
+      'around',
+      'Around the ring',
+      'Around the ring',
+      around,
+      around.map((one) => one.node),
+    ),
+    { id: 'cycle-values', label: 'Cycle values', node: cycleValuesSection(model) },
+    { id: 'comparison', label: 'Published values', node: comparisonSection(model) },
+    { id: 'ledger', label: 'Assumptions', node: ledgerSection(model, influence?.node) },
+    { id: 'validity', label: 'Validity', node: notesSection(model) },
+    { id: 'inputs', label: 'Inputs', node: inputsSection(model) },
+    { id: 'provenance', label: 'Provenance', node: provenanceSection(model) },
+  ]);
   startViews(views);
 }
 

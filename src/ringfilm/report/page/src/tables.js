@@ -1,6 +1,6 @@
 // The tables under the figures.
-import { code, element, onNewWidth, withSubscripts } from './dom.js';
-import { save, fileStem } from './downloads.js';
+import { code, element, onNewWidth, section, withSubscripts } from './dom.js';
+import { columnsCsv, fileStem, save, saveButton } from './downloads.js';
 import { shownInput, withShortPaths } from './model.js';
 import {
   display,
@@ -81,30 +81,72 @@ export function table(caption, heads, rows, { folds = false, classes = '' } = {}
   );
 }
 
-export const figure = (text) => ({ text, attributes: { class: 'number' } });
+/** A cell of a number, or the head over it. */
+export const right = (text, attributes = {}) => ({ text, attributes: { class: 'number', ...attributes } });
 
-/** Long tables are folded on a phone until the reader opens them. */
-export function folded(summary, ...content) {
-  return element(
-    'details',
-    { open: window.innerWidth > 760, class: 'fold' },
-    element('summary', {}, summary),
-    content,
+/** Is the page wide enough for long tables? On a phone they are folded until the reader opens them. */
+export const isWide = () => window.innerWidth > 760;
+
+export function fold(summary, open, ...content) {
+  return element('details', { class: 'fold', open }, element('summary', {}, summary), content);
+}
+
+export const folded = (summary, ...content) => fold(summary, isWide(), ...content);
+
+/** A heading above a table, with the button that takes its numbers away. @param columns see columnsCsv() */
+export function withCsv(title, spoken, context, id, columns) {
+  const name = `${fileStem(context.stem, id)}.csv`;
+  const button = saveButton('CSV', () => save(name, 'text/csv', columnsCsv(columns())), `${spoken} as CSV`);
+  return element('div', { class: 'table-heading' }, title, element('span', { class: 'downloads' }, button));
+}
+
+/** Rows on the program that made a result. */
+export const programRows = (provenance) =>
+  ['program', 'commit', 'compiler'].map((key) => [key, provenance[key] || '–']);
+
+/** The files that were read, with their hashes. @param whose heads and cells of a column beside role and hash */
+export function filesTable(files, whose = { heads: [], cells: () => [] }) {
+  return table(
+    'Files read',
+    ['file', 'role', ...whose.heads, 'SHA-256'],
+    files.map((f) => [
+      { text: code(shortPath(f.path), { title: f.path }) },
+      f.role,
+      ...whose.cells(f),
+      { text: element('code', { class: 'hash' }, f.sha256) },
+    ]),
+    { folds: true },
   );
 }
 
+export const foldedFiles = (files, whose) =>
+  folded(`${files.length} files read, with their hashes`, filesTable(files, whose));
+
+/** An input as a cell, marked where it is assumed. */
+export function inputCell(entry) {
+  const shown = shownInput(entry);
+  return {
+    text: entry.assumed ? [shown, ' ', element('span', { class: 'tag' }, 'assumed')] : shown,
+    attributes: {
+      class: entry.assumed ? 'assumed' : '',
+      title: shortPath(entry.shown) === entry.shown ? null : entry.shown,
+    },
+  };
+}
+
+/** A key with its line of help as a cell. */
+export function keyCell({ key, help }) {
+  const words = withSubscripts(typesetFormula(typeset(help)));
+  return { text: [code(key), element('span', { class: 'help' }, words)] };
+}
+
 /** One column of numbers a case, heads set over their digits. */
-const numberHeads = (model) =>
-  model.cases.map((c) => ({ text: model.several ? c.name : 'value', attributes: { class: 'number' } }));
+const numberHeads = (model) => model.cases.map((c) => right(model.several ? c.name : 'value'));
 
 /** "mean friction power [W]", the unit in soft type. */
 function named(quantity) {
   const { unit } = display(quantity);
   return [typesetFormula(quantity.long_name), unit ? element('span', { class: 'unit' }, ` [${unit}]`) : null];
-}
-
-export function section(id, heading, ...content) {
-  return element('section', { id, class: 'section' }, element('h2', {}, heading), content);
 }
 
 /** "400 x 90 cells at 1°, step error 0.002", and why it was not solved. */
@@ -135,7 +177,7 @@ export function cycleValuesSection(model) {
     { text: named(q) },
     ...model.cases.map((c) => {
       const { value, unit } = model.value(c, q.name);
-      return figure(withError(value, model.error(c, q.name), unit));
+      return right(withError(value, model.error(c, q.name), unit));
     }),
   ]);
   if (model.cases.every((c) => !c.complete)) {
@@ -204,18 +246,7 @@ export function notesSection(model) {
 
 export function inputsSection(model) {
   const keys = [...new Map(model.cases.flatMap((c) => c.inputs.map((entry) => [entry.key, entry]))).values()];
-  const shown = (entry) =>
-    entry === undefined
-      ? { text: 'not used' }
-      : {
-          text: entry.assumed
-            ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')]
-            : shownInput(entry),
-          attributes: {
-            class: entry.assumed ? 'assumed' : '',
-            title: shortPath(entry.shown) === entry.shown ? null : entry.shown,
-          },
-        };
+  const shown = (entry) => (entry === undefined ? { text: 'not used' } : inputCell(entry));
   const rows = keys.map((first) => {
     const entries = model.cases.map((c) => model.input(c, first.key));
     const differs = entries.some((e) => e?.shown !== entries[0]?.shown || e?.assumed !== entries[0]?.assumed);
@@ -241,15 +272,7 @@ export function inputsSection(model) {
               },
             };
           });
-    return [
-      {
-        text: [
-          code(first.key),
-          element('span', { class: 'help' }, withSubscripts(typesetFormula(typeset(first.help)))),
-        ],
-      },
-      ...cells,
-    ];
+    return [keyCell(first), ...cells];
   });
   const derived = model.payload.derived_quantities.filter((q) =>
     model.cases.some((c) => q.name in c.derived),
@@ -283,7 +306,7 @@ export function inputsSection(model) {
             const { convert } = display(q);
             return [
               { text: named(q) },
-              ...model.cases.map((c) => figure(number(convert(c.derived[q.name] ?? null), 4))),
+              ...model.cases.map((c) => right(number(convert(c.derived[q.name] ?? null), 4))),
             ];
           }),
         ),
@@ -295,12 +318,12 @@ export function provenanceSection(model) {
   const rows = [
     ...['program', 'commit', 'compiler', 'kernels'].map((key) => [
       key,
-      ...model.cases.map((c) => ({ text: c.provenance[key] || '–', attributes: { class: 'number wraps' } })),
+      ...model.cases.map((c) => right(c.provenance[key] || '–', { class: 'number wraps' })),
     ]),
     ...model.payload.effort_quantities.map(({ name, long_name: label }) => [
       label,
       ...model.cases.map((c) =>
-        figure(Number.isInteger(c.effort[name]) ? String(c.effort[name]) : number(c.effort[name], 2)),
+        right(Number.isInteger(c.effort[name]) ? String(c.effort[name]) : number(c.effort[name], 2)),
       ),
     ]),
   ];
@@ -323,15 +346,8 @@ export function provenanceSection(model) {
           'p',
           {},
           'The complete case in SI; run again it gives the same numbers. ',
-          element(
-            'button',
-            {
-              type: 'button',
-              class: 'download',
-              onclick: () =>
-                save(`${fileStem(c.title, 'resolved')}.toml`, 'application/toml', c.resolved_case),
-            },
-            'TOML',
+          saveButton('TOML', () =>
+            save(`${fileStem(c.title, 'resolved')}.toml`, 'application/toml', c.resolved_case),
           ),
         ),
         element('pre', { tabindex: '0' }, c.resolved_case),
@@ -343,20 +359,11 @@ export function provenanceSection(model) {
     folded('Program and solver effort', table('Program and solver effort', heads, rows, { folds: true })),
     files.length === 0
       ? null
-      : folded(
-          `${files.length} files read, with their hashes`,
-          table(
-            'Files read',
-            ['file', 'role', ...(model.several ? ['case'] : []), 'SHA-256'],
-            files.map((f) => [
-              { text: code(shortPath(f.path), { title: f.path }) },
-              f.role,
-              ...(model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : []),
-              { text: element('code', { class: 'hash' }, f.sha256) },
-            ]),
-            { folds: true },
-          ),
-        ),
+      : foldedFiles(files, {
+          heads: model.several ? ['case'] : [],
+          cells: (f) =>
+            model.several ? [f.cases.length === model.cases.length ? 'all' : f.cases.join(', ')] : [],
+        }),
     resolved,
   );
 }

@@ -57,14 +57,14 @@ export function typesetUnit(unit) {
 export function display({ unit, display_unit: shown }) {
   const kept = (convert) => (v) => (v === null ? null : convert(v));
   if (unit === 'K' && shown === 'degC') return { unit: '°C', convert: kept((v) => v - 273.15) };
-  if (unit === 'rad' && shown === 'degree') return { unit: '°', convert: kept(degrees) };
+  if (unit === 'rad' && shown === 'degree') return { unit: '°', convert: kept(inDegrees) };
   const size = shown ? sizeInSi(shown) : NaN;
   if (Number.isNaN(size)) return { unit: typesetUnit(unit), convert: (v) => v };
   return { unit: typesetUnit(shown), convert: kept((v) => v / size) };
 }
 
 /** An angle in radian in degree. */
-export function degrees(radian) {
+export function inDegrees(radian) {
   return (radian * 180) / Math.PI;
 }
 

@@ -1,8 +1,8 @@
 // The page of `ringfilm verify`: what was checked, against what, and how the errors fall with refinement.
-import { element, startViews } from './dom.js';
+import { element, section, startViews } from './dom.js';
 import { ChartView, Visibility } from './figure/chart_view.js';
-import { headWarning, numberCard, pageHead } from './page_head.js';
-import { section, table } from './tables.js';
+import { alarm, cards, headWarning, numberCard, pageHead, showPage } from './page_head.js';
+import { fold, right, table } from './tables.js';
 import { display, number, typeset, typesetMath, withUnit } from './units.js';
 
 const kHolds = 'holds';
@@ -33,7 +33,6 @@ function verdictCell(verdict) {
 const isOrder = (row) => row.quantity.startsWith('order in');
 
 function rowsTable(c) {
-  const right = (text) => ({ text, attributes: { class: 'number' } });
   const heads = [
     'check',
     'quantity',
@@ -61,10 +60,9 @@ function rowsTable(c) {
 
 /** Why the numbers are expected and the tolerances are what they are. */
 function grounds(c) {
-  return element(
-    'details',
-    { class: 'fold' },
-    element('summary', {}, 'Sources and reasons of the tolerances'),
+  return fold(
+    'Sources and reasons of the tolerances',
+    false,
     table(
       `Grounds of ${c.name}`,
       ['check', 'known from', 'tolerance, because'],
@@ -135,13 +133,7 @@ function caseSection(c, context, views) {
     c.title,
     element('p', { class: 'how' }, element('code', {}, c.name)),
     element('p', {}, words(c.claim)),
-    c.stops.map((stop) =>
-      element(
-        'div',
-        { class: 'warning stopped', role: 'alert' },
-        element('p', {}, element('strong', {}, 'NO SOLUTION: '), stop),
-      ),
-    ),
+    c.stops.map((stop) => alarm('NO SOLUTION: ', stop)),
     rowsTable(c),
     grounds(c),
     figures.length
@@ -169,16 +161,8 @@ function firstScreen(result) {
       title: 'Verification',
       operating: `${result.program}, commit ${result.commit}`,
     },
-    failed.length
-      ? element(
-          'div',
-          { class: 'warning stopped', role: 'alert' },
-          element('p', {}, element('strong', {}, 'FAILS: '), failed.map((c) => c.name).join(', ')),
-        )
-      : null,
-    element(
-      'div',
-      { class: 'cards' },
+    failed.length ? alarm('FAILS: ', failed.map((c) => c.name).join(', ')) : null,
+    cards(
       numberCard('Cases', held(result.cases), { of: ` of ${result.cases.length}`, detail: 'hold' }),
       numberCard('Checks', held(rows), { of: ` of ${rows.length}`, detail: 'within tolerance' }),
       numberCard('Orders of convergence', held(orders), {
@@ -208,36 +192,38 @@ function buildPage(result) {
   };
   const views = [];
   const sections = result.cases.map((c) => caseSection(c, context, views));
-  document.getElementById('report').replaceChildren(
-    ...[
-      firstScreen(result),
-      section(
-        'overview',
-        'Overview',
-        table(
-          'Cases',
-          ['case', 'checks', 'verdict'],
-          result.cases.map((c) => [
-            { text: [element('a', { href: `#${c.name}` }, c.title)] },
-            String(c.rows.length),
-            verdictCell(c.verdict),
-          ]),
-        ),
+  const parts = [
+    section(
+      'overview',
+      'Overview',
+      table(
+        'Cases',
+        ['case', 'checks', 'verdict'],
+        result.cases.map((c) => [
+          { text: [element('a', { href: `#${c.name}` }, c.title)] },
+          String(c.rows.length),
+          verdictCell(c.verdict),
+        ]),
       ),
-      ...sections,
-      result.not_covered.length
-        ? section(
-            'not-covered',
-            'Not covered',
-            table(
-              'Cases that this version cannot compute',
-              ['case', 'reason'],
-              result.not_covered.map((item) => [item.what, item.reason]),
-              { folds: true },
-            ),
-          )
-        : null,
-    ].filter(Boolean),
+    ),
+    ...sections,
+    result.not_covered.length
+      ? section(
+          'not-covered',
+          'Not covered',
+          table(
+            'Cases that this version cannot compute',
+            ['case', 'reason'],
+            result.not_covered.map((item) => [item.what, item.reason]),
+            { folds: true },
+          ),
+        )
+      : null,
+  ];
+  showPage(
+    firstScreen(result),
+    parts.map((node) => ({ node })),
+    { contents: false },
   );
   startViews(views);
 }

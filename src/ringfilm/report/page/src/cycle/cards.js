@@ -1,6 +1,7 @@
 // The numbers that matter, each with the error of the mesh and the range of the ledger.
 import { element, svgElement } from '../dom.js';
 import { boundaryPowerShare } from '../model.js';
+import { card, cardRow, cards, cardValue } from '../page_head.js';
 import { massText, oilAbove } from './oil_above.js';
 import { swatchSvg } from '../plot/line_panel.js';
 import { angleInWords, errorText, meaningful, number } from '../units.js';
@@ -56,10 +57,7 @@ function accuracy({ value, unit, error, band }) {
     : null;
 }
 
-/** One value with its unit. */
-function shownValue(text, unit) {
-  return element('span', { class: 'card-value' }, element('b', {}, text), unit ? ` ${unit}` : '');
-}
+const shownValue = (text, unit) => cardValue(text, unit ? ` ${unit}` : '');
 
 const mark = (series) => svgElement(swatchSvg({ caseIndex: series, part: null }));
 
@@ -67,17 +65,13 @@ const mark = (series) => svgElement(swatchSvg({ caseIndex: series, part: null })
 function packRow(model, pack, sum) {
   const isAlone = model.packs.length === 1 && pack.ring_numbers.length === model.cases.length;
   const { value, unit, detail } = sum ? sum(pack) : {};
-  return element(
-    'div',
-    { class: 'card-row' },
-    element(
-      'span',
-      { class: 'card-name' },
+  return cardRow(
+    [
       model.comparesPacks ? mark(model.allPacks.indexOf(pack)) : null,
       [isAlone ? null : pack.name, sum ? `all ${pack.n_rings} rings` : null].filter(Boolean).join(': '),
-    ),
+    ],
     sum ? shownValue(meaningful(value, null), value === null ? '' : unit) : null,
-    sum ? element('span', { class: 'card-detail' }, detail) : null,
+    sum ? detail : null,
   );
 }
 
@@ -85,18 +79,16 @@ function caseRow(model, c, of, detail) {
   const stated = of(c);
   const pack = model.comparesPacks ? model.allPacks[c.series] : null;
   const name = pack ? c.name.slice(`${pack.name}, `.length) : c.name;
-  return element(
-    'div',
-    { class: 'card-row' },
-    model.several ? element('span', { class: 'card-name' }, pack ? null : mark(c.series), name) : null,
+  return cardRow(
+    model.several ? [pack ? null : mark(c.series), name] : null,
     shownValue(meaningful(stated.value, stated.error), stated.value === null ? '' : stated.unit),
-    element('span', { class: 'card-detail' }, detail(c)),
+    detail(c),
     accuracy(stated),
   );
 }
 
 /** A row for each case, and one for each pack: above its rings where packs are compared. */
-function card(model, heading, of, detail, sum = null) {
+function caseCard(model, heading, of, detail, sum = null) {
   const ofCase = (c) => caseRow(model, c, of, detail);
   const ofPack = (pack) => packRow(model, pack, pack.complete ? sum : null);
   const rows = model.comparesPacks
@@ -105,7 +97,7 @@ function card(model, heading, of, detail, sum = null) {
         ...model.cases.filter((c) => c.series === p).map(ofCase),
       ])
     : [...model.cases.map(ofCase), ...(sum ? model.packs.map(ofPack) : [])];
-  return element('section', { class: 'card' }, element('h2', {}, heading), rows);
+  return card(heading, rows);
 }
 
 /** What the words "mesh" and "model" on the cards mean, as far as they occur. */
@@ -122,23 +114,21 @@ function explanation(model) {
   return parts.length ? element('p', { class: 'how cards-how' }, parts.join(' ')) : null;
 }
 
-export function cards(model) {
+export function cycleCards(model) {
   const fmep = (c) => {
     const { value, unit } = model.value(c, 'fmep');
     return value === null ? '' : `FMEP ${number(value, 3)} ${unit}`;
   };
   return [
-    element(
-      'div',
-      { class: 'cards' },
-      card(model, 'Mean friction power', cycleValue(model, 'mean_power_loss'), fmep, (pack) => ({
+    cards(
+      caseCard(model, 'Mean friction power', cycleValue(model, 'mean_power_loss'), fmep, (pack) => ({
         ...model.value(pack, 'mean_power_loss'),
         detail: fmep(pack),
       })),
-      card(model, 'Thinnest film', cycleValue(model, 'min_film_thickness'), (c) =>
+      caseCard(model, 'Thinnest film', cycleValue(model, 'min_film_thickness'), (c) =>
         c.complete ? angleInWords(c.values.min_film_thickness_angle).replace('firing ', '') : '',
       ),
-      card(
+      caseCard(
         model,
         'Boundary friction',
         boundaryShare,
@@ -146,7 +136,7 @@ export function cards(model) {
         (pack) => ({ value: boundaryPowerShare(pack.values), unit: '%', detail: 'of the friction power' }),
       ),
       model.cases.some(oilAbove)
-        ? card(model, 'Oil left above the ring', oilFilm, (c) =>
+        ? caseCard(model, 'Oil left above the ring', oilFilm, (c) =>
             oilAbove(c)
               ? `on the liner; ${massText(c.values.oil_scraped_up)} a cycle at TDC`
               : 'not followed',

@@ -1,6 +1,6 @@
 // Computed values next to published ones, and next to those of a second implementation.
-import { code, element } from '../dom.js';
-import { figure, folded, section, table } from '../tables.js';
+import { code, element, section } from '../dom.js';
+import { folded, right, table } from '../tables.js';
 import { asStated, display, percent, sentence, typeset, withUnit } from '../units.js';
 
 /** Closer than this, nothing is left to explain by another setting. */
@@ -17,9 +17,9 @@ function figures(model, row) {
   const { unit, convert } = quantity ? display(quantity) : { unit: '', convert: (v) => v };
   return [
     sentence(row.statement).replace(/\.$/, ''),
-    figure(withUnit(convert(row.computed), unit)),
-    figure(asStated(convert(row.published), unit)),
-    figure(percent(row.deviation)),
+    right(withUnit(convert(row.computed), unit)),
+    right(asStated(convert(row.published), unit)),
+    right(percent(row.deviation)),
   ];
 }
 
@@ -40,7 +40,6 @@ function publishedRow(model, c, row) {
   return [...figures(model, row), row.source, typeset(row.decided_by) || '–', { text: strongest }];
 }
 
-const right = (text) => ({ text, attributes: { class: 'number' } });
 const kPublishedHeads = [
   'what',
   right('computed'),

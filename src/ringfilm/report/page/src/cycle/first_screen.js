@@ -1,9 +1,9 @@
 // What was computed, the three numbers that matter, the one warning that matters.
-import { cards } from './cards.js';
+import { cycleCards } from './cards.js';
 import { element } from '../dom.js';
 import { shownInput, stoppedAt, withShortPaths } from '../model.js';
 import { drawings } from './section_drawing.js';
-import { headWarning, pageHead } from '../page_head.js';
+import { alarm, headWarning, pageHead } from '../page_head.js';
 import { mergedNotes } from '../tables.js';
 import { angleInWords, number, typeset } from '../units.js';
 import { usualCard } from './usual.js';
@@ -78,17 +78,11 @@ function stop(c) {
 function stopped(model) {
   const broken = model.cases.filter((c) => !c.complete);
   if (broken.length === 0) return null;
-  return element(
-    'div',
-    { class: 'warning stopped', role: 'alert' },
-    element(
-      'p',
-      {},
-      element('strong', {}, 'INCOMPLETE: '),
-      model.several
-        ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.`
-        : 'the integration did not come to a cycle that repeats itself.',
-    ),
+  return alarm(
+    'INCOMPLETE: ',
+    model.several
+      ? `${broken.length} of ${model.cases.length} cases did not come to a cycle that repeats itself.`
+      : 'the integration did not come to a cycle that repeats itself.',
     broken.map((c) => element('p', {}, `${model.several ? `${c.name}: s` : 'S'}topped ${stop(c)}.`)),
     element(
       'p',
@@ -128,7 +122,7 @@ export function firstScreen(model) {
       { class: `summary ${model.several ? '' : 'alone'}` },
       model.cases.every((c) => !c.complete)
         ? null
-        : element('div', { class: 'numbers' }, cards(model), usualCard(model)),
+        : element('div', { class: 'numbers' }, cycleCards(model), usualCard(model)),
       drawings(model),
     ),
   );

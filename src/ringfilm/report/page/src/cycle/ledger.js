@@ -1,7 +1,7 @@
 // The assumption ledger: what is taken for granted, and what it changes to take something else.
-import { element } from '../dom.js';
+import { element, section } from '../dom.js';
 import { axisTitle } from '../plot/scales.js';
-import { scrolling, section, table } from '../tables.js';
+import { scrolling, table } from '../tables.js';
 import { number, percent, sentence, withUnit } from '../units.js';
 import { settingWords } from './setting_words.js';
 

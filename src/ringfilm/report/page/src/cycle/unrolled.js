@@ -1,7 +1,7 @@
 // The unrolled film as the page carries it: fields at some crank angles, strips and nodes, and the axes they
 // lie on.
 import { kMissing, unpacked } from '../plot/packed.js';
-import { converted, crankTicks, degrees, display, ticks, wrapped } from '../units.js';
+import { converted, crankTicks, display, inDegrees, ticks, wrapped } from '../units.js';
 
 /** Less liquid than this is a cavity: a full gap may miss 1 by what the numbers were rounded to. */
 const kFull = 0.9995;
@@ -63,7 +63,7 @@ export class Unrolled {
     this.gap = converted(payload.end_gap, 'mm');
     this.closed = payload.end_gap === 0;
     this.circumference = converted(payload.circumference, 'mm');
-    this.gapPosition = degrees(payload.gap_position);
+    this.gapPosition = inDegrees(payload.gap_position);
     this.x = converted(payload.x, 'mm');
     this.angles = payload.crank_angle;
     this.fields = decodedAll(payload.fields, fields);

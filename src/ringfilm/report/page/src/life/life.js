@@ -1,15 +1,14 @@
 // The page of `ringfilm life`: friction, oil and film over the running hours, and how each number is known.
-import { element, startViews } from '../dom.js';
+import { element, section, startViews } from '../dom.js';
 import { ChartView, Visibility } from '../figure/chart_view.js';
-import { headWarning, numberCard, pageHead } from '../page_head.js';
-import { section, table } from '../tables.js';
+import { slider } from '../figure/choices.js';
+import { cards, headWarning, numberCard, pageHead, showPage } from '../page_head.js';
+import { right, table } from '../tables.js';
 import { display, withUnit } from '../units.js';
 import { distanceTable, faceFigure, facesOf } from './life_face.js';
 import { attributionFigure, figuresOverHours } from './life_figures.js';
 import { fitTable, leastWear, wornTable } from './life_wear.js';
 import { hoursText, publishedWear, whatToMeasure } from './life_words.js';
-
-const right = (text) => ({ text, attributes: { class: 'number' } });
 
 const longName = (life, name) => life.quantities.find((quantity) => quantity.name === name).long_name;
 
@@ -53,9 +52,7 @@ function firstScreen(life) {
       title: life.title,
       operating: `${life.program}, commit ${life.commit}`,
     },
-    element(
-      'div',
-      { class: 'cards' },
+    cards(
       numbers('Friction power', 'mean_power_loss'),
       numbers('Oil passing under the ring', 'mean_absolute_oil_flow'),
       numbers('Lambda ratio at peak pressure', 'lambda_ratio_at_peak_pressure'),
@@ -116,25 +113,23 @@ function pointsTable(life) {
 function faceSection(life, context, views) {
   const view = new ChartView(faceFigure(life, life.states.length - 1), context);
   views.push(view);
-  const label = element('output', { for: 'face-hours' }, hoursText(life.states.at(-1).hours));
-  const slider = element('input', {
-    type: 'range',
-    id: 'face-hours',
-    min: '0',
-    max: String(life.states.length - 1),
-    step: '1',
-    value: String(life.states.length - 1),
-    'aria-label': 'reported running time of the face',
-    oninput: () => {
-      const k = Number(slider.value);
-      label.textContent = hoursText(life.states[k].hours);
+  const { states } = life;
+  const { input, output, label } = slider(
+    'face-hours',
+    'Running time: ',
+    'reported running time of the face',
+    states.length,
+    states.length - 1,
+    (k) => {
+      output.textContent = hoursText(states[k].hours);
       view.replace(faceFigure(life, k));
     },
-  });
+  );
+  output.textContent = hoursText(states.at(-1).hours);
   return section(
     'face',
     'The face',
-    element('p', {}, element('label', { for: 'face-hours' }, 'Running time: '), slider, ' ', label),
+    element('p', {}, label, input, ' ', output),
     view.node,
     distanceTable(life),
     facesOf(life),
@@ -167,7 +162,6 @@ function buildPage(life) {
   const views = [];
   const attribution = attributionFigure(life);
   const sections = [
-    firstScreen(life),
     section('hours', 'Over the running time', figureRow(figuresOverHours(life), context, views)),
     faceSection(life, context, views),
     wearSection(life),
@@ -197,7 +191,11 @@ function buildPage(life) {
       ),
     ),
   ];
-  document.getElementById('report').replaceChildren(...sections.filter(Boolean));
+  showPage(
+    firstScreen(life),
+    sections.map((node) => ({ node })),
+    { contents: false },
+  );
   startViews(views);
 }
 

@@ -2,7 +2,7 @@
 import { element } from '../dom.js';
 import { kOnlyCase } from '../model.js';
 import { converted, number } from '../units.js';
-import { table, figure as cell } from '../tables.js';
+import { right, table } from '../tables.js';
 import { hoursText, kStandings } from './life_words.js';
 
 const inMicrometres = (values) => converted(values, 'um');
@@ -81,11 +81,11 @@ export function distanceTable(life) {
     'Distance from the measured face, rms, offset and tilt free',
     [
       'running time',
-      ...widths.map((width) => cell(`within ${number(converted(width, 'mm'), 2)} mm of the middle`)),
+      ...widths.map((width) => right(`within ${number(converted(width, 'mm'), 2)} mm of the middle`)),
     ],
     compared.map((state) => [
       hoursText(state.hours),
-      ...state.measured_face_distance.map((row) => cell(`${number(converted(row.rms, 'um'), 2)} µm`)),
+      ...state.measured_face_distance.map((row) => right(`${number(converted(row.rms, 'um'), 2)} µm`)),
     ]),
     { folds: true },
   );

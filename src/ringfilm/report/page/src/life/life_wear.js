@@ -1,12 +1,13 @@
 // Material that a ring has lost: what a scenario gives, what measured faces allow, and their lower bounds.
 import { element } from '../dom.js';
-import { figure, table } from '../tables.js';
-import { converted, degrees, display, number, withUnit } from '../units.js';
+import { slider } from '../figure/choices.js';
+import { right, table } from '../tables.js';
+import { converted, display, inDegrees, number, withUnit } from '../units.js';
 import { hoursText } from './life_words.js';
 
-const area = (value) => figure(withUnit(converted(value, 'um mm'), 'µm mm', 3));
-const depth = (value) => figure(withUnit(converted(value, 'um'), 'µm', 3));
-const ends = (pair, unit) => figure(pair ? `${number(pair[0], 3)} to ${withUnit(pair[1], unit, 3)}` : '–');
+const area = (value) => right(withUnit(converted(value, 'um mm'), 'µm mm', 3));
+const depth = (value) => right(withUnit(converted(value, 'um'), 'µm', 3));
+const ends = (pair, unit) => right(pair ? `${number(pair[0], 3)} to ${withUnit(pair[1], unit, 3)}` : '–');
 
 export function wornTable(life) {
   const known = life.worn_quantities
@@ -21,12 +22,12 @@ export function wornTable(life) {
     'Material lost since the start',
     [
       'running time',
-      ...known.map(({ heading }) => figure(heading)),
-      ...banded.map(({ heading }) => figure(`${heading}, band`)),
+      ...known.map(({ heading }) => right(heading)),
+      ...banded.map(({ heading }) => right(`${heading}, band`)),
     ],
     life.states.map((state) => [
       hoursText(state.hours),
-      ...known.map(({ name, unit, convert }) => figure(withUnit(convert(state[name]), unit, 3))),
+      ...known.map(({ name, unit, convert }) => right(withUnit(convert(state[name]), unit, 3))),
       ...banded.map(({ name, unit, convert }) => ends(state.band?.[name]?.map(convert), unit)),
     ]),
     { folds: true },
@@ -57,13 +58,13 @@ export function fitTable(fit) {
     ),
     table(
       'Wear coefficients that the measured faces allow',
-      ['fitted to', 'up to', figure('worn area'), figure('rms distance left'), figure('mean coefficient')],
+      ['fitted to', 'up to', right('worn area'), right('rms distance left'), right('mean coefficient')],
       fit.rows.map((row) => [
         basisOf(row),
         hoursText(row.hours),
         area(row.worn_area),
-        row.rms === undefined ? figure('–') : depth(row.rms),
-        figure(coefficientText(row)),
+        row.rms === undefined ? right('–') : depth(row.rms),
+        right(coefficientText(row)),
       ]),
       { folds: true },
     ),
@@ -73,7 +74,7 @@ export function fitTable(fit) {
 function boundsAt(states, k) {
   return table(
     'Least wear since the first state',
-    ['measured state', figure('worn area'), figure('largest depth'), figure('in the middle'), figure('tilt')],
+    ['measured state', right('worn area'), right('largest depth'), right('in the middle'), right('tilt')],
     states.map((state) => {
       const bound = state.least_wear[k];
       return [
@@ -81,7 +82,7 @@ function boundsAt(states, k) {
         area(bound.worn_area),
         depth(bound.largest_worn_depth),
         depth(bound.depth_at_middle),
-        figure(`${number(60 * degrees(bound.tilt), 2)}′`),
+        right(`${number(60 * inDegrees(bound.tilt), 2)}′`),
       ];
     }),
     { folds: true },
@@ -95,20 +96,18 @@ export function leastWear(life) {
   const margins = states[0].least_wear.map((bound) => bound.untrusted_margin);
   const words = (k) => trusted(margins[k]);
   const place = element('div', {}, boundsAt(states, 0));
-  const label = element('output', { for: 'trusted-width' }, words(0));
-  const slider = element('input', {
-    type: 'range',
-    id: 'trusted-width',
-    min: '0',
-    max: String(margins.length - 1),
-    step: '1',
-    value: '0',
-    'aria-label': 'how much of the width of the faces is trusted',
-    oninput: () => {
-      label.textContent = words(Number(slider.value));
-      place.replaceChildren(boundsAt(states, Number(slider.value)));
+  const { input, output, label } = slider(
+    'trusted-width',
+    'Trusted width: ',
+    'how much of the width of the faces is trusted',
+    margins.length,
+    0,
+    (k) => {
+      output.textContent = words(k);
+      place.replaceChildren(boundsAt(states, k));
     },
-  });
+  );
+  output.textContent = words(0);
   return [
     element(
       'p',
@@ -116,7 +115,7 @@ export function leastWear(life) {
       'Faces are known up to an offset and a tilt. If material only disappears, at least this was lost; more is ' +
         'always possible. Where most of it lies at the edges, it rests on the chamfers of the scans.',
     ),
-    element('p', {}, element('label', { for: 'trusted-width' }, 'Trusted width: '), slider, ' ', label),
+    element('p', {}, label, input, ' ', output),
     place,
   ];
 }

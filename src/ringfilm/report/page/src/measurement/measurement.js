@@ -1,12 +1,23 @@
 // The page of a measurement: what an instrument gave, what became of it, and what a case takes from it.
-import { element, startViews } from '../dom.js';
+import { element, section, startViews } from '../dom.js';
 import { ChartView, Visibility } from '../figure/chart_view.js';
 import { boreFigure } from './bore_figure.js';
 import { DrawingView } from '../figure/drawing_view.js';
 import { mapFigure } from '../plot/map_figure.js';
 import { curveFigure, withoutPoints } from './measurement_figures.js';
 import { fragmentBlock, groupTable, numbersTable, shownNumber } from './measurement_tables.js';
-import { section, table } from '../tables.js';
+import {
+  card,
+  cardRow,
+  cards,
+  cardValue,
+  charts,
+  noteList,
+  notesBox,
+  pageHead,
+  showPage,
+} from '../page_head.js';
+import { programRows, table } from '../tables.js';
 import { sentence, typeset, typesetSymbol, typesetUnit, withoutFolders } from '../units.js';
 
 const kKinds = {
@@ -21,8 +32,6 @@ const kKinds = {
 };
 
 const kKeyValues = 3;
-/** More notes than these are folded away. */
-const kNotesShown = 4;
 
 function keyValues(measurement) {
   const all = measurement.groups.flatMap((group) => group.values);
@@ -30,71 +39,31 @@ function keyValues(measurement) {
   return named.length ? named : all.filter((value) => value.value !== null).slice(0, kKeyValues);
 }
 
-function card(value) {
+function valueCard(value) {
   const whole = shownNumber(value);
   const [shown, error] = whole.startsWith('(') ? [whole] : whole.split(' ± ');
   const unit = typesetUnit(value.unit);
-  return element(
-    'section',
-    { class: 'card' },
-    element('h2', {}, value.long_name || value.name),
-    element(
-      'div',
-      { class: 'card-row' },
-      element(
-        'span',
-        { class: 'card-value' },
-        element('b', {}, shown),
-        error ? ` ± ${error}` : '',
-        unit && shown !== '–' ? ` ${unit}` : '',
-      ),
-      element('span', { class: 'card-symbol' }, typesetSymbol(value.symbol)),
-    ),
+  const after = (error ? ` ± ${error}` : '') + (unit && shown !== '–' ? ` ${unit}` : '');
+  const symbol = element('span', { class: 'card-symbol' }, typesetSymbol(value.symbol));
+  return card(
+    value.long_name || value.name,
+    cardRow(null, cardValue(shown, after), null, symbol),
     value.remark ? element('p', { class: 'card-remark' }, typeset(value.remark)) : null,
-  );
-}
-
-function noteList(notes) {
-  return element(
-    'ul',
-    { class: 'notes' },
-    notes.map((note) => element('li', {}, sentence(note))),
-  );
-}
-
-function notesBox(notes) {
-  if (notes.length === 0) return null;
-  const [shown, others] = [notes.slice(0, kNotesShown), notes.slice(kNotesShown)];
-  return element(
-    'div',
-    { class: 'warning', role: 'note' },
-    element('strong', {}, 'Warning: '),
-    notes.length === 1 ? sentence(notes[0]) : noteList(shown),
-    others.length
-      ? element(
-          'details',
-          { class: 'fold' },
-          element('summary', {}, `${others.length} more ${others.length === 1 ? 'note' : 'notes'}`),
-          noteList(others),
-        )
-      : null,
   );
 }
 
 const kSourcesOnFirstScreen = 2; // the file and whether it can be what it seems; all of them are at the end
 
 function firstScreen(measurement) {
-  const cards = keyValues(measurement);
-  return element(
-    'header',
-    { class: 'first-screen' },
-    element('p', { class: 'kind' }, kKinds[measurement.kind] ?? 'A measurement'),
-    element('h1', {}, measurement.title),
-    measurement.sources
-      .slice(0, kSourcesOnFirstScreen)
-      .map((source) => element('p', { class: 'operating' }, typeset(source))),
-    cards.length ? element('div', { class: 'cards' }, cards.map(card)) : null,
-    notesBox(measurement.notes),
+  const values = keyValues(measurement);
+  return pageHead(
+    {
+      kind: kKinds[measurement.kind] ?? 'A measurement',
+      title: measurement.title,
+      operating: measurement.sources.slice(0, kSourcesOnFirstScreen).map(typeset),
+    },
+    values.length ? cards(values.map(valueCard)) : null,
+    notesBox(measurement.notes.map(sentence)),
   );
 }
 
@@ -111,14 +80,6 @@ function figureViews(measurement, context) {
   return { maps, curves, drawings: bore ? [new DrawingView(bore, context)] : [] };
 }
 
-function provenanceTable(provenance) {
-  return table(
-    'Program',
-    ['what', ''],
-    ['program', 'commit', 'compiler'].map((key) => [key, provenance[key] || '–']),
-  );
-}
-
 function buildPage(measurement) {
   const context = { group: null, besidePaper: false, stem: measurement.title, subtitle: measurement.title };
   const { maps, curves, drawings } = figureViews(measurement, context);
@@ -128,31 +89,27 @@ function buildPage(measurement) {
   const missing = [...empty, ...withoutPoints(measurement.curves)];
   const hasErrors = measurement.groups.some((group) => group.values.some((value) => value.error > 0));
   const parts = [
-    ['bore', 'Ring and bore', drawings.length > 0, () => drawings.map((view) => view.node)],
-    ['maps', 'Height maps', maps.length > 0, () => maps.map((view) => view.node)],
+    ['bore', 'Ring and bore', drawings.length > 0, drawings.map((view) => view.node)],
+    ['maps', 'Height maps', maps.length > 0, maps.map((view) => view.node)],
     [
       'curves',
       'Curves',
       curves.length > 0 || missing.length > 0,
-      () => [
+      [
         element(
           'p',
           { class: 'how' },
           'Drag across a chart to zoom, double-click for the whole; a name in a legend hides its curve.',
         ),
-        missing.length ? noteList(missing) : null,
-        element(
-          'div',
-          { class: 'charts' },
-          curves.map((view) => view.node),
-        ),
+        missing.length ? noteList(missing.map(sentence)) : null,
+        charts(curves),
       ],
     ],
     [
       'values',
       'Values',
       measurement.groups.length > 0,
-      () => [
+      [
         hasErrors ? element('p', { class: 'how' }, 'After ±: one standard error.') : null,
         measurement.groups.map((group, i) => groupTable(group, i, context)),
       ],
@@ -161,47 +118,36 @@ function buildPage(measurement) {
       'tables',
       'Tables',
       measurement.tables.length > 0,
-      () => measurement.tables.map((given) => numbersTable(given, context)),
+      measurement.tables.map((given) => numbersTable(given, context)),
     ],
-    [
-      'fragment',
-      'For a case',
-      measurement.fragment !== '',
-      () => fragmentBlock(measurement.fragment, context),
-    ],
+    ['fragment', 'For a case', measurement.fragment !== '', fragmentBlock(measurement.fragment, context)],
     [
       'done',
       'What was done',
       measurement.statements.length > 0,
-      () =>
-        element(
-          'ol',
-          { class: 'done' },
-          measurement.statements.map((statement) => element('li', {}, sentence(statement))),
-        ),
+      element(
+        'ol',
+        { class: 'done' },
+        measurement.statements.map((statement) => element('li', {}, sentence(statement))),
+      ),
     ],
     [
       'provenance',
       'Where this comes from',
       true,
-      () => [
+      [
         element(
           'ul',
           { class: 'done' },
           measurement.sources.map((source) => element('li', {}, typeset(source))),
         ),
-        provenanceTable(measurement.provenance),
+        table('Program', ['what', ''], programRows(measurement.provenance)),
       ],
     ],
-  ].filter(([, , there]) => there);
-  document.getElementById('report').replaceChildren(
+  ];
+  showPage(
     firstScreen(measurement),
-    element(
-      'nav',
-      { class: 'contents', 'aria-label': 'Contents' },
-      parts.map(([id, label]) => element('a', { href: `#${id}` }, label)),
-    ),
-    ...parts.map(([id, label, , content]) => section(id, label, content())),
+    parts.map(([id, label, there, content]) => there && { id, label, node: section(id, label, content) }),
   );
   const views = [...drawings, ...maps, ...curves];
   startViews(views);

@@ -1,11 +1,9 @@
 // Values, tables and the fragment of a measurement.
 import { element } from '../dom.js';
-import { fileStem, heading, save } from '../downloads.js';
+import { fileStem, save, saveButton } from '../downloads.js';
 import { axisTitle } from '../plot/scales.js';
-import { table } from '../tables.js';
-import { numberOrCount, plain, typeset, typesetSymbol, typesetUnit, withErrorAndPower } from '../units.js';
-
-const right = (text) => ({ text, attributes: { class: 'number' } });
+import { right, table, withCsv } from '../tables.js';
+import { numberOrCount, typeset, typesetSymbol, typesetUnit, withErrorAndPower } from '../units.js';
 
 /** "0.412 ± 0.013", without its unit. */
 export function shownNumber(value) {
@@ -27,38 +25,8 @@ function columnHead(column) {
   return axisTitle(addsSymbol ? `${name}, ${typesetSymbol(column.symbol)}` : name, typesetUnit(column.unit));
 }
 
-function csvButton(title, context, id, columns) {
-  const rows = Math.max(...columns.map((column) => column.values.length));
-  const csv = () => {
-    const lines = [columns.map((column) => heading(column.title)).join(',')];
-    for (let k = 0; k < rows; k++)
-      lines.push(
-        columns
-          .map(({ values }) => (typeof values[k] === 'string' ? heading(values[k]) : plain(values[k])))
-          .join(','),
-      );
-    return `${lines.join('\r\n')}\r\n`;
-  };
-  return element(
-    'button',
-    {
-      type: 'button',
-      class: 'download',
-      'aria-label': `${title} as CSV`,
-      onclick: () => save(`${fileStem(context.stem, id)}.csv`, 'text/csv', csv()),
-    },
-    'CSV',
-  );
-}
-
-function headed(title, button) {
-  return element(
-    'div',
-    { class: 'table-heading' },
-    element('h3', {}, typeset(title)),
-    element('span', { class: 'downloads' }, button),
-  );
-}
+const headed = (title, context, id, columns) =>
+  withCsv(element('h3', {}, typeset(title)), title, context, id, () => columns);
 
 export function groupTable(group, index, context) {
   const rows = group.values.map((value) => [
@@ -76,7 +44,7 @@ export function groupTable(group, index, context) {
     { title: 'holds for', values: group.values.map((v) => v.remark) },
   ];
   return [
-    headed(group.title, csvButton(group.title, context, `values-${index + 1}`, columns)),
+    headed(group.title, context, `values-${index + 1}`, columns),
     table(group.title, ['quantity', 'symbol', right('value'), 'holds for'], rows, {
       folds: true,
       classes: 'values titled',
@@ -115,7 +83,7 @@ export function numbersTable(given, context) {
     })),
   ];
   return [
-    headed(given.title, csvButton(given.title, context, given.name, columns)),
+    headed(given.title, context, given.name, columns),
     remarks(given.columns),
     table(
       given.title,
@@ -166,14 +134,8 @@ export function fragmentBlock(fragment, context) {
         'span',
         { class: 'fragment-buttons' },
         copy,
-        element(
-          'button',
-          {
-            type: 'button',
-            class: 'download',
-            onclick: () => save(`${fileStem(context.stem, 'fragment')}.toml`, 'application/toml', fragment),
-          },
-          'TOML',
+        saveButton('TOML', () =>
+          save(`${fileStem(context.stem, 'fragment')}.toml`, 'application/toml', fragment),
         ),
       ),
     ),

@@ -1,12 +1,12 @@
 // The page of the gas of a ring pack alone: no films, so no friction and no oil.
 import { ChartView, Visibility } from '../figure/chart_view.js';
-import { code, element, startViews } from '../dom.js';
+import { code, section, startViews } from '../dom.js';
 import { shownInput } from '../model.js';
-import { headWarning, numberCard, pageHead } from '../page_head.js';
+import { cards, charts, headWarning, numberCard, pageHead, showPage } from '../page_head.js';
 import { CycleGroup } from '../plot/chart.js';
-import { figure as numberCell, folded, section, table } from '../tables.js';
+import { filesTable, folded, inputCell, keyCell, programRows, right, table } from '../tables.js';
 import { gasSum, gasValue, kBlowBy, kStandard } from './gas_words.js';
-import { angleInWords, converted, number, sentence, shortPath, typeset, wrapped } from '../units.js';
+import { angleInWords, converted, number, sentence, typeset, wrapped } from '../units.js';
 import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
 import { packOfGas, regionWords } from './pack_model.js';
 import { gasTables, packView } from './pack_view.js';
@@ -46,9 +46,7 @@ function firstScreen(payload) {
       operating: operatingLine(payload.inputs),
     },
     warning ? headWarning('Warning', typeset(warning)) : null,
-    element(
-      'div',
-      { class: 'cards' },
+    cards(
       numberCard('Blow-by of a cylinder', number(mass.value, 3), {
         of: ` ${mass.unit} per cycle`,
         detail: `${gasValue(gas, kBlowBy.flow)} ${kStandard}`,
@@ -64,18 +62,16 @@ function firstScreen(payload) {
   );
 }
 
-const head = (text) => ({ text, attributes: { class: 'number' } });
-
 function regionTable({ regions }) {
   const hasMeans = regions.every((region) => region.mean_pressure !== undefined);
   return table(
     'Pressures of the regions',
-    ['region', head('peak [bar]'), head('at'), ...(hasMeans ? [head('mean [bar]')] : [])],
+    ['region', right('peak [bar]'), right('at'), ...(hasMeans ? [right('mean [bar]')] : [])],
     regions.map((region) => [
       regionWords(region.name),
-      numberCell(number(converted(region.peak_pressure, 'bar'), 4)),
-      numberCell(angleInWords(wrapped(region.peak_pressure_angle))),
-      ...(hasMeans ? [numberCell(number(converted(region.mean_pressure, 'bar'), 4))] : []),
+      right(number(converted(region.peak_pressure, 'bar'), 4)),
+      right(angleInWords(wrapped(region.peak_pressure_angle))),
+      ...(hasMeans ? [right(number(converted(region.mean_pressure, 'bar'), 4))] : []),
     ]),
   );
 }
@@ -91,10 +87,10 @@ function eventTable({ events }) {
   if (events.length === 0) return null;
   return table(
     'Changes of flank contact',
-    ['ring', head('crank angle'), 'event'],
+    ['ring', right('crank angle'), 'event'],
     events.map((event) => [
       `ring ${event.ring}`,
-      numberCell(angleInWords(wrapped(event.crank_angle))),
+      right(angleInWords(wrapped(event.crank_angle))),
       kEvents[event.event] ?? event.event,
     ]),
   );
@@ -106,40 +102,10 @@ function inputTable(inputs) {
     table(
       'Inputs',
       ['key', 'value'],
-      inputs.map((entry) => [
-        { text: [code(entry.key), element('span', { class: 'help' }, typeset(entry.help))] },
-        {
-          text: entry.assumed
-            ? [shownInput(entry), ' ', element('span', { class: 'tag' }, 'assumed')]
-            : shownInput(entry),
-          attributes: { class: entry.assumed ? 'assumed' : '' },
-        },
-      ]),
+      inputs.map((entry) => [keyCell(entry), inputCell(entry)]),
       { folds: true, classes: 'inputs' },
     ),
   );
-}
-
-function provenanceTables({ provenance, files }) {
-  return [
-    table(
-      'Program',
-      ['what', 'value'],
-      ['program', 'commit', 'compiler'].map((key) => [key, provenance[key] || '–']),
-    ),
-    files.length
-      ? table(
-          'Files read',
-          ['file', 'role', 'SHA-256'],
-          files.map((file) => [
-            { text: code(shortPath(file.path)) },
-            file.role,
-            { text: element('code', { class: 'hash' }, file.sha256) },
-          ]),
-          { folds: true },
-        )
-      : null,
-  ].filter(Boolean);
 }
 
 function buildPage(payload) {
@@ -156,36 +122,32 @@ function buildPage(payload) {
     .map((figure) => new ChartView(figure, context));
   const views = [packView(packed, context), ...figures];
   const { gas } = payload;
-  document.getElementById('report').replaceChildren(
-    ...[
-      firstScreen(payload),
-      section(
-        'pack',
-        'Ring pack',
-        element(
-          'div',
-          { class: 'charts' },
-          views.map((view) => view.node),
-        ),
-        regionTable(gas),
-        gasTables(gas),
-        eventTable(gas),
-      ),
-      payload.notes.length
-        ? section(
-            'validity',
-            'Validity: what to know before using these results',
-            table(
-              'Notes on validity',
-              ['note', 'topic'],
-              payload.notes.map((note) => [sentence(note.message), { text: code(note.topic) }]),
-              { folds: true },
-            ),
-          )
-        : null,
-      section('inputs', 'Inputs', inputTable(payload.inputs)),
-      section('provenance', 'Where this comes from', provenanceTables(payload)),
-    ].filter(Boolean),
+  const parts = [
+    section('pack', 'Ring pack', charts(views), regionTable(gas), gasTables(gas), eventTable(gas)),
+    payload.notes.length
+      ? section(
+          'validity',
+          'Validity: what to know before using these results',
+          table(
+            'Notes on validity',
+            ['note', 'topic'],
+            payload.notes.map((note) => [sentence(note.message), { text: code(note.topic) }]),
+            { folds: true },
+          ),
+        )
+      : null,
+    section('inputs', 'Inputs', inputTable(payload.inputs)),
+    section(
+      'provenance',
+      'Where this comes from',
+      table('Program', ['what', 'value'], programRows(payload.provenance)),
+      payload.files.length ? filesTable(payload.files) : null,
+    ),
+  ];
+  showPage(
+    firstScreen(payload),
+    parts.map((node) => node && { node }),
+    { contents: false },
   );
   startViews(views);
 }

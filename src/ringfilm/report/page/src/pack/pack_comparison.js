@@ -1,7 +1,7 @@
 // Several ring packs beside each other: one colour for each pack, one row for each ring.
 import { kCycleRange } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
-import { figure as numberCell, table } from '../tables.js';
+import { right, table } from '../tables.js';
 import { converted, display, number } from '../units.js';
 import { blowByWords, gasSum, kBlowBy, kStandard } from './gas_words.js';
 import { PackModel, regionWords } from './pack_model.js';
@@ -62,7 +62,7 @@ export function comparisonTable(model) {
   const rings = [...new Set(packs.flatMap(({ pack }) => pack.by_ring.map(({ ring }) => ring)))];
   const ofRing = (pack, ring) =>
     pack.complete ? pack.by_ring.find((one) => one.ring === ring)?.values : null;
-  const row = (what, cell) => [what, ...packs.map(({ pack }) => numberCell(cell(pack)))];
+  const row = (what, cell) => [what, ...packs.map(({ pack }) => right(cell(pack)))];
   const someGas = packs.find(({ pack }) => pack.gas)?.pack.gas;
   const someOil = packs.find(({ pack }) => pack.oil)?.pack.oil;
   const ofGas = (words, name) =>
@@ -91,8 +91,7 @@ export function comparisonTable(model) {
       );
     }),
   ];
-  const head = (text) => ({ text, attributes: { class: 'number' } });
-  return table('Friction and blow-by of the packs', ['what', ...packs.map(({ name }) => head(name))], rows, {
+  return table('Friction and blow-by of the packs', ['what', ...packs.map(({ name }) => right(name))], rows, {
     folds: true,
   });
 }

@@ -3,7 +3,8 @@ import { element } from '../dom.js';
 import { AngleSlider } from '../figure/choices.js';
 import { DrawingView } from '../figure/drawing_view.js';
 import { boundaryPowerShare } from '../model.js';
-import { figure as numberCell, folded, table } from '../tables.js';
+import { folded, right, table } from '../tables.js';
+import { axisTitle } from '../plot/scales.js';
 import { display, number, withUnit } from '../units.js';
 import { blowByWords, withoutRounding } from './gas_words.js';
 import { kPackWidth, packDrawing } from './pack_drawing.js';
@@ -49,19 +50,20 @@ export function ringTable({ pack, model }) {
   const names = Object.keys(pack.values);
   const row = (what, values) => [
     what,
-    ...names.map((name) => numberCell(number(model.value({ values }, name).value, 4))),
-    numberCell(`${number((100 * values.mean_power_loss) / pack.values.mean_power_loss, 3)} %`),
-    numberCell(withUnit(boundaryPowerShare(values), '%', 3)),
+    ...names.map((name) => right(number(model.value({ values }, name).value, 4))),
+    right(`${number((100 * values.mean_power_loss) / pack.values.mean_power_loss, 3)} %`),
+    right(withUnit(boundaryPowerShare(values), '%', 3)),
   ];
-  const head = (text) => ({ text, attributes: { class: 'number' } });
-  const heading = ({ longName, unit }) => head(`${longName} [${unit}]`);
   return table(
     'Friction by ring',
     [
       'ring',
-      ...names.map((name) => heading(model.value(pack, name))),
-      head('share in the pack'),
-      head('boundary friction in the power'),
+      ...names.map((name) => {
+        const { longName, unit } = model.value(pack, name);
+        return right(`${longName} [${unit}]`);
+      }),
+      right('share in the pack'),
+      right('boundary friction in the power'),
     ],
     [...pack.by_ring.map(({ ring, values }) => row(`ring ${ring}`, values)), row('pack', pack.values)],
   );
@@ -74,18 +76,14 @@ function gasTable(caption, what, quantities, rows, nameOf) {
     .filter(({ name }) => rows.some((row) => row[name] !== undefined));
   if (rows.length === 0 || columns.length === 0) return null;
   const cell = (value, { convert, display_unit: shown }) => {
-    if (value === undefined) return numberCell('–');
-    if (typeof value === 'boolean') return numberCell(value ? 'yes' : 'no');
+    if (value === undefined) return right('–');
+    if (typeof value === 'boolean') return right(value ? 'yes' : 'no');
     const isCount = shown === '1' && Number.isInteger(value);
-    return numberCell(isCount ? String(value) : number(convert(value), 3));
+    return right(isCount ? String(value) : number(convert(value), 3));
   };
-  const head = ({ long_name: text, unit }) => ({
-    text: unit ? `${text} [${unit}]` : text,
-    attributes: { class: 'number' },
-  });
   return table(
     caption,
-    [what, ...columns.map(head)],
+    [what, ...columns.map(({ long_name: name, unit }) => right(axisTitle(name, unit)))],
     rows.map((row) => [nameOf(row), ...columns.map((column) => cell(row[column.name], column))]),
     { folds: true },
   );

@@ -2,7 +2,7 @@
 import { CycleGroup } from '../plot/chart.js';
 import { picker } from '../figure/choices.js';
 import { DrawingView } from '../figure/drawing_view.js';
-import { element, startViews } from '../dom.js';
+import { element, section, startViews } from '../dom.js';
 import { ChartView, Visibility } from '../figure/chart_view.js';
 import { comparisonFigure } from './study_compare.js';
 import { curveFigures } from './study_curves.js';
@@ -23,7 +23,7 @@ import {
   unsolvedSection,
   variedSection,
 } from './study_tables.js';
-import { section } from '../tables.js';
+import { charts, showPage } from '../page_head.js';
 
 /**
  * A main value (and base) that the reader picks for the figures of a section. @param figures (model,
@@ -154,7 +154,6 @@ function buildPage(model) {
     return list.map((view) => view.node);
   };
   const drawing = (figure) => (figure ? kept([new DrawingView(figure, context)]) : []);
-  const charts = (nodes) => element('div', { class: 'charts' }, nodes);
   const any = model.solved > 0;
   const with_ = (part) =>
     model.mainValues.filter((q) =>
@@ -266,19 +265,8 @@ the study and run it anew.',
     ['varied', 'What varied', variedSection(model)],
     ['unsolved', 'Not solved', unsolvedSection(model)],
     ['provenance', 'Provenance', provenanceSection(model)],
-  ]
-    .filter(([, , node]) => node)
-    .map(([id, label, node]) => ({ id, label, node }));
-  const all = [...parts, ...rest];
-  document.getElementById('report').replaceChildren(
-    firstScreen(model),
-    element(
-      'nav',
-      { class: 'contents', 'aria-label': 'Contents' },
-      all.map(({ id, label }) => element('a', { href: `#${id}` }, label)),
-    ),
-    ...all.map(({ node }) => node),
-  );
+  ].map(([id, label, node]) => ({ id, label, node }));
+  showPage(firstScreen(model), [...parts, ...rest]);
   startViews(views);
 }
 

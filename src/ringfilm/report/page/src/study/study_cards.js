@@ -1,5 +1,6 @@
 // The numbers on the first screen of a study.
 import { element } from '../dom.js';
+import { card, cardRow, cardValue } from '../page_head.js';
 import { caseColour } from '../plot/palette.js';
 import { number } from '../units.js';
 
@@ -44,24 +45,14 @@ export function cardTexts(model, name, base) {
   return { value: `${low} to ${high}`, detail: at ? `lowest at ${at.lowest}; highest at ${at.highest}` : '' };
 }
 
-export function card(model, name) {
+export function studyCard(model, name) {
   const q = model.quantity.get(name);
   const rows = model.bases.map((b) => {
     const { value, detail } = cardTexts(model, name, b.index);
-    return element(
-      'div',
-      { class: 'card-row' },
-      model.several ? element('span', { class: 'card-name' }, swatch(b.index), b.name) : null,
-      element(
-        'span',
-        { class: 'card-value' },
-        element('b', {}, value ?? '–'),
-        q.shown && value !== null ? ` ${q.shown}` : '',
-      ),
-      element('span', { class: 'card-detail' }, detail),
-    );
+    const after = q.shown && value !== null ? ` ${q.shown}` : '';
+    return cardRow(model.several ? [swatch(b.index), b.name] : null, cardValue(value ?? '–', after), detail);
   });
-  return element('section', { class: 'card' }, element('h2', {}, q.short_name), rows);
+  return card(q.short_name, rows);
 }
 
 /** What the numbers on the cards are. */

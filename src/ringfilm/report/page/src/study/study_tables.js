@@ -1,15 +1,13 @@
 // First screen and tables of a study.
-import { code, element } from '../dom.js';
-import { columnsCsv, fileStem, save } from '../downloads.js';
+import { code, element, section } from '../dom.js';
+import { alarm, cards, notesBox, pageHead } from '../page_head.js';
 import { axisTitle } from '../plot/scales.js';
 import { differenceOf, middleOf, middleWord } from './study_compare.js';
 import { count } from './study_model.js';
-import { card, cardsSentence, cardValues, swatch } from './study_cards.js';
+import { cardsSentence, cardValues, studyCard, swatch } from './study_cards.js';
 import { shareText } from './study_spread.js';
-import { section, table } from '../tables.js';
-import { number, percent, sentence, shortPath, typeset, withUnit } from '../units.js';
-
-const right = (text, attributes = {}) => ({ text, attributes: { class: 'number', ...attributes } });
+import { fold, foldedFiles, isWide, programRows, right, table, withCsv } from '../tables.js';
+import { number, percent, sentence, typeset, withUnit } from '../units.js';
 
 const kKinds = {
   map: 'A map: many operating points',
@@ -18,7 +16,6 @@ const kKinds = {
   screening: 'Screening: which inputs matter at all',
 };
 
-const kNotesShown = 4;
 /** Values beside the main ones whose errors are the largest. */
 const kOtherErrors = 6;
 
@@ -52,77 +49,36 @@ function byWeight(scenarioNotes) {
 
 export function firstScreen(model) {
   const failed = model.unsolved.count;
-  const notes = model.notes.map((note) => element('li', {}, sentence(note)));
+  const notes = model.notes.map((note) => [sentence(note)]);
   const [first] = byWeight(model.scenario_notes.filter((note) => note.topic !== 'accuracy-asked-for'));
   if (first) {
     const others = model.scenario_notes.length - 1;
-    notes.unshift(
-      element(
-        'li',
-        {},
-        `${count(first.count)} of ${count(model.scenarios)} scenarios: ${sentence(first.message)} `,
-        element(
-          'a',
-          { href: '#notes' },
-          others > 0 ? `${others} more ${others === 1 ? 'note' : 'notes'} on results` : 'Which ones',
-        ),
-      ),
-    );
+    const more = others > 0 ? `${others} more ${others === 1 ? 'note' : 'notes'} on results` : 'Which ones';
+    notes.unshift([
+      `${count(first.count)} of ${count(model.scenarios)} scenarios: ${sentence(first.message)} `,
+      element('a', { href: '#notes' }, more),
+    ]);
   }
-  return element(
-    'header',
-    { class: 'first-screen' },
-    element('p', { class: 'kind' }, kKinds[model.kind] ?? 'A study'),
-    element('h1', {}, model.title || 'A study'),
-    element(
-      'p',
-      { class: 'operating' },
-      `${count(model.scenarios)} scenarios: ${
-        model.several
-          ? `${model.bases.length} bases \
-(${model.bases.map((b) => b.name).join(', ')})`
-          : `base ${model.bases[0].name}`
-      }, ${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}, ${points(model)}, seed \
-${model.seed}`,
-    ),
+  const bases = model.several
+    ? `${model.bases.length} bases (${model.bases.map((b) => b.name).join(', ')})`
+    : `base ${model.bases[0].name}`;
+  const factors = `${model.factors.length} ${model.factors.length === 1 ? 'factor' : 'factors'}`;
+  return pageHead(
+    {
+      kind: kKinds[model.kind] ?? 'A study',
+      title: model.title || 'A study',
+      operating: `${count(model.scenarios)} scenarios: ${bases}, ${factors}, ${points(model)}, seed ${model.seed}`,
+    },
     failed > 0
-      ? element(
-          'div',
-          { class: 'warning stopped', role: 'alert' },
-          element(
-            'p',
-            {},
-            element('strong', {}, `${count(failed)} of ${count(model.scenarios)} scenarios NOT SOLVED. `),
-            `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: \
-${reasonText(model.unsolved.reasons[0])} `,
-            element('a', { href: '#unsolved' }, 'All reasons'),
-          ),
-        )
+      ? alarm(`${count(failed)} of ${count(model.scenarios)} scenarios NOT SOLVED. `, [
+          `${model.unsolved.reasons[0].count > 1 ? 'Most often' : 'The first'}: ` +
+            `${reasonText(model.unsolved.reasons[0])} `,
+          element('a', { href: '#unsolved' }, 'All reasons'),
+        ])
       : null,
-    model.solved > 0
-      ? element(
-          'div',
-          { class: 'cards' },
-          cardValues(model).map((name) => card(model, name)),
-        )
-      : null,
+    model.solved > 0 ? cards(cardValues(model).map((name) => studyCard(model, name))) : null,
     model.solved > 0 ? element('p', { class: 'how' }, cardsSentence(model)) : null,
-    notes.length
-      ? element(
-          'div',
-          { class: 'warning', role: 'note' },
-          element('strong', {}, 'Warning: '),
-          element('ul', { class: 'notes' }, notes.slice(0, kNotesShown)),
-          notes.length > kNotesShown
-            ? element(
-                'details',
-                { class: 'fold' },
-                element('summary', {}, `${notes.length - kNotesShown} more notes`),
-                element('ul', { class: 'notes' }, notes.slice(kNotesShown)),
-              )
-            : null,
-        )
-      : null,
+    notesBox(notes),
   );
 }
 
@@ -265,22 +221,10 @@ export function statisticsSection(model, context) {
     ];
   };
   const counts = model.bases.map((b) => model.statistics[model.main_values[0]][b.index]);
-  const button = element(
-    'button',
-    {
-      type: 'button',
-      class: 'download',
-      'aria-label': 'Values of the cycle as CSV',
-      onclick: () => save(`${fileStem(context.stem, 'values')}.csv`, 'text/csv', columnsCsv(columns())),
-    },
-    'CSV',
-  );
   return section(
     'values',
     'Values of the cycle',
-    element(
-      'div',
-      { class: 'table-heading' },
+    withCsv(
       element(
         'p',
         {},
@@ -298,20 +242,16 @@ confidence interval of each number, … where so few scenarios do not determine 
           : `Over all ${model.points.length ? 'operating points, with their weights' : 'scenarios of the plan'}: \
 they are not a sample and do not show how likely a value is.`,
       ),
-      element('span', { class: 'downloads' }, button),
+      'Values of the cycle',
+      context,
+      'values',
+      columns,
     ),
     model.bases.map((b) => {
       const content = table(`Values of the cycle, ${b.name}`, heads, rows(b.index), {
         classes: 'statistics titled',
       });
-      return model.several
-        ? element(
-            'details',
-            { class: 'fold', open: b.index === 0 },
-            element('summary', {}, swatch(b.index), ' ', b.name),
-            content,
-          )
-        : content;
+      return model.several ? fold([swatch(b.index), ' ', b.name], b.index === 0, content) : content;
     }),
   );
 }
@@ -404,16 +344,11 @@ export function indicesTable(model) {
   const shown = model.mainValues.filter((q) => model.indices[q.name]?.some(Boolean));
   if (shown.length === 0) return null;
   return model.bases.map((b) =>
-    element(
-      'details',
-      { class: 'fold', open: b.index === 0 && window.innerWidth > 760 },
-      element(
-        'summary',
-        {},
-        model.several
-          ? [swatch(b.index), ` Total indices of all main values, ${b.name}`]
-          : 'Total indices of all main values',
-      ),
+    fold(
+      model.several
+        ? [swatch(b.index), ` Total indices of all main values, ${b.name}`]
+        : 'Total indices of all main values',
+      b.index === 0 && isWide(),
       table(
         `Total indices, ${b.name}`,
         ['factor', ...shown.map((q) => right(q.short_name))],
@@ -544,24 +479,10 @@ export function provenanceSection(model) {
       'Program and plan',
       ['what', ''],
       [
-        ...['program', 'commit', 'compiler'].map((key) => [key, model.provenance[key] || '–']),
+        ...programRows(model.provenance),
         ['plan', `${points(model)}, seed ${model.seed}: the same file gives the same scenarios`],
       ],
     ),
-    element(
-      'details',
-      { class: 'fold', open: window.innerWidth > 760 },
-      element('summary', {}, `${model.files.length} files read, with their hashes`),
-      table(
-        'Files read',
-        ['file', 'role', 'SHA-256'],
-        model.files.map((f) => [
-          { text: code(shortPath(f.path), { title: f.path }) },
-          f.role,
-          { text: element('code', { class: 'hash' }, f.sha256) },
-        ]),
-        { folds: true },
-      ),
-    ),
+    foldedFiles(model.files),
   );
 }
