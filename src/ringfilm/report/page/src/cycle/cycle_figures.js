@@ -29,13 +29,8 @@ function sameInAll(model, name) {
   );
 }
 
-export function quantityAxis(model, name) {
-  const quantity = model.curveQuantity.get(name);
-  return { yLabel: quantity.long_name, yUnit: display(quantity).unit };
-}
-
 /** One series a case, or one for all where the cases do not differ. */
-export function caseSeries(model, name, { part = null, range = kCycleRange } = {}) {
+function caseSeries(model, name, { part = null, range = kCycleRange } = {}) {
   const drawn = (c) => {
     const error = model.curveError(c, name);
     return { ...window(model.curve(c, name), ...range), error: error && window(error, ...range).y };
@@ -92,21 +87,31 @@ export function pressurePeaks(model) {
   return peaks;
 }
 
-export function cyclePanel(model, name, options = {}) {
-  const range = options.range ?? kCycleRange;
+/** A panel over the crank angle. @param more what else it has: zeroLine, fromZero, yScale, ... */
+export function crankPanel(id, yLabel, yUnit, series, more = {}) {
   return {
-    id: name,
-    ...quantityAxis(model, name),
+    id,
+    yLabel,
+    yUnit,
     xLabel: 'crank angle, firing TDC = 0',
     xUnit: '°',
     crank: true,
-    xRange: range,
-    zeroLine: options.zeroLine ?? false,
-    fromZero: options.fromZero ?? true,
-    yMarks: options.yMarks ?? [],
-    peaks: pressurePeaks(model),
-    series: [...caseSeries(model, name, options), ...overlaySeries(model, name, range)],
+    xRange: kCycleRange,
+    series,
+    ...more,
   };
+}
+
+export function cyclePanel(model, name, options = {}) {
+  const { range = kCycleRange, zeroLine = false, fromZero = true } = options;
+  const quantity = model.curveQuantity.get(name);
+  const series = [...caseSeries(model, name, options), ...overlaySeries(model, name, range)];
+  return crankPanel(name, quantity.long_name, display(quantity).unit, series, {
+    xRange: range,
+    zeroLine,
+    fromZero,
+    peaks: pressurePeaks(model),
+  });
 }
 
 /** "62.0 bar in all cases", or "new ring: 62.0 bar; run-in ring: ..." */

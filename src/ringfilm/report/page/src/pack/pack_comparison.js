@@ -1,5 +1,5 @@
 // Several ring packs beside each other: one colour for each pack, one row for each ring.
-import { kCycleRange } from '../cycle/cycle_figures.js';
+import { crankPanel } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
 import { right, table } from '../tables.js';
 import { converted, display, number } from '../units.js';
@@ -96,18 +96,6 @@ export function comparisonTable(model) {
   });
 }
 
-const panel = (id, yLabel, yUnit, series, more = {}) => ({
-  id,
-  yLabel,
-  yUnit,
-  xLabel: 'crank angle, firing TDC = 0',
-  xUnit: '°',
-  crank: true,
-  xRange: kCycleRange,
-  series,
-  ...more,
-});
-
 const line = ({ name, series }, curve) => ({ caseIndex: series, part: null, label: name, ...curve });
 
 /** Friction of all faces of each pack. */
@@ -126,7 +114,7 @@ function packFriction(packs, model) {
     id: 'pack-friction',
     title: 'Friction of each pack',
     group: 'cycle',
-    panels: [panel('pack-friction', 'friction, all rings', 'N', series, { fromZero: true })],
+    panels: [crankPanel('pack-friction', 'friction, all rings', 'N', series, { fromZero: true })],
     caption: 'Boundary plus viscous friction without sign, the rings and rails of a pack added up.',
   };
 }
@@ -146,7 +134,7 @@ function landPressures(packs) {
     title: 'Gas pressures on the piston lands',
     group: 'cycle',
     panels: lands.map((name) =>
-      panel(
+      crankPanel(
         `pack-${name.replace(' ', '-')}`,
         `${regionWords(name)}, absolute pressure`,
         'bar',
@@ -172,7 +160,7 @@ function packBlowBy(packs) {
     title: 'Blow-by',
     group: 'cycle',
     panels: gaps.map((name) =>
-      panel(
+      crankPanel(
         `pack-${name.replaceAll(' ', '-')}`,
         `${name.replace('end gap', 'end gap of ring')}, gas flow to the crankcase`,
         'mg/s',
@@ -202,7 +190,7 @@ function packPositions(packs) {
     title: 'Rings in their grooves',
     group: 'cycle',
     panels: rings.map((n) =>
-      panel(
+      crankPanel(
         `pack-position-${n}`,
         `ring ${n}, height above the lower flank`,
         'µm',

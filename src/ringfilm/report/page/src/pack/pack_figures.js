@@ -1,26 +1,18 @@
 // The figures of a ring pack over the engine cycle.
-import { kCycleRange, pressurePeaks } from '../cycle/cycle_figures.js';
+import { crankPanel, pressurePeaks } from '../cycle/cycle_figures.js';
 import { onCycleAxis } from '../model.js';
-import { angleInWords, converted, number } from '../units.js';
+import { angleInWords, converted, number, wrapped } from '../units.js';
 import { blowByWords } from './gas_words.js';
 import { inputOf, regionWords } from './pack_model.js';
 
-function panel(packed, id, axis, series) {
-  return {
-    id,
-    ...axis,
-    xLabel: 'crank angle, firing TDC = 0',
-    xUnit: '°',
-    crank: true,
-    xRange: kCycleRange,
-    peaks: pressurePeaks({
-      ...packed.model,
-      cases: packed.cases.slice(0, 1),
-      several: false,
-      peakAngle: (c) => packed.model.peakAngle(c),
-    }),
-    series,
-  };
+function panel(packed, id, { yLabel, yUnit, ...more }, series) {
+  const { model } = packed;
+  const peaks = pressurePeaks({
+    cases: packed.cases.slice(0, 1),
+    several: false,
+    peakAngle: (c) => model.peakAngle(c),
+  });
+  return crankPanel(id, yLabel, yUnit, series, { ...more, peaks });
 }
 
 /** Friction of the faces one upon the other: the highest line is that of the pack. */
@@ -71,11 +63,7 @@ export function gasPressures(packed) {
         .map(
           (region) =>
             `${regionWords(region.name)} ${number(converted(region.peak_pressure, 'bar'), 3)} bar ` +
-            angleInWords(
-              region.peak_pressure_angle > 360
-                ? region.peak_pressure_angle - 720
-                : region.peak_pressure_angle,
-            ),
+            angleInWords(region.peak_pressure_angle),
         )
         .join('; ')
     : '';
@@ -137,10 +125,7 @@ export function ringPositions(packed) {
     const events = gas.events.filter((event) => event.ring === n);
     const curve = onCycleAxis(gas.crank_angle, converted(gas.position[i], 'um'));
     const points = events
-      .map((event) => [
-        event.crank_angle > 360 ? event.crank_angle - 720 : event.crank_angle,
-        event.event.endsWith('upper') ? clearance(n) : 0,
-      ])
+      .map((event) => [wrapped(event.crank_angle), event.event.endsWith('upper') ? clearance(n) : 0])
       .sort((a, b) => a[0] - b[0]);
     const marks = { caseIndex, part: 'points', x: points.map((p) => p[0]), y: points.map((p) => p[1]) };
     return [

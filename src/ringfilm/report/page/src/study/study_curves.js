@@ -1,4 +1,5 @@
 // The curves that were kept, over crank angle: those of few scenarios, or bands.
+import { crankPanel } from '../cycle/cycle_figures.js';
 import { kOnlyCase } from '../model.js';
 import { short } from './study_model.js';
 import { angle, display, number } from '../units.js';
@@ -95,18 +96,11 @@ export function curveFigures(model) {
         group: true,
         title: `${described.long_name[0].toUpperCase()}${described.long_name.slice(1)}`,
         panels: [
-          {
-            id: `band-${described.name}`,
-            crank: true,
-            xRange: [-360, 360],
+          crankPanel(`band-${described.name}`, described.long_name, unit, series, {
             xLabel: 'crank angle',
-            xUnit: '°',
-            yLabel: described.long_name,
-            yUnit: unit,
             zeroLine: isSigned(described.name),
             fromZero: !isSigned(described.name),
-            series,
-          },
+          }),
         ],
         caption: single ? curvesSentence(curves.scenarios) : bandsSentence(model, i, series, x, unit),
       };
