@@ -131,7 +131,7 @@ function curve(panel, s, points) {
   if (s.part === 'measured') return mark(null, points.filter(Boolean), 2, { stroke: '#000', width: 0.9 });
   const heads = panel.inOrderOfTime ? arrowHeads(points, 6) : [];
   return (
-    line(points, colour, { dash: partDash(s.part) }) +
+    line(points, colour, { dash: s.dash ?? partDash(s.part) }) +
     heads.map((head) => `<path d="${arrowPath(head, 6)}" fill="${colour}"/>`).join('')
   );
 }
@@ -174,14 +174,14 @@ function levelMarks(panel, visible, { plot, x, y }, [bottom, top]) {
 }
 
 /** The sample of a line (or bar) next to its name, 28 pixels wide. */
-export function swatch({ caseIndex, part = null, bars = false }, x, y) {
+export function swatch({ caseIndex, part = null, dash = partDash(part), bars = false }, x, y) {
   const colour = caseColour(caseIndex);
   if (bars) return rectangle(x + 8, y - 6, 12, 12, `fill="${colour}"`);
   if (part === 'measured')
     return [6, 14, 22].map((dx) => dot(x + dx, y, 2, 'fill="none" stroke="#000"')).join('');
   const isMarked = part === 'points' || isOneOfSeveral(caseIndex);
   return (
-    (part === 'points' ? '' : rule(x, y, x + 28, y, colour, 2, partDash(part))) +
+    (part === 'points' ? '' : rule(x, y, x + 28, y, colour, 2, dash)) +
     (isMarked ? mark(caseIndex, [[x + 14, y]], 3.4, { width: 1.4 }) : '')
   );
 }

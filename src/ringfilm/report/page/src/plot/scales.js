@@ -93,11 +93,11 @@ export function axisTicks({ low, high, log, crank }, count) {
 }
 
 /**
- * Where the marks of a case are on its line: a few, at places of its own so that they do not hide each
- * other.
+ * Where the marks of a case are on its line: a few, at places of its own so that they do not hide each other; at all
+ * points of a series of single values.
  */
 export function markIndices(series, low, high, nSeries, xScale = 'linear') {
-  if (series.part === 'points')
+  if (series.part === 'points' || series.isSampled)
     return [...series.x.keys()].filter((k) => series.x[k] !== null && series.y[k] !== null);
   if (!isOneOfSeveral(series.caseIndex) || nSeries < 2) return [];
   const kMarks = 7;

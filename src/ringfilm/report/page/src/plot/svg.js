@@ -16,9 +16,9 @@ function drawnPanel(panel, box, visible, window) {
 function entries(figure, visible) {
   const named = new Map();
   for (const { bars, groups, series } of figure.panels) {
-    for (const { label, caseIndex, part = null } of (bars ? groups : series).filter(visible)) {
+    for (const { label, caseIndex, part = null, dash } of (bars ? groups : series).filter(visible)) {
       const isSaid = !part || ['measured', 'total', 'points'].includes(part) || label.includes(part);
-      const entry = { caseIndex, part, bars };
+      const entry = { caseIndex, part, dash, bars };
       if (!named.has(`${label}, ${part}`))
         named.set(`${label}, ${part}`, {
           label: isSaid ? label : `${label}, ${part}`,

@@ -25,16 +25,22 @@ import {
 } from './study_tables.js';
 import { charts, showPage } from '../page_head.js';
 
+/** A figure of charts; a curve that is hidden in it remains visible in the others. */
+const chartView = (figure, context) => new ChartView(figure, { ...context, visibility: new Visibility() });
+
 /**
  * A main value (and base) that the reader picks for the figures of a section. @param figures (model,
  * chosen) to a figure or null
  */
 function pickedFigures(model, context, values, figures, { withBase = false } = {}) {
   const chosen = { value: values[0].name, base: 0 };
-  const views = figures
-    .map((make) => make(model, chosen))
-    .filter(Boolean)
-    .map((figure) => new DrawingView(figure, context));
+  const views = figures.flatMap((make) => {
+    const figure = make(model, chosen);
+    if (!figure) return [];
+    if (!figure.panels) return [new DrawingView(figure, context)];
+    const view = chartView(figure, context);
+    return [Object.assign(view, { redraw: () => view.replace(make(model, chosen)) })];
+  });
   const redraw = () => views.forEach((view) => view.redraw());
   const choices = [
     values.length > 1
@@ -85,7 +91,7 @@ The result file has all of them.',
     const views = shown
       .map((q) => gridCurvesFigure(model, q))
       .filter(Boolean)
-      .map((figure) => new DrawingView(figure, context));
+      .map((figure) => chartView(figure, context));
     return views.length ? { views, choices: null } : null;
   }
   const views = shown.map((q) => new DrawingView(mapFigure(model, q, choice), context));

@@ -2,24 +2,11 @@
 import { element } from '../dom.js';
 import { colourText, heightColour } from '../plot/colour_map.js';
 import { contourLines, filledBands, labelPlace } from '../plot/contour.js';
-import { caseColour } from '../plot/palette.js';
-import { airy, frame } from '../plot/plot_frame.js';
+import { kOnlyCase } from '../model.js';
+import { frame } from '../plot/plot_frame.js';
 import { axisTitle, extent } from '../plot/scales.js';
 import { shortWithUnit } from './study_model.js';
-import {
-  fitted,
-  hatching,
-  kFaint,
-  kInk,
-  kLetter,
-  legend,
-  line,
-  mark,
-  px,
-  rectangle,
-  rule,
-  text,
-} from '../plot/svg_shapes.js';
+import { hatching, kFaint, kInk, kLetter, line, px, rectangle, rule, text } from '../plot/svg_shapes.js';
 import { number, ticks, tickText, withUnit } from '../units.js';
 
 const kLevels = 13;
@@ -355,68 +342,41 @@ export function gridCurvesFigure(model, q) {
     look: isCrossed ? c.combination : i,
     dash: isCrossed ? kBaseDashes[c.base] : '',
   }));
+  const { axis } = shown[0];
+  const ends = extent(shown.flatMap((c) => c.values)) ?? [null, null];
+  const isAlone = shown.length === 1;
   return {
     id: `map-${q.name.replace(/_/g, '-')}`,
     title: axisTitle(q.short_name, q.shown),
-    half: true,
-    draw(width) {
-      const named = legend(
-        shown.length > 1
-          ? shown.map((c) => ({
-              label: fitted(c.label, width - 60),
-              swatch: (x, y) =>
-                rule(x, y, x + 28, y, caseColour(c.look), 2, c.dash) + mark(c.look, [[x + 14, y]], 3.4),
-            }))
-          : [],
-        width,
-      );
-      const height = 300;
-      const { axis } = shown[0];
-      const { x, y, shapes, edges } = frame(
-        { x: 0, y: named.height, width, height },
-        { ...axis, ...airy(axis.levels, { log: axis.log }) },
-        {
-          ...airy(
-            shown.flatMap((c) => c.values),
-            { fromZero: true },
-          ),
-          label: q.short_name,
-          unit: q.shown,
-        },
-      );
-      const lines = shown.flatMap((c) => {
-        const points = c.values.map((v, k) => (v === null ? null : [x(c.axis.levels[k]), y(v)]));
-        return [
-          line(points, caseColour(c.look), { dash: c.dash }),
-          ...points.map((p, k) =>
-            p
-              ? mark(c.look, [p], 3.2, {
-                  tooltip: `${c.label}, ${withUnit(c.axis.levels[k], axis.unit)}: ${withUnit(c.values[k], q.shown)}`,
-                })
-              : '',
-          ),
-        ];
-      });
-      return { shapes: [...named.shapes, ...shapes, ...lines, ...edges], height: named.height + height };
-    },
-    caption: () =>
-      `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)} against ${shown[0].axis.label}, ` +
-      `${shown.length === 1 ? 'one curve' : `${shown.length} curves`}: ` +
-      (extent(shown.flatMap((c) => c.values)) ?? [null, null])
-        .map((v) => withUnit(v, q.shown, 3))
-        .join(' to ') +
-      '.' +
+    panels: [
+      {
+        id: q.name,
+        xScale: axis.log ? 'log' : 'linear',
+        xLabel: axis.label,
+        xUnit: axis.unit,
+        yLabel: q.short_name,
+        yUnit: q.shown,
+        fromZero: true,
+        series: shown.map((c) => ({
+          caseIndex: isAlone ? kOnlyCase : c.look,
+          label: c.label,
+          dash: c.dash,
+          isSampled: true,
+          x: c.axis.levels,
+          y: c.values,
+        })),
+      },
+    ],
+    caption:
+      `${q.short_name[0].toUpperCase()}${q.short_name.slice(1)} against ${axis.label}, ` +
+      `${isAlone ? 'one curve' : `${shown.length} curves`}: ` +
+      `${ends.map((v) => withUnit(v, q.shown, 3)).join(' to ')}.` +
       (curves.length > shown.length
         ? ` The first ${shown.length} of ${curves.length} curves; the result file has all.`
         : '') +
-      (shown[0].axis.levels.length < shown[0].axis.of
-        ? ` This page carries ${shown[0].axis.levels.length} of ${shown[0].axis.of} levels; the ` +
-          'result file has all.'
+      (axis.levels.length < axis.of
+        ? ` This page carries ${axis.levels.length} of ${axis.of} levels; the result file has all.`
         : '') +
-      `${shown.some((c) => c.values.includes(null)) ? ' Gaps: not solved.' : ''}`,
-    columns: () => [
-      { title: axisTitle(shown[0].axis.label, shown[0].axis.unit), values: shown[0].axis.levels },
-      ...shown.map((c) => ({ title: axisTitle(`${c.label}: ${q.long_name}`, q.shown), values: c.values })),
-    ],
+      (shown.some((c) => c.values.includes(null)) ? ' Gaps: not solved.' : ''),
   };
 }

@@ -1,11 +1,12 @@
 // How the values of a sample are spread, and how certain their statistics are by the number of points.
 import { caseColour, kBandOpacity } from '../plot/palette.js';
+import { kOnlyCase } from '../model.js';
 import { swatch } from '../plot/line_panel.js';
 import { airy, frame } from '../plot/plot_frame.js';
-import { axisTitle, extent } from '../plot/scales.js';
-import { area, dot, fitted, kInk, legend, line, rule, titled } from '../plot/svg_shapes.js';
+import { axisTitle } from '../plot/scales.js';
+import { area, dot, fitted, legend, line, rule, titled } from '../plot/svg_shapes.js';
 import { short } from './study_model.js';
-import { number, percent } from '../units.js';
+import { percent } from '../units.js';
 
 export const shareText = (share) => `${short(100 * share)}\u00a0%`;
 
@@ -114,144 +115,78 @@ export function histogramFigure(model) {
   };
 }
 
-const kConvergenceHeight = 300;
+const kQuantileDashes = ['2 3', '', '9 4'];
+/** The widest intervals, of fewer points, may leave the picture: the last ones are the result. */
+const kFramedFrom = 32;
 
-/** @param chosen.value name of the value that is drawn */
+/** Mean and quantiles over the number of points. @param chosen.value name of the value that is drawn */
 export function convergenceFigure(model, chosen) {
-  const found = () => model.convergence[chosen.value];
-  const of = () => model.quantity.get(chosen.value);
-  const parts = [
-    { title: 'mean', list: (c) => [{ label: 'mean', triples: c.mean }] },
-    {
-      title: 'quantiles',
-      list: (c) =>
-        c.quantiles.map((triples, i) => ({ label: shareText(model.converging_shares[i]), triples })),
-    },
-  ];
-  const dashes = ['2 3', '', '9 4'];
-  const panel = (part, box) => {
-    const q = of();
-    const curves = found().flatMap((c, b) =>
+  const found = model.convergence[chosen.value];
+  const q = model.quantity.get(chosen.value);
+  /** @param lists (c) to lists of triples of a base, each with its name and dash */
+  const panel = (title, lists) => {
+    const curves = found.flatMap((c, b) =>
       c
-        ? part.list(c).map((one, i, all) => ({
+        ? lists(c).map((one) => ({
             ...one,
             b,
             n: c.n,
-            dash: all.length > 1 ? dashes[i] : '',
-            triples: one.triples.map((t) => (t ? model.interval(q, t) : null)),
+            triples: one.triples.map((t) => model.interval(q, t)),
           }))
         : [],
     );
-    // The widest intervals, of the fewest points, may leave the picture: the last ones are the result.
     const framed = curves.flatMap((c) =>
-      c.triples.flatMap((t, k) => (t ? (c.n[k] >= 32 || c.n.length < 3 ? t : [t[0]]) : [])),
+      c.triples.flatMap((t, k) => (c.n[k] >= kFramedFrom || c.n.length < 3 ? t : [t[0]])),
     );
-    const range = airy(framed);
-    const counts = extent(curves.flatMap((c) => c.n)) ?? [1, 10];
-    const { plot, x, y, shapes, edges } = frame(
-      box,
-      { low: counts[0] / 1.15, high: counts[1] * 1.15, log: true, label: 'points', unit: '' },
-      { ...range, label: `${q.short_name}: ${part.title}`, unit: q.shown },
-    );
-    const clipped = (v) => Math.min(plot.bottom, Math.max(plot.top, v));
-    const out = [...shapes];
-    for (const c of curves) {
-      const whole = c.triples
-        .map((t, k) => ({ t, k }))
-        .filter(({ t }) => t && t[1] !== null && t[2] !== null);
-      out.push(
-        area(
-          [
-            ...whole.map(({ t, k }) => [x(c.n[k]), clipped(y(t[2]))]),
-            ...whole.map(({ t, k }) => [x(c.n[k]), clipped(y(t[1]))]).reverse(),
-          ],
-          caseColour(c.b),
-          kBandOpacity,
-        ),
-      );
-    }
-    for (const c of curves) {
-      out.push(
-        line(
-          c.triples.map((t, k) => (t ? [x(c.n[k]), clipped(y(t[0]))] : null)),
-          caseColour(c.b),
-          { dash: c.dash },
-        ),
-      );
-      c.triples.forEach(
-        (t, k) =>
-          t &&
-          out.push(
-            dot(
-              x(c.n[k]),
-              clipped(y(t[0])),
-              2.4,
-              `fill="${caseColour(c.b)}"`,
-              `${model.bases[c.b].name}, ${c.n[k]} points: ${c.label} ${number(t[0])} ` +
-                `(${number(t[1])} to ${number(t[2])})`,
-            ),
-          ),
-      );
-    }
-    return [...out, ...edges];
+    const { low, high } = airy(framed);
+    return {
+      id: `convergence-${title}`,
+      xScale: 'log',
+      xLabel: 'points',
+      xUnit: '',
+      yLabel: `${q.short_name}: ${title}`,
+      yUnit: q.shown,
+      yRange: [low, high],
+      series: curves.map(({ label, dash, b, n, triples }) => ({
+        caseIndex: model.several ? b : kOnlyCase,
+        label: model.several ? `${model.bases[b].name}, ${label}` : label,
+        dash,
+        isSampled: true,
+        x: n,
+        y: triples.map((t) => t[0]),
+        bands: [{ low: triples.map((t) => t[1]), high: triples.map((t) => t[2]), words: ['low', 'high'] }],
+      })),
+    };
+  };
+  const last = (b) => {
+    const c = found[b];
+    const t = c?.mean[c.mean.length - 1];
+    const width = t && percent((t[2] - t[1]) / 2 / Math.abs(t[0])).replace('+', '');
+    return t ? `${model.several ? `${model.bases[b].name} ` : ''}±\u00a0${width}` : '';
   };
   return {
     id: 'convergence',
     title: 'How the statistics settle with the number of points',
-    draw(width) {
-      const lines = model.converging_shares.map((share, i) => ({
-        label: shareText(share),
-        swatch: (x, y) => rule(x, y, x + 28, y, kInk, 2, dashes[i]),
-      }));
-      const named = legend([...baseEntries(model), ...lines], width);
-      const grid = panelGrid(2, Math.min(width, 959), kConvergenceHeight, named.height + 4);
-      const wide = grid.columns === 2 ? width / 2 : width;
-      return {
-        shapes: [
-          ...named.shapes,
-          ...parts.flatMap((part, i) =>
-            panel(part, { ...grid.at(i), x: grid.columns === 2 ? i * wide : 0, width: wide }),
-          ),
-        ],
-        height: grid.bottom,
-      };
-    },
-    caption: () => {
-      const q = of();
-      const last = (b) => {
-        const c = found()[b];
-        const t = c?.mean[c.mean.length - 1];
-        return t
-          ? `${model.several ? `${model.bases[b].name} ` : ''}±\u00a0` +
-              `${percent((t[2] - t[1]) / 2 / Math.abs(t[0])).replace('+', '')}`
-          : '';
-      };
-      return (
-        `Mean and quantiles of ${q.short_name} of the first 16, 32, 64, ... points and of all of ` +
-        'them, with their 95 % confidence intervals (bands); an end that so few points do not determine ' +
-        'is omitted. Interval of the mean at the end: ' +
-        model.bases
-          .map((b) => last(b.index))
-          .filter(Boolean)
-          .join(', ') +
-        '. Intervals presume independent points; those of Sobol points and Latin hypercubes are ' +
-        'wider than need be.'
-      );
-    },
-    columns: () =>
-      found().flatMap((c, b) => {
-        if (!c) return [];
-        const q = of();
-        const columnsOf = (words, triples) =>
-          ['', ', low', ', high'].map((end, i) => ({
-            title: axisTitle(`${model.bases[b].name}: ${words} of ${q.short_name}${end}`, q.shown),
-            values: triples.map((t) => (t ? q.convert(t[i]) : null)),
-          }));
-        return [
-          { title: `${model.bases[b].name}: points`, values: c.n },
-          ...columnsOf('mean', c.mean),
-          ...c.quantiles.flatMap((triples, i) => columnsOf(`${100 * model.converging_shares[i]} %`, triples)),
-        ];
-      }),
+    layout: 'row',
+    panels: [
+      panel('mean', (c) => [{ label: 'mean', dash: '', triples: c.mean }]),
+      panel('quantiles', (c) =>
+        c.quantiles.map((triples, i) => ({
+          label: shareText(model.converging_shares[i]),
+          dash: kQuantileDashes[i],
+          triples,
+        })),
+      ),
+    ],
+    caption:
+      `Mean and quantiles of ${q.short_name} of the first 16, 32, 64, ... points and of all of ` +
+      'them, with their 95 % confidence intervals (bands); an end that so few points do not determine ' +
+      'is omitted. Interval of the mean at the end: ' +
+      model.bases
+        .map((b) => last(b.index))
+        .filter(Boolean)
+        .join(', ') +
+      '. Intervals presume independent points; those of Sobol points and Latin hypercubes are ' +
+      'wider than need be.',
   };
 }
