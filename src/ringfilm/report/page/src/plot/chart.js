@@ -5,7 +5,7 @@ import { caseColour } from './palette.js';
 import { xRange } from './scales.js';
 import { svgDocument } from './svg_shapes.js';
 
-const kHeight = 300;
+const kHeight = 312;
 /** A shorter drag is a click [pixel]. */
 const kShortestDrag = 4;
 

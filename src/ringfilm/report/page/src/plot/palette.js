@@ -6,7 +6,7 @@
 const kColours = ['#003f7d', '#d1490a', '#159a7a', '#a04fa0', '#7a6a00', '#4a4a4a', '#5b8dd6', '#8c2d1a'];
 const kMarks = ['circle', 'square', 'triangle', 'diamond', 'cross', 'circle', 'square', 'triangle'];
 
-export const kNeutral = '#30343b';
+const kNeutral = '#30343b';
 
 /**
  * @param index number of the case; null for what belongs to all cases, negative for the only case of a page

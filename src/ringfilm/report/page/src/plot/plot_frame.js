@@ -61,7 +61,7 @@ export function frame(box, across, up, margins = {}) {
   const x = scaler(across.log, across.low, across.high, plot.left, plot.right);
   const y = scaler(up.log, up.low, up.high, plot.bottom, plot.top);
   const onX = apart(readable(across, (plot.right - plot.left) / 70), x, across.log ? 40 : 0);
-  const onY = readable(up, (plot.bottom - plot.top) / 34);
+  const onY = readable(up, (plot.bottom - plot.top) / 32);
   const shapes = [
     ...onY.values.flatMap((v) => [
       rule(plot.left, y(v), plot.right, y(v), kGrid),
@@ -70,6 +70,7 @@ export function frame(box, across, up, margins = {}) {
     ...(across.crank ? [] : onX.values.map((v) => rule(x(v), plot.top, x(v), plot.bottom, kGrid))),
     ...numbersAcross(onX, across, x, plot.bottom),
     boldText(box.x + 4, box.y + 14, axisTitle(up.label, up.unit), box.width - 8, {
+      size: 13,
       more: ' class="axis-title"',
     }),
     titleAcross(across, (plot.left + plot.right) / 2, plot.bottom),

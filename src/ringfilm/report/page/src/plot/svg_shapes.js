@@ -14,7 +14,7 @@ let made = 0;
 /** An id of its own for what a drawing refers to: a page has several drawings. */
 export const newId = (name) => `${name}-${made++}`;
 
-export const safe = (content) =>
+const safe = (content) =>
   String(content)
     .replace(/&/g, '&amp;')
     .replace(/</g, '&lt;')
@@ -88,7 +88,7 @@ function thinned(points) {
 const joined = (points) => points.map(([x, y]) => `${px(x)} ${px(y)}`).join('L');
 
 /** Path data of a line through points, with a gap where one is null or not finite. */
-export function linePath(points) {
+function linePath(points) {
   const pieces = [[]];
   for (const p of points) {
     if (p && Number.isFinite(p[0]) && Number.isFinite(p[1])) pieces[pieces.length - 1].push(p);
