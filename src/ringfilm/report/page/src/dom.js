@@ -21,8 +21,8 @@ export function svgElement(text) {
  * Acts when a node has got another width, in the next frame: within the observer it would change the sizes
  * being reported.
  */
-export function onNewWidth(node, act) {
-  let width = node.clientWidth;
+export function onNewWidth(node, act, known = node.clientWidth) {
+  let width = known;
   new ResizeObserver(() =>
     requestAnimationFrame(() => {
       if (node.clientWidth === width) return;
@@ -55,6 +55,8 @@ export function withSubscripts(text) {
 
 /** Starts the views of a page, and readies them and all folds for print. */
 export function startViews(views) {
+  // All widths before the first drawing, after which each question for one would lay the page out anew.
+  views.forEach((view) => view.measure?.());
   views.forEach((view) => view.start());
   window.addEventListener('beforeprint', () => {
     document.querySelectorAll('details.fold').forEach((fold) => {

@@ -118,8 +118,9 @@ export class ChartView extends FigureView {
       });
     };
     // A chart measures its host, which must be in the page first.
-    const start = () =>
+    const start = (width) =>
       new Chart(host, panel, {
+        width,
         visible: context.visibility.shows,
         readOut,
         group: figure.group ? context.group : null,
@@ -128,9 +129,13 @@ export class ChartView extends FigureView {
     return element('div', { class: 'panel' }, host, element('div', { class: 'legend' }, at, entries));
   }
 
+  measure() {
+    for (const entry of this.charts) entry.width = entry.host.clientWidth;
+  }
+
   /** Draws; to be called once the node is in the page. */
   start() {
-    for (const entry of this.charts) entry.chart = entry.start();
+    for (const entry of this.charts) entry.chart = entry.start(entry.width);
     if (!this.isBars) return;
     this.drawBars();
     onNewWidth(this.node, () => this.drawBars());

@@ -51,17 +51,24 @@ function nearest(series, at) {
 export class Chart {
   /**
    * @param visible returns whether a series is shown; @param readOut receives the index of the sample at the
-   * cursor in each series, null when the cursor leaves
+   * cursor in each series, null when the cursor leaves; @param width of the host, where it is known
    */
-  constructor(host, panel, { visible, readOut, group }) {
-    Object.assign(this, { host, visible, readOut, group });
+  constructor(host, panel, { visible, readOut, group, width = host.clientWidth }) {
+    Object.assign(this, { host, visible, readOut, group, width });
     this.line = element('div', { class: 'cursor-line' });
     this.selection = element('div', { class: 'selection' });
     this.over = element('div', { class: 'over' }, this.selection, this.line);
     this.listen();
     this.replace(panel);
     group?.charts.push(this);
-    onNewWidth(host, () => this.draw());
+    onNewWidth(
+      host,
+      () => {
+        this.width = host.clientWidth;
+        this.draw();
+      },
+      width,
+    );
   }
 
   /** Another panel in the place of this one, in the same window of the same axis. */
@@ -80,7 +87,7 @@ export class Chart {
 
   draw() {
     const { panel, host } = this;
-    const width = host.clientWidth || 320;
+    const width = this.width || 320;
     const box = { x: 0, y: 0, width, height: kHeight };
     const { shapes, plot, x, y } = linePanel(panel, box, this.visible, this.window);
     Object.assign(this, { plot, x, y, shown: this.shownSeries() });

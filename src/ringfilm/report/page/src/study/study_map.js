@@ -3,7 +3,7 @@ import { element } from '../dom.js';
 import { colourText, heightColour } from '../plot/colour_map.js';
 import { contourLines, filledBands, labelPlace } from '../plot/contour.js';
 import { kOnlyCase } from '../model.js';
-import { frame } from '../plot/plot_frame.js';
+import { airy, frame } from '../plot/plot_frame.js';
 import { axisTitle, extent } from '../plot/scales.js';
 import { shortWithUnit } from './study_model.js';
 import { hatching, kFaint, kInk, kLetter, line, px, rectangle, rule, text } from '../plot/svg_shapes.js';
@@ -345,6 +345,7 @@ export function gridCurvesFigure(model, q) {
   const { axis } = shown[0];
   const ends = extent(shown.flatMap((c) => c.values)) ?? [null, null];
   const isAlone = shown.length === 1;
+  const across = airy(axis.levels, { log: axis.log });
   return {
     id: `map-${q.name.replace(/_/g, '-')}`,
     title: axisTitle(q.short_name, q.shown),
@@ -352,6 +353,7 @@ export function gridCurvesFigure(model, q) {
       {
         id: q.name,
         xScale: axis.log ? 'log' : 'linear',
+        xRange: [across.low, across.high],
         xLabel: axis.label,
         xUnit: axis.unit,
         yLabel: q.short_name,
