@@ -21,6 +21,10 @@ class Fit(life_test.LifeTest):
             Fit.result = self.life("fit.toml")
         return Fit.result
 
+    def skip_under_sanitizers(self):
+        if program.IS_SANITIZED:
+            program.skip_loudly(self, "computes hundreds of lives; the other fits run the same code")
+
     def test_it_is_a_range_and_no_single_number(self):
         fit = self.fit()["wear"]["fit"]
         low, high = fit["coefficient"]
@@ -80,6 +84,7 @@ class Fit(life_test.LifeTest):
 
     def test_a_face_that_a_scenario_made_gives_its_coefficient(self):
         """Its middle is flat, so that the distance within 0.3 mm of it states nothing; that within 0.5 mm does."""
+        self.skip_under_sanitizers()
         flat = program.CASE.replace("15 um", "4 um")
         (self.folder / "flat.toml").write_text(flat)
         coefficient = 1.5e-16
@@ -101,6 +106,7 @@ class Fit(life_test.LifeTest):
 
     def test_the_shipped_fit_gives_the_table_of_the_theory(self):
         """With half of the cells and crank steps; the nodes within a half width are others then."""
+        self.skip_under_sanitizers()
         shipped = (life_test.SHIPPED.parent / "fitted.toml").read_text(encoding="utf-8")
         shipped = shipped.replace("../styles2014", str(life_test.SHIPPED.parents[1] / "styles2014"))
         coarse = 'set = { "solver.cells" = 60, "solver.crank_step" = "4 degree" }\nspeed'
