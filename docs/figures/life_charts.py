@@ -49,7 +49,7 @@ def path():
     for state in life["states"]:
         if f"{state['hours']:g} h" not in SHOWN:
             continue
-        known = state["standing"] == "measured"
+        known = state["state_origin"] == "measured"
         colour = {0: BLUE, 10: ORANGE, 150: BLACK}.get(state["hours"], RED)
         style = Style(colour, "" if known else "4 3", 2.4 if known else 1.0)
         faces.curve(x, [1e6 * value for value in state["face_height"]][::4], style)
@@ -81,7 +81,7 @@ def draw_power(panel, states):
     bands = [state["band"]["mean_power_loss"] for state in states]
     panel.band(place, [low for low, _ in bands], [high for _, high in bands], BLUE)
     panel.curve(place, [state["mean_power_loss"] for state in states], Style(BLUE))
-    measured = [state for state in states if state["standing"] == "measured"]
+    measured = [state for state in states if state["state_origin"] == "measured"]
     panel.points(
         [math.log1p(state["hours"]) for state in measured], [state["mean_power_loss"] for state in measured], BLACK, 4
     )

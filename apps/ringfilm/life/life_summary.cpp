@@ -23,7 +23,7 @@ std::string band_text(const life::LifeState& state, std::size_t quantity) {
 std::string row(const life::LifeState& state) {
   const auto value = [&state](const char* name) { return state.values[index_of(name)]; };
   return fmt::format("{:>8.6g} {:<13} {:>8.4g} {:>8.4g} {:>7.2f} {:>15} {:>7.2f} {:>7.0f} {:>7.3f} {:>7.4f}\n",
-                     state.time / life::kHour, io::standing_word(state.standing), in_um(state.ring.roughness),
+                     state.time / life::kHour, io::state_origin_word(state.state_origin), in_um(state.ring.roughness),
                      state.ring.boundary_shear_strength_coefficient, value("mean_power_loss"),
                      band_text(state, index_of("mean_power_loss")), in_kpa(value("fmep")),
                      in_mg(value("mean_absolute_oil_flow")), value("lambda_ratio_at_peak_pressure"),

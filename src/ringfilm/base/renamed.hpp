@@ -56,6 +56,9 @@ inline constexpr std::array kRenamedNames = std::to_array<RenamedName>({
     {"netcdf", "bearing_height", "material_ratio_height"},
     {"netcdf", "bearing_curve_mark_place", "material_ratio_curve_mark_place"},
     {"netcdf", "bearing_curve_mark_label", "material_ratio_curve_mark_label"},
+    {"json", "standing", "state_origin"},
+    {"json", "wear.standing", "wear.coefficient_origin"},
+    {"netcdf", "standing", "state_origin"},
 });
 
 /// The present name of `before`; empty where no name of an earlier version is meant.

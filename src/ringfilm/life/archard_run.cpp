@@ -206,7 +206,7 @@ void Scenario::integrate() {
   for (const WornDepths& depths : history.states) {
     LifeState& state = result_.states.emplace_back();
     state.time = depths.time;
-    state.standing = Standing::kScenario;
+    state.state_origin = StateOrigin::kScenario;
     state.ring = wear_.ring_at(depths);
     state.worn = profile(depths);
   }

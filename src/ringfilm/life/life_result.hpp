@@ -57,7 +57,7 @@ constexpr auto members(const FaceDistance*) {
 /// The ring after one of the reported running times.
 struct LifeState {
   double time = 0;                  ///< running time [s]
-  Standing standing{};              ///< how face, roughness and shear strength are known
+  StateOrigin state_origin{};       ///< how face, roughness and shear strength are known
   RingState ring;                   ///< those
   std::vector<double> x;            ///< from the chamber edge [m]
   std::vector<double> face_height;  ///< above the lowest point, as installed, at x [m]

@@ -109,13 +109,13 @@ LifeResult run_path(const Life& life, const CycleIntegrators& integrators, PackG
   for (std::size_t i = 0; i < life.times.size(); ++i) {
     LifeState& state = result.states[i];
     state.time = life.times[i].time;
-    state.standing = standing_at(life.states, state.time);
+    state.state_origin = state_origin_at(life.states, state.time);
     state.ring = path_ring.at(life.path, state.time);
     state.point_gas = gas.sums(state.ring.gap);
     state.other_paths.resize(result.other_paths.size());
     const std::string name = hours_text(state.time);
     reported.add(state.ring, name, [&](const auto& results) { take_duty(life, results, state, result.notes); });
-    if (state.standing == Standing::kInterpolated) {
+    if (state.state_origin == StateOrigin::kInterpolated) {
       for (std::size_t k = 0; k < result.other_paths.size(); ++k) {
         const NamedPath& other = result.other_paths[k];
         others.add(path_ring.at(other.path, state.time), name + ", " + other.name, into(life, state.other_paths[k]));

@@ -143,11 +143,11 @@ double path_share(const Interpolation& path, double from, double to, double time
   return (s(time) - s(from)) / (s(to) - s(from));
 }
 
-Standing standing_at(const std::vector<MeasuredState>& states, double time) {
+StateOrigin state_origin_at(const std::vector<MeasuredState>& states, double time) {
   const bool is_measured =
       std::any_of(states.begin(), states.end(), [&](const MeasuredState& one) { return one.time == time; });
-  if (is_measured) return Standing::kMeasured;
-  return time > states.back().time ? Standing::kHeld : Standing::kInterpolated;
+  if (is_measured) return StateOrigin::kMeasured;
+  return time > states.back().time ? StateOrigin::kHeld : StateOrigin::kInterpolated;
 }
 
 RingState state_on_path(const std::vector<MeasuredState>& states, const Interpolation& path, double time, int cells) {

@@ -38,7 +38,7 @@ constexpr auto members(const RingState*) {
 enum class Part { kFace, kRoughness, kShearStrength };
 
 /// How a state at a running time is known.
-enum class Standing {
+enum class StateOrigin {
   kMeasured,      ///< it is one of the measured states
   kInterpolated,  ///< between two of them
   kHeld,          ///< after the last one, whose values it keeps
@@ -64,7 +64,7 @@ RingState interpolated(const RingState& earlier, const RingState& later, double 
 double path_share(const Interpolation& path, double from, double to, double time);
 
 /// How the state at a running time is known.
-Standing standing_at(const std::vector<MeasuredState>& states, double time);
+StateOrigin state_origin_at(const std::vector<MeasuredState>& states, double time);
 
 /// The ring at a running time on the path between the states; after the last one its values are held. At the running
 /// time of a state it is that state, to the bit. Throws std::invalid_argument before the first state.

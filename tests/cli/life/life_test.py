@@ -61,7 +61,7 @@ class Path(LifeTest):
     def test_states_report_how_they_are_known(self):
         reported = self.life()
         self.assertEqual(
-            [state["standing"] for state in reported["states"]], ["measured", "interpolated", "measured", "held"]
+            [state["state_origin"] for state in reported["states"]], ["measured", "interpolated", "measured", "held"]
         )
         self.assertIn("state-held", [note["topic"] for note in reported["notes"]])
         self.assertIsNone(reported["states"][1]["worn_area"], "a path does not determine what was lost")
@@ -71,7 +71,7 @@ class Path(LifeTest):
             low, high = state["band"]["mean_power_loss"]
             self.assertLessEqual(low, state["mean_power_loss"])
             self.assertGreaterEqual(high, state["mean_power_loss"])
-            self.assertEqual(low == high, state["standing"] != "interpolated")
+            self.assertEqual(low == high, state["state_origin"] != "interpolated")
 
     def test_netcdf_holds_the_running_time(self):
         self.run_well("life", "life.toml", "--output", "life.nc")
@@ -85,7 +85,7 @@ class Path(LifeTest):
         self.run_well("life", "life.toml", "--html", "life.html")
         page = (self.folder / "life.html").read_text(encoding="utf-8")
         self.assertIn("a small life", page)
-        self.assertIn('"standing":"interpolated"', page)
+        self.assertIn('"state_origin":"interpolated"', page)
         self.assertIn("default-src 'none'", page)
 
     def test_the_number_of_threads_changes_nothing(self):

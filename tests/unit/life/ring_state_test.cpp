@@ -59,13 +59,13 @@ TEST(RingState, AnAnchorIsTheMeasuredStateToTheBit) {
     EXPECT_EQ(ring.asperity_radius, state.input.contact.asperity_radius);
     EXPECT_EQ(ring.roughness, state.input.contact.roughness);
     EXPECT_EQ(ring.boundary_shear_strength_coefficient, state.input.contact.boundary_shear_strength_coefficient);
-    EXPECT_EQ(standing_at(states, state.time), Standing::kMeasured);
+    EXPECT_EQ(state_origin_at(states, state.time), StateOrigin::kMeasured);
   }
 }
 
 TEST(RingState, AfterTheLastStateItIsHeld) {
   const auto states = three_states();
-  EXPECT_EQ(standing_at(states, 151 * kHour), Standing::kHeld);
+  EXPECT_EQ(state_origin_at(states, 151 * kHour), StateOrigin::kHeld);
   EXPECT_EQ(state_on_path(states, {}, 1000 * kHour, 200).roughness, 0.35e-6);
 }
 

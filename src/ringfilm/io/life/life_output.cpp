@@ -60,7 +60,7 @@ ordered_json attribution_object(const life::LifeState& state) {
 }
 
 ordered_json state_object(const LifeDocument& document, const life::LifeState& state) {
-  ordered_json object = {{"hours", state.time / life::kHour}, {"standing", standing_word(state.standing)}};
+  ordered_json object = {{"hours", state.time / life::kHour}, {"state_origin", state_origin_word(state.state_origin)}};
   for (const char* name : {"worn_area", "largest_worn_depth"}) object[name] = nullptr;
   if (state.worn) put_lost(*state.worn, object);
   object.update(values_object(state.values));
@@ -147,13 +147,13 @@ void put_over_time(ResultFileWriter& file, const cycle::Quantity& quantity, cons
 
 void put_ring(ResultFileWriter& file, const LifeDocument& document) {
   const std::vector<life::LifeState>& states = document.result.states;
-  std::vector<std::string> standings;
+  std::vector<std::string> state_origins;
   std::vector<double> heights;
   for (const life::LifeState& state : states) {
-    standings.push_back(standing_word(state.standing));
+    state_origins.push_back(state_origin_word(state.state_origin));
     heights.insert(heights.end(), state.face_height.begin(), state.face_height.end());
   }
-  file.texts(kTime, text("standing", "how face, roughness and shear strength are known"), standings);
+  file.texts(kTime, text("state_origin", "how face, roughness and shear strength are known"), state_origins);
   file.numbers({"x"}, described("x", "m", "distance from the chamber edge", "x"), states.front().x);
   file.numbers({kTime, "x"}, described("face_height", "m", "height of the face above its lowest point", "h_s"),
                heights);
@@ -218,15 +218,15 @@ void put_words(ResultFileWriter& file, const LifeDocument& document) {
 
 }  // namespace
 
-std::string standing_word(life::Standing standing) {
-  switch (standing) {
-    case life::Standing::kMeasured:
+std::string state_origin_word(life::StateOrigin state_origin) {
+  switch (state_origin) {
+    case life::StateOrigin::kMeasured:
       return "measured";
-    case life::Standing::kInterpolated:
+    case life::StateOrigin::kInterpolated:
       return "interpolated";
-    case life::Standing::kScenario:
+    case life::StateOrigin::kScenario:
       return "scenario";
-    case life::Standing::kHeld:
+    case life::StateOrigin::kHeld:
       break;
   }
   return "held";
@@ -253,7 +253,7 @@ std::string life_json(const LifeDocument& document) {
 }
 
 void write_life(const std::string& path, const LifeDocument& document) {
-  constexpr long kSchema = 1;
+  constexpr long kSchema = 2;
   ResultFileWriter file(path);
   file.attribute("Conventions", std::string("CF-1.10"));
   file.attribute("ringfilm_life_schema", kSchema);

@@ -15,8 +15,8 @@ struct LifeDocument {
 };
 
 /// The life as one JSON object, SI, running times in hours: title, mode, and a list `states` with, for each reported
-/// time, `hours`, `standing`, `worn_area`, `largest_worn_depth` (null where the mode does not determine them), every
-/// value of life::life_quantities() of the whole duty by its name, face, roughness and shear strength, `band`,
+/// time, `hours`, `state_origin`, `worn_area`, `largest_worn_depth` (null where the mode does not determine them),
+/// every value of life::life_quantities() of the whole duty by its name, face, roughness and shear strength, `band`,
 /// `turned`, `attribution` and `points`; then `interpolations`, `units`, `notes`, `program`, `commit`, `kernels`.
 std::string life_json(const LifeDocument& document);
 
@@ -25,6 +25,6 @@ std::string life_json(const LifeDocument& document);
 void write_life(const std::string& path, const LifeDocument& document);
 
 /// How the state of a running time is known, in a word: "measured", "interpolated", "held".
-std::string standing_word(life::Standing standing);
+std::string state_origin_word(life::StateOrigin state_origin);
 
 }  // namespace ringfilm::io

@@ -53,7 +53,8 @@ ordered_json measured_faces(const LifeDocument& document) {
 ordered_json wear_object(const LifeDocument& document) {
   const life::Wear& wear = document.file.life.wear;
   const life::WearSummary& summary = *document.result.wear;
-  ordered_json object = {{"coefficient", summary.coefficient}, {"standing", summary.fit ? "tuned" : "assumed"}};
+  ordered_json object = {{"coefficient", summary.coefficient},
+                         {"coefficient_origin", summary.fit ? "tuned" : "assumed"}};
   if (wear.running_in_coefficient) {
     object["running_in_coefficient"] = *wear.running_in_coefficient;
     object["running_in_hours"] = wear.running_in_time / life::kHour;

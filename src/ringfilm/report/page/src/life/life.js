@@ -67,7 +67,7 @@ function valuesTable(life) {
   const heads = ['running time', 'known as', ...shownNames.map((quantity) => right(quantity.long_name))];
   const rows = life.states.map((state) => [
     hoursText(state.hours),
-    state.standing,
+    state.state_origin,
     ...shownNames.map((quantity) => right(shown(life, quantity.name, state))),
   ]);
   return table('Values over the running time', heads, rows, { folds: true });

@@ -3,7 +3,7 @@ import { element } from '../dom.js';
 import { kOnlyCase } from '../model.js';
 import { converted, number } from '../units.js';
 import { right, table } from '../tables.js';
-import { hoursText, kStandings } from './life_words.js';
+import { hoursText, kStateOrigins } from './life_words.js';
 
 const inMicrometres = (values) => converted(values, 'um');
 
@@ -28,7 +28,7 @@ function measuredSeries(x, measured) {
 export function faceFigure(life, k) {
   const x = converted(life.x, 'mm');
   const [first, state] = [life.states[0], life.states[k]];
-  const label = `${hoursText(state.hours)}, ${state.standing}`;
+  const label = `${hoursText(state.hours)}, ${state.state_origin}`;
   const measured = (life.measured_faces ?? []).find((face) => face.hours === state.hours);
   const series = [
     {
@@ -66,7 +66,7 @@ export function faceFigure(life, k) {
       },
     ],
     caption:
-      `The face after ${hoursText(state.hours)} (${kStandings[state.standing]}) and at the start (dotted), each ` +
+      `The face after ${hoursText(state.hours)} (${kStateOrigins[state.state_origin]}) and at the start (dotted), each ` +
       'counted from its own lowest point. Heights are the gap to a straight liner: where a face wears they grow.' +
       (measured ? ' Dots: the face that was measured after this time.' : ''),
   };

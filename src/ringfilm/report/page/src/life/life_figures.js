@@ -1,7 +1,7 @@
 // Values over the running time, on a linear and a logarithmic axis, and what each part of the ring changes.
 import { kOnlyCase } from '../model.js';
 import { display, typeset } from '../units.js';
-import { curveStanding, hoursText } from './life_words.js';
+import { curveOrigin, hoursText } from './life_words.js';
 
 /** Quantities of the cycle that have a figure, the most important first; those of wear follow. */
 const kDrawn = [
@@ -38,7 +38,7 @@ function bandOf(life, described, convert) {
 
 /** What follows the last measured state, with that state: assumed to stay as it was. */
 function heldSeries(life, name, convert, place) {
-  const first = life.states.findIndex((state) => state.standing === 'held');
+  const first = life.states.findIndex((state) => state.state_origin === 'held');
   if (first < 0) return [];
   const held = life.states.slice(Math.max(0, first - 1));
   return [
@@ -56,15 +56,15 @@ function seriesOf(life, described, convert, place) {
   const { name } = described;
   const x = life.states.map((state) => place(state.hours));
   const values = (from) => life.states.map((state) => convert(from(state)));
-  const measured = life.states.filter((state) => state.standing === 'measured');
+  const measured = life.states.filter((state) => state.state_origin === 'measured');
   const band = bandOf(life, described, convert);
   const all = [
     {
       caseIndex: kOnlyCase,
       part: null,
-      label: curveStanding(life),
+      label: curveOrigin(life),
       x,
-      y: values((state) => (state.standing === 'held' ? null : state[name])),
+      y: values((state) => (state.state_origin === 'held' ? null : state[name])),
       bands: band ? [band] : [],
     },
     ...heldSeries(life, name, convert, place),
@@ -73,7 +73,7 @@ function seriesOf(life, described, convert, place) {
     all.push({
       caseIndex: null,
       part: 'boundary',
-      label: `ring turned over, ${curveStanding(life)}`,
+      label: `ring turned over, ${curveOrigin(life)}`,
       x,
       y: values((state) => state.turned[name]),
     });

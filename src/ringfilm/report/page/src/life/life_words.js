@@ -6,7 +6,7 @@ import { number } from '../units.js';
 /** A running time as texts show it: "150 h". */
 export const hoursText = (hours) => `${Number(number(hours, 4))} h`;
 
-export const kStandings = {
+export const kStateOrigins = {
   measured: 'measured state',
   interpolated: 'interpolated between measured states',
   held: 'held after the last measured state: assumed',
@@ -14,10 +14,10 @@ export const kStandings = {
 };
 
 /** How the curve of a life is known, as its legend states it. */
-export const curveStanding = (life) =>
+export const curveOrigin = (life) =>
   life.mode !== 'archard'
     ? 'interpolated'
-    : life.wear.standing === 'tuned'
+    : life.wear.coefficient_origin === 'tuned'
       ? 'scenario: tuned to the faces'
       : 'scenario: assumed';
 
