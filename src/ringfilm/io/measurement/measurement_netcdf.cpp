@@ -20,7 +20,7 @@ class Layout {
   explicit Layout(ResultFileWriter& file) : file_(file) {}
 
   void value(const MeasuredValue& value, const std::string& group) {
-    file_.scalar(taken(described(value.name, value)), value.value);
+    file_.scalar(taken(variable(value.name, value)), value.value);
     if (std::isfinite(value.standard_error)) file_.describe(value.name, "standard_error", value.standard_error);
     remark(value.name, value.remark);
     file_.describe(value.name, "group", group);
@@ -33,7 +33,7 @@ class Layout {
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const std::string name = table.name + "_" + table.columns[i].name;
-      file_.numbers({rows.c_str()}, taken(described(name, table.columns[i])), table.values[i]);
+      file_.numbers({rows.c_str()}, taken(variable(name, table.columns[i])), table.values[i]);
       remark(name, table.columns[i].remark);
     }
   }
@@ -77,7 +77,7 @@ class Layout {
   }
 
  private:
-  static cycle::Quantity described(const std::string& name, const MeasuredValue& value) {
+  static cycle::Quantity variable(const std::string& name, const MeasuredValue& value) {
     return {name, value.unit, value.display_unit, value.long_name, value.symbol, ""};
   }
 
