@@ -129,6 +129,23 @@ void add_asperities(const PreparedSurface& surface, const SurfaceAnalysis& analy
                     const surface::SpectralMoments* noise, io::Measurement& to) {
   const std::vector<surface::SurfaceMeasures> measures = measures_of_regions(surface, analysis, noise);
   const std::vector<surface::AsperityParameters> parameters = parameters_of(measures, analysis);
+  const std::string with = measured_with(surface), sigma = with + "; " + surface_sigma_text(analysis.sigma_rule);
+  if (parameters.size() < 2) {
+    to.groups.push_back(
+        asperity_group("Asperities, this surface against a smooth one", parameters.front(), with, sigma));
+  } else {
+    const surface::ParameterScatter scatter = surface::scatter_of(parameters);
+    to.groups.push_back(scatter_group(scatter, with, sigma));
+    to.tables.push_back(covariance_table(scatter.covariance_log));
+    if (parameters.size() < kEnoughForScatter) to.notes.push_back(few_samples_note(parameters.size()));
+  }
+  if (!surface.regions.empty()) to.tables.push_back(region_table(surface, measures, parameters));
+}
+
+}  // namespace
+
+io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalysis& analysis, const SurfaceFile* flat) {
+  const PreparedSurface surface = prepare_surface(file, analysis);
   const std::string with = measured_with(surface);
   io::Measurement all;
   all.kind = "surface";

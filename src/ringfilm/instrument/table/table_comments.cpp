@@ -105,7 +105,11 @@ std::optional<StatedLength> TableComments::side(const Entry& entry, const std::s
     wrong = fmt::format("{} is {}, and \"{}\" is not a unit of length", entry.name, entry.value, side.unit);
   }
   if (wrong.empty()) return side;
-  map.faults.push_back({{file_, entry.number, 1, entry.line}, wrong, "correct the header of the file"});
+  Fault fault;
+  fault.mark = SourceMark{file_, entry.number, 1, entry.line};
+  fault.message = wrong;
+  fault.remedy = "correct the header of the file";
+  map.faults.push_back(std::move(fault));
   return side;
 }
 
