@@ -86,9 +86,8 @@ void declare_study(CommandOptions& add, StudyRequest& request) {
   const CLI::Option* rehearsal =
       add.flag("--dry-run", request.is_rehearsal, "of submit: write and show the scripts, submit nothing");
 
-  add.rule([=, &request](Faults&) {
+  add.rule([=, &request, &study](Faults&) {
     take_words(request);
-    StudyOptions& study = request.study;
     if (!is_stated(output)) study.output = std::filesystem::path(study.study_path).stem().string();
     if (study.resume && study.overwrite) {
       throw InputError("--resume keeps the scenarios that are there, --overwrite replaces them", "keep one of the two");
