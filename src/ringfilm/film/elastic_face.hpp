@@ -31,7 +31,7 @@ class ElasticFace {
 
  private:
   FilmGrid unloaded_;
-  double lowest_;                  ///< of its nodes [m]
+  double lowest_;                  ///< height of the lowest node of the unloaded face [m]
   std::vector<double> influence_;  ///< displacement at node i by pressure about node j, row-major [m/Pa]
 };
 

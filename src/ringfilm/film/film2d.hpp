@@ -23,8 +23,8 @@ enum class Ends {
 struct CircumferentialGrid {
   Ends ends = Ends::kOpen;
   double length = 0;            ///< [m]
-  std::vector<double> y;        ///< of the strips, from 0 [m]
-  std::vector<double> spacing;  ///< of the cells [m]
+  std::vector<double> y;        ///< positions of the strips, from 0 [m]
+  std::vector<double> spacing;  ///< lengths of the cells [m]
   std::vector<double> share;    ///< half of each neighbouring cell, for each strip [m]
 
   int n_strips() const { return static_cast<int>(y.size()); }
@@ -55,7 +55,7 @@ struct Film2dGap {
   std::vector<double> face_x_second, face_x_third, face_y_second, face_y_third;  ///< [m2], [m3]
 };
 
-/// The same in each strip, that of the grid across.
+/// Gap of a two-dimensional film that has in each strip the gap of the grid across.
 Film2dGap gap_of_strips(const FilmGrid& across, const CircumferentialGrid& around);
 
 /// The numbers of strip j among those of all, `width` of each strip.

@@ -16,7 +16,7 @@ constexpr double kChangePerCell = 0.5;
 constexpr int kMostHalvings = 20;
 /// Places at which the gap is looked at: measured points may lie closer than the first cells are long.
 constexpr int kSamplesPerCell = 8;
-/// The same of a face whose cells follow the gap.
+/// Places at which the gap of a face whose cells follow the gap is evaluated, over the whole face.
 constexpr int kSamplesOfFace = 500;
 
 }  // namespace
@@ -94,7 +94,7 @@ FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
   constexpr int kFewest = 2;
   FilmGrid grid;
   grid.width = pieces.back().end;
-  double left_height = 0;  // of the piece before, at its end
+  double left_height = 0;  // height at the end of the piece before
   for (const GapPiece& piece : pieces) {
     const double length = piece.end - piece.begin;
     const int n = std::max(kFewest, static_cast<int>(std::lround(n_cells * length / grid.width)));

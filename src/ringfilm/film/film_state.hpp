@@ -90,15 +90,17 @@ inline constexpr double kSteady = std::numeric_limits<double>::infinity();
 /// By what a film differs from that of a Newtonian oil between smooth walls; held during a solve. Those of shear stress
 /// only enter integrals. An empty list has no influence.
 struct FlowFactors {
-  std::vector<double> mobility;         ///< of the flow by pressure, at the nodes: 1 between smooth walls [-]
-  std::vector<double> mobility_across;  ///< the same of the flow across the motion, of a film in two dimensions [-]
-  std::vector<double> stored;           ///< by how much more oil the gap holds than its height, at the nodes [m]
-  std::vector<double> carried;          ///< the same of what the wall carries through the faces [m]
-  std::vector<double> thinning;         ///< viscosity over that without shear, at the nodes [-]
+  std::vector<double> mobility;  ///< factor of the flow by pressure, at the nodes: 1 between smooth walls [-]
+  /// Factor of the flow by pressure across the motion in a two-dimensional film, at the nodes [-]
+  std::vector<double> mobility_across;
+  std::vector<double> stored;  ///< by how much more oil the gap holds than its height, at the nodes [m]
+  /// By how much more oil the wall carries through the faces than their height [m]
+  std::vector<double> carried;
+  std::vector<double> thinning;  ///< viscosity over that without shear, at the nodes [-]
   // eq-average-shear, at the faces
-  std::vector<double> sliding_stress;     ///< of the stress by sliding, phi_f [-]
+  std::vector<double> sliding_stress;     ///< factor of the stress by sliding, phi_f [-]
   std::vector<double> stress_difference;  ///< by which it is smaller on the moving wall, V_r Phi_fs [-]
-  std::vector<double> pressure_stress;    ///< of the stress by pressure, phi_fp [-]
+  std::vector<double> pressure_stress;    ///< factor of the stress by pressure, phi_fp [-]
   std::vector<double> inverse_gap;        ///< mean of 1/h over that of a smooth gap; empty: sliding_stress has it [-]
 };
 inline constexpr std::vector<double> FlowFactors::*kFactorLists[] = {
@@ -114,7 +116,7 @@ enum class Fallback {
 
 /// What acts on the film during one step.
 struct FilmInputs {
-  std::shared_ptr<const models::OilAtTemperature> oil;  ///< of this step
+  std::shared_ptr<const models::OilAtTemperature> oil;  ///< oil at the temperature of this step
   double U = 0;                                ///< velocity of the liner against the ring, positive in +x [m/s]
   EdgeState left, right;                       ///< at x = 0 and x = b
   double p_cavitation = 0;                     ///< not above either edge pressure [Pa]
@@ -150,7 +152,7 @@ struct FilmState {
   std::vector<double> deficit;  ///< 0 where the film is full; 1 - theta, or the scaled multiplier of Reynolds exit [-]
   std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
   std::vector<double> ring;           ///< unknowns of a ring that bends (ElasticRing), over h_m; empty: none [m]
-  std::vector<double> deformation;    ///< of face and liner at the nodes (ElasticFace); empty: none [m]
+  std::vector<double> deformation;    ///< deformation of face and liner at the nodes (ElasticFace); empty: none [m]
   LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
   std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };
@@ -176,9 +178,9 @@ struct FilmReport {
   Route route = Route::kNewton;
   bool exact_laws = false;   ///< solved with the laws themselves although the oil has fits: these do not reach so far
   int iterations = 0;        ///< Newton iterations, those of the fallback included
-  long sweeps = 0;           ///< of point relaxation
+  long sweeps = 0;           ///< sweeps of point relaxation
   double last_step = 0;      ///< last relative change of film or pressure [-]
-  double thinnest_film = 0;  ///< of kRunsAway: the smallest h_m at which the film has a pressure [m]
+  double thinnest_film = 0;  ///< smallest h_m at which the film has a pressure, for kRunsAway [m]
 
   /// A film that was solved after this one, in its place: with the iterations of both.
   void add(const FilmReport& next);

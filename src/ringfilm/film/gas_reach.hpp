@@ -20,8 +20,8 @@ class GasReach {
   const EdgeState* gas_at(int i) const;
   /// Would gas of an edge, or of both, fill a cavity at node `i`?
   bool is_filled(int i) const { return is_within(i) || gas_at(i) != nullptr; }
-  /// Of carried_share() at node `i`. Steady films store nothing, and films with a full inlet pass nothing on to a wall
-  /// that is followed: there theta is what flows.
+  /// Argument `carry` of carried_share() at node `i`. Steady films store nothing. Films with a full inlet pass nothing
+  /// on to a wall that is followed: there theta is the share that flows.
   double carry(int i) const;
 
   /// The first and the last node of the narrowest stretch.

@@ -13,7 +13,8 @@ double thickest(const FilmProblem& problem) {
 }
 
 double enough_of_newton(const FilmProblem& problem) {
-  constexpr double kAtKinks = 1e-2;  // of the usual: film and asperities then balance to better than sqrt(tolerance)
+  // relative to the usual: film and asperities then balance to better than sqrt(tolerance)
+  constexpr double kAtKinks = 1e-2;
   const bool kinked = problem.contact != nullptr && problem.contact->has_kinks();
   return std::sqrt(problem.tolerance) * (kinked ? kAtKinks : 1);
 }

@@ -25,7 +25,7 @@ void NodalOil::update(const models::OilAtTemperature& oil, std::span<const doubl
 
 bool runs_away(const models::OilAtTemperature& oil, double p_low, double p_high) {
   constexpr double kRatio =
-      1e60;  // of viscosities: 44 decades beyond what the balance of a node sees in double precision
+      1e60;  // ratio of viscosities: 44 decades beyond the resolution of a node's balance in double precision
   return !(oil.viscosity(p_high) < kRatio * oil.viscosity(p_low));
 }
 

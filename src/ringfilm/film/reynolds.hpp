@@ -34,7 +34,7 @@ void explain_failure(const models::OilAtTemperature& oil, double p_cavitation, c
 
 /// Viscosity of the oil at a pressure, by the laws that a solved film holds, without shear [Pa s].
 double viscosity_at(const models::OilAtTemperature& oil, LaneLaws laws, double p);
-/// Density likewise [kg/m3].
+/// Density of the oil at a pressure, by the laws that a solved film holds [kg/m3].
 double density_at(const models::OilAtTemperature& oil, LaneLaws laws, double p);
 
 /// Mass flux of a solved film through the face between nodes i and i+1, positive in +x [kg/(m s)].
@@ -50,7 +50,7 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
 
 /// The state as the kernels see it.
 FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state);
-/// Of an oil that has fits.
+/// View of an oil that has fits, as the kernels see it.
 FittedOilView fitted_oil_view(const models::OilAtTemperature& oil);
 
 }  // namespace ringfilm::film

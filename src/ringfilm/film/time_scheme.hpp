@@ -2,8 +2,8 @@
 
 namespace ringfilm::film {
 
-/// Of BDF2, eq-bdf2: the growth of the film is that from `of_state` times the last film less `of_before` times the one
-/// before it, over `time_step`.
+/// BDF2, eq-bdf2. The rate of growth of the film is its difference from `of_state` times the last film less `of_before`
+/// times the film before it, divided by `time_step`.
 struct Bdf2 {
   double of_state, of_before;  ///< [-]
   double time_step;            ///< [s]
@@ -21,7 +21,7 @@ struct Bdf2 {
 /// eq-time-error and eq-bdf2-error.
 struct Prediction {
   double of_state, of_before, of_older;  ///< weights of the last three films [-]
-  double error_share;                    ///< of the difference [-]
+  double error_share;                    ///< share of the difference from the prediction that is the error [-]
 
   double expected(double state, double before, double older) const {
     return of_state * state + of_before * before + of_older * older;

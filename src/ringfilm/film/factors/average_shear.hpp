@@ -14,14 +14,14 @@ double pressure_shear(double h, double slope);
 
 /// Shear forces on the walls, eq-average-shear [N/m].
 struct AverageShear {
-  double mean;             ///< of both walls
-  double half_difference;  ///< that of the moving wall less that of the fixed one, halved
+  double mean;             ///< mean of the shear forces on both walls
+  double half_difference;  ///< half the difference of these forces, moving less fixed wall
 };
-/// Of a film with factors. @param deficit of the nodes as shear counts it
+/// Average shear of a film with flow factors. @param deficit of the nodes as shear counts it
 AverageShear average_shear(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
                            const double* deficit);
 
-/// Largest shear rate at a node, eq-shear-rate [1/s]. @param deficit as above: 1 where gas fills the gap
+/// Largest shear rate at a node, eq-shear-rate [1/s]. @param deficit as in average_shear(): 1 where gas fills the gap
 /// @param inside_squared that of inner nodes whose oil does not thin, squared [1/s2]
 double peak_shear_rate(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state,
                        const double* deficit, double inside_squared);

@@ -41,7 +41,7 @@ void add_stress(const FactorLaws& laws, const FilmGrid& grid, double h_m, FlowFa
   factors.stress_difference = at_faces([&](double H) { return laws.share_difference * laws.stress->shear_stress(H); });
 }
 
-/// The same of the gap of a measured pair, whose stress by sliding depends on the oil.
+/// Adds the stress factors of the gap of a measured pair, whose stress by sliding depends on the oil.
 void add_measured_stress(const FactorLaws& laws, const FilmProblem& problem, const FilmInputs& inputs,
                          const FilmState& state, double h_m, FlowFactors& factors) {
   const models::MeasuredFlow& law = *laws.measured.stress;

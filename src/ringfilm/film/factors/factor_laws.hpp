@@ -21,7 +21,7 @@ struct ThinningOil {
 struct MeasuredFactors {
   using Flow = std::shared_ptr<const models::MeasuredFlow>;
   Flow pressure_flow, shear_flow, stress, average_gap;
-  double eyring_stress = 0;  ///< of the oil in thin gaps, above 0 with `stress` [Pa]
+  double eyring_stress = 0;  ///< Eyring stress of the oil in thin gaps, above 0 with `stress` [Pa]
 
   bool are_absent() const { return !pressure_flow && !shear_flow && !stress && !average_gap; }
 };

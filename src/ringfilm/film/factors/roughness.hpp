@@ -12,8 +12,8 @@ enum class Roughness {
 
 /// Film thickness that the gap stores and the wall carries.
 enum class AverageGap {
-  kNominal,    ///< that of smooth walls
-  kTruncated,  ///< mean of the local one, where Gaussian heights do not overlap
+  kNominal,    ///< film thickness between smooth walls
+  kTruncated,  ///< mean of the local film thickness, where Gaussian heights do not overlap
   kMeasured    ///< mean of the true gap of a measured pair
 };
 

@@ -93,7 +93,7 @@ class Strips {
       return pressure_flux(conductance(3 * height(i) * second[i] + third[i], grid.spacing[i]),
                            fluidity(now_.p[i]) + fluidity(now_.p[i + 1]), now_.p[i + 1] - now_.p[i]);
     };
-    const int upstream = inputs_.strip.U >= 0 ? 0 : 1;  // of the two nodes of a face
+    const int upstream = inputs_.strip.U >= 0 ? 0 : 1;  // index of the upstream one of the two nodes of a face
     const auto film_content = [&](int i) { return film::film_content(strip_.cavitation, now_.deficit[i + upstream]); };
     for (int i = 0; i < n; ++i) {
       if (!(second[i] > 0)) continue;

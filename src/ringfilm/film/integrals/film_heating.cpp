@@ -44,7 +44,7 @@ HeatingSums sums_of_full_cells(const FilmProblem& problem, const FilmInputs& inp
   return problem.kernels->heating_of_given_oil(film, {oil.rho.data(), oil.K.data()}, inputs.U);
 }
 
-/// Of the cell behind node `i`, in which the film ends or begins [m].
+/// Length filled with oil of the cell behind node `i`, in which the film ends or begins [m].
 double filled_length(const FilmProblem& problem, const FilmInputs& inputs, const GasReach& reach, const double* p,
                      int i, bool ends) {
   const FilmGrid& grid = problem.grid;

@@ -16,12 +16,12 @@ struct FilmHeating {
   double rise(double conductivity, double specific_heat) const;
 };
 
-/// Of a state that was solved with `inputs`. @param strip of an unrolled film, whose strips follow each other in the
-/// state; 0 of a film across the face
+/// Heating of the film of a state that was solved with `inputs`.
+/// @param strip strip of an unrolled film, whose strips follow each other in the state; 0 for a film across the face
 FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state, int strip = 0,
                          double rise = 0);
 
-/// The same of a film across the face. @param full sums over its full cells
+/// Heating of a film across the face, from its sums. @param full sums over its full cells
 FilmHeating film_heating(const FilmProblem& problem, const FilmInputs& inputs, const GasReach& reach,
                          const FilmView& film, LaneLaws laws, const HeatingSums& full);
 

@@ -59,7 +59,7 @@ class FlowFaces {
  private:
   std::array<int, 4> face_;
   std::array<double, 4> flux_;
-  double share_;  ///< of the second face at the middle
+  double share_;  ///< weight of the second face at the middle
 };
 
 void add_flow(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& previous, const FilmState& state,

@@ -16,7 +16,7 @@ struct Cavity {
 struct FilmIntegrals {
   double hydrodynamic_load = 0;                ///< int p dx [N/m]
   double asperity_load = 0;                    ///< int p_a dx [N/m]
-  double asperity_load_beyond_polynomial = 0;  ///< of it, from where the law is not trusted [N/m]
+  double asperity_load_beyond_polynomial = 0;  ///< part of asperity_load from where the law is not trusted [N/m]
   double asperity_area = 0;                    ///< int A_a/A dx [m]
   /// int eta U/h dx, in the cavity weighted by theta if mass is conserved: half the sum of both walls [N/m].
   double shear_couette = 0;

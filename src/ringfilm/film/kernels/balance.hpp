@@ -27,8 +27,8 @@ struct CarriedGap {
   Real gap, slope;
 };
 
-/// Of the gap of a face, by which that of the node differs at the most: with a third more a node that fills would pass
-/// on less.
+/// Largest difference between the gap of a node and that of a face, as a share of the gap of the face. With a third
+/// more, a node that fills would pass on less.
 inline constexpr double kMostExcess = 0.25;
 
 /// A cavity moves on with what its node holds, theta h there (eq-carried-gap): by the gap of the face it would hold
@@ -58,7 +58,7 @@ RINGFILM_INLINE Real pressure_flux(Real conductance, Real K, Real dp) {
   return -conductance * (K * dp);
 }
 
-/// The same by motion and pressure. @param rho sum over the two nodes
+/// Mass flux through a face by motion and pressure. @param rho sum over the two nodes
 template <class Real>
 RINGFILM_INLINE Real face_flux(Real entrainment, Real rho, Real conductance, Real K, Real dp) {
   return entrainment * rho - conductance * (K * dp);
@@ -110,7 +110,7 @@ struct Motion {
     content_from_left = to_right * quarter_U * inverse_content_scale;
     content_from_right = (Real(1) - to_right) * quarter_U * inverse_content_scale;
   }
-  /// Of both ends of a face, those upstream.
+  /// Value at the upstream end of a face, given those at both ends.
   RINGFILM_INLINE Real upstream(Real left, Real right) const { return select(quarter_U >= Real(0), left, right); }
   RINGFILM_INLINE Real content(const Node<Real>& left, const Node<Real>& right) const {
     return upstream(left.theta, right.theta);
@@ -240,8 +240,8 @@ RINGFILM_INLINE Real multiplier_weight(Real conductances, Real gap, Real K) {
 /// the linearisation is that of the other side.
 template <class Real>
 struct KinkStep {
-  Real scale, inverse_scale;                  ///< of pressures
-  Real content_scale, inverse_content_scale;  ///< of z in a cavity
+  Real scale, inverse_scale;                  ///< scale of pressures
+  Real content_scale, inverse_content_scale;  ///< scale of z in a cavity
   Real to_film{0}, to_cavity{0};              ///< not 0 once a node has changed sides
   Real largest{0};                            ///< relative change so far; a NaN is not seen
 

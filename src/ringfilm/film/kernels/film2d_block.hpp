@@ -12,7 +12,7 @@ struct StripSystem {
   ZebraShape shape;
   double *west, *diagonal, *east;  ///< by the node before, itself, the node after
   double *low, *high;              ///< by the strips on either side
-  double *inverse, *upper;         ///< of the elimination along each strip
+  double *inverse, *upper;         ///< elimination along each strip
 };
 
 /// Newton's iteration of one two-dimensional film.
@@ -23,7 +23,7 @@ struct Film2dBlock {
   Terms terms;
   bool has_steps;  ///< the gap jumps within faces
 
-  // Of nodes
+  // Arrays over the nodes
   double* z;                              ///< eq-film-content, "one number per node" [Pa]
   double* bound;                          ///< lowest pressure over p_c; 0 with Terms::kPlain [Pa]
   double* inflow;                         ///< what the step before left and what sources add [kg/(m s)]
@@ -34,12 +34,13 @@ struct Film2dBlock {
   double *mobility, *mobility_across;  ///< FlowFactors, only with Terms::kAll; so are the next two [-]
   double *stored, *carried;            ///< [m]
   double* column;                      ///< slope of the balance in ln h_m
-  /// Of it, by the separation of the strip itself and at the faces to the strips beside; nullptr: not asked for
+  /// Parts of `column` by the separation of the strip itself and at the faces to the strips beside; nullptr: not
+  /// requested
   double *own_column, *low_column, *high_column;
   double* rhs;       ///< minus the balance
   double* load_row;  ///< slope of the load in z [m]
 
-  // Of strips
+  // Arrays over the strips
   double* h_m;                                 ///< separation [m]
   double *low_h_m, *high_h_m;                  ///< at the faces to the strips beside: the mean of both [m]
   double* is_strip;                            ///< 1, or 0 where the slot has none
@@ -47,7 +48,7 @@ struct Film2dBlock {
   double *low_conductance, *high_conductance;  ///< 1/(24 dy) over the share of the strip [1/m2]
   double *flux, *flux_by_left, *flux_by_right, *flux_by_h;  ///< scratch: through the face that was passed last
 
-  // Of places across
+  // Arrays over the places across the face
   const double* share;        ///< [m]
   const double* conductance;  ///< 1/(24 dx) [1/m]
 

@@ -29,9 +29,9 @@ struct Film2dKernels {
                       const double* beside, double* to);
   /// y += the balance's slopes by the separations: of the strip itself, and at the faces to the strips beside.
   void (*add_columns)(const Film2dBlock&, const double* own, const double* low, const double* high, double* y);
-  /// Of each strip the sum over its nodes of `row` times `x`.
+  /// Sums of `row` times `x` over the nodes of each strip.
   void (*strip_sums)(const ZebraShape&, const double* row, const double* x, double* sums);
-  /// Of each strip the load that its film carries [N/m].
+  /// Load that the film of each strip carries [N/m].
   void (*strip_loads)(const Film2dBlock&, double* loads);
   /// x -= column times the number of the strip.
   void (*take_columns)(const ZebraShape&, const double* column, const double* of_strip, double* x);

@@ -400,7 +400,7 @@ void to_coarse(const ZebraShape& fine, const double* weight, const double* rhs, 
   }
 }
 
-/// Of the odd strips alone: the even ones are relaxed first, whatever they are.
+/// Interpolates the odd strips alone: the even strips are relaxed first, whatever their values are.
 template <class Real>
 void from_coarse(const ZebraShape& coarse, const double* x, const ZebraShape& fine, const double* own,
                  const double* beside, double* to) {

@@ -23,7 +23,7 @@ struct FilmView {
                *inverse_gap = nullptr;
 };
 
-/// Of the shear rate by a slope of the pressure: its root mean square across the film, eq-shear-rate.
+/// Factor of the shear rate by a slope of the pressure, as its root mean square across the film, eq-shear-rate.
 inline constexpr double kPressureShear = 0.5 * std::numbers::inv_sqrt3;
 
 /// One lane of a block: z, and how far apart its numbers are.
@@ -53,7 +53,7 @@ struct MassSums {
 /// The last two films, by which the next one is guessed (eq-continued-film).
 struct FilmMotion {
   const double *p, *p_before, *deficit, *deficit_before;
-  double ratio;  ///< of the step to the one before it [-]
+  double ratio;  ///< length of the step over that of the step before it [-]
   double p_cavitation;
 };
 
@@ -95,7 +95,7 @@ struct FilmSums {
   double shear_couette, shear_poiseuille;  ///< [N/m]
   double storage;                          ///< growth of the mass on the face [kg/(m s)]
   double peak_pressure;                    ///< [Pa]
-  double peak_shear_squared;               ///< of inner nodes that oil fills or passes [1/s2]
+  double peak_shear_squared;  ///< largest squared shear rate at inner nodes that oil fills or passes [1/s2]
   HeatingSums heating;
 };
 
@@ -112,8 +112,8 @@ struct TabulatedContactView {
   const double *pressure, *area;
   double reach, per_gap, pressure_scale, area_scale;
   double end;          ///< largest place in the last piece, counted in pieces
-  double spread;       ///< as above
-  double turning_gap;  ///< likewise [m]
+  double spread;       ///< 1: contact at the local gap; 0: at h_m on the whole face
+  double turning_gap;  ///< gap beyond which the load is also summed separately [m]
 };
 
 struct ContactSums {
@@ -351,7 +351,7 @@ class AlongFace {
     for (; i < end; ++i) visit.template operator()<One, 1>(i);
   }
 
-  /// The same where nothing is lost by visiting a node twice: the last pack ends with the last node.
+  /// Visits each node where a node may be visited twice without harm: the last pack ends with the last node.
   template <int kPacks, class Visit>
   RINGFILM_INLINE static void visit_each(int begin, int end, const Visit& visit) {
     int i = begin;
@@ -434,7 +434,7 @@ class AlongFace {
   struct Sums {
     Some load{0}, couette{0}, poiseuille{0}, storage{0}, peak, shear_squared{0};
     Heating<Some> heating;
-    int upstream;  ///< of the two nodes of a cell: what the first holds of oil fills the cell
+    int upstream;  ///< index of the upstream one of the two nodes of a cell, whose oil fills the cell
 
     RINGFILM_INLINE Sums(const FilmView& film, const StepView& step) : peak(film.p[0]), upstream(step.U >= 0 ? 0 : 1) {}
 
@@ -451,13 +451,13 @@ class AlongFace {
       add_face(film, rho, K, i);
       heating.add(film, step.U, rho, K, i);
     }
-    /// Of an inner node, eq-shear-rate. @param rho,K of node i
+    /// Adds the shear rate at an inner node, eq-shear-rate. @param rho,K of node i
     RINGFILM_INLINE void add_shear_rate(const FilmView& film, const StepView& step, const double* rho, const double* K,
                                         int i) {
       const Some h = Some(film.h_m) + Some::load(film.node_height + i);
       const Some length = Some::load(film.spacing + i - 1) + Some::load(film.spacing + i);
       const Some fall = Some::load(film.p + i + 1) - Some::load(film.p + i - 1);
-      const Some inertia = Some::load(rho) * length;  // of the viscosity rho/K
+      const Some inertia = Some::load(rho) * length;  // inertia of the viscosity rho/K
       const Some slide = Some(step.U) * inertia, press = Some(kPressureShear) * h * h * fall * Some::load(K);
       const Some reach = h * inertia;
       const Some squared = (slide * slide + press * press) / (reach * reach);

@@ -31,7 +31,7 @@ struct FilmKernels {
 /// "avx2", "avx512"). Throws InputError for an unknown name and for one that this machine cannot run.
 const FilmKernels& kernels();
 
-/// By name, as above.
+/// The kernels of the given name. Throws InputError for an unknown name and for one that this machine cannot run.
 const FilmKernels& kernels(std::string_view name);
 
 /// Names that this machine can run, the narrowest first.

@@ -61,10 +61,10 @@ struct LaneBlock {
 
   // Over nodes 0..n
   double* z;  ///< eq-film-content, "one number per node" [Pa]
-  // Of nodes, only with Terms::kAll
+  // Arrays over the nodes, only with Terms::kAll
   double* bound;                      ///< lowest pressure over p_c [Pa]
   double *mobility, *stored;          ///< FlowFactors [-], [m]
-  double* carry;                      ///< of carried_share [-]
+  double* carry;                      ///< argument `carry` of carried_share() [-]
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
   double* share;                      ///< [m]
@@ -81,7 +81,7 @@ struct LaneBlock {
   alignas(64) Lanes quarter_U;             ///< U/4 [m/s]
   alignas(64) Lanes rate;                  ///< 1/dt, 0 when steady [1/s]
   alignas(64) Lanes p_cavitation;          ///< [Pa]
-  alignas(64) Lanes scale, inverse_scale;  ///< of pressures [Pa], [1/Pa]
+  alignas(64) Lanes scale, inverse_scale;  ///< scale of pressures and its reciprocal [Pa], [1/Pa]
   alignas(64) Lanes content_scale;         ///< by which z of a cavity is its film content; stays from step to step [Pa]
   alignas(64) Lanes inverse_content_scale;      ///< [1/Pa]
   alignas(64) Lanes load;                       ///< [N/m]
@@ -98,7 +98,7 @@ struct LaneBlock {
   alignas(64) Lanes fit_rho[kDensityTerms], fit_drho[kDensitySlopeTerms];
   alignas(64) Lanes contact_spread;             ///< 1: contact at the local gap; 0: at h_m on the whole face
   alignas(64) Lanes contact_reach;              ///< beyond this gap there is none; negative: nowhere [m]
-  alignas(64) Lanes contact_scale;              ///< of the pressure [Pa]
+  alignas(64) Lanes contact_scale;              ///< scale of the contact pressure [Pa]
   alignas(64) Lanes contact_per_gap;            ///< from the gap to the polynomial's t = -1 ... 1 [1/m]
   bool has_polynomials;                         ///< does any lane have them?
   double contact[kContactTerms];                ///< eighth root of F_5/2 in t
@@ -110,7 +110,7 @@ struct LaneBlock {
   alignas(64) Lanes table_end;      ///< the largest place in the last of them, from 0 at the first
   alignas(64) Lanes table_reach;    ///< beyond this gap there is none; negative: nowhere [m]
   alignas(64) Lanes table_per_gap;  ///< from the gap to the number of the piece [1/m]
-  alignas(64) Lanes table_scale;    ///< of the pressure [Pa]
+  alignas(64) Lanes table_scale;    ///< scale of the contact pressure of the table [Pa]
 
   // Outcome of a sweep
   alignas(64) Lanes excess;     ///< W_h + W_a - W before the update [N/m]

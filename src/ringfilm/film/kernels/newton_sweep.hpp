@@ -18,7 +18,7 @@ template <class Real, class Wide, LaneLaws kLaws, LaneCavity kCavity, Terms kTer
 class NewtonSweep {
   static constexpr int kWidth = Real::kWidth;
   static constexpr bool kAlongFace = kWidth == 1;
-  /// Of nodes visited at a time: a lane is a film, or along the face a node.
+  /// Pack of nodes that are visited together: a lane is a film, or a node along the face.
   using Visitor = std::conditional_t<kAlongFace, Wide, Real>;
   /// Packs whose polynomials are summed side by side, so that no sum waits for its last term.
   static constexpr int kAbreast = kAlongFace ? 2 : 4;
@@ -160,7 +160,7 @@ class NewtonSweep {
     }
   }
 
-  /// The same of lanes whose law is a table.
+  /// Adds the contact of lanes whose law is a table.
   RINGFILM_INLINE void add_tabulated_contact(int i) {
     const Visitor h_m = of_lanes(b_.h_m), spread = of_lanes(b_.contact_spread), reach = of_lanes(b_.table_reach);
     const Visitor per_gap = of_lanes(b_.table_per_gap), scale = of_lanes(b_.table_scale);
@@ -242,7 +242,7 @@ class NewtonSweep {
     const int n = b_.n_cells;
     load_ = slope_ = Visitor(0);
     const Real rate = Real::load(b_.rate);
-    Real row(0), upper(0), column(0), rhs(0);  // of the node before, eliminated
+    Real row(0), upper(0), column(0), rhs(0);  // row of the node before, eliminated
     Real by_column(0), by_rhs(0);              // what the elimination subtracts from the load row
 
     Film film;

@@ -21,7 +21,7 @@ class FilmSolve {
     return finish(report);
   }
 
-  /// The same for one of the films of a search, with the laws themselves.
+  /// Solves one of the films of a search, with the laws themselves; true if it converged.
   bool solve_for_search(Patience patience, FilmReport& report) {
     newton_.start(0, inputs_, previous_, state_, state_.h_m, Unknowns::kFilmAlone, LaneLaws::kGiven);
     if (patience == Patience::kLittle) newton_.limit_search_effort(0);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSliderLoad = 0.16;       // W h^2/(eta U b^2) of the best plane slider
 constexpr int kCoarsest = 16;              // cells of the grid on which a first guess starts
-constexpr double kCoarseTolerance = 1e-4;  // of films that are only started from
+constexpr double kCoarseTolerance = 1e-4;  // tolerance of films that only serve as a start
 constexpr double kAtMostFull = 0.5;        // film content of a film that begins dry: no pressure in the first step
 
 /// Edge pressures joined linearly, h_m as a plane slider or the asperities would have it.

@@ -13,8 +13,8 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kMostIterations = 40;  // of the coupled Newton
-constexpr int kMostOfStep = 12;      // of a step that is shortened where they find no film
+constexpr int kMostIterations = 40;  // limit for the coupled Newton iteration
+constexpr int kMostOfStep = 12;      // limit for a step that is shortened where no film is found
 constexpr double kNowhere = -1;      // a reach of contact that no gap is within
 
 constexpr int kNodalArrays = 18;

@@ -13,8 +13,8 @@ namespace ringfilm::film {
 LaneLaws best_laws(const FilmInputs& inputs);
 
 enum class Unknowns {
-  kFilmAndSeparation,  ///< that of each strip where a ring bends
-  kFilmAlone,          ///< at the separation that is given
+  kFilmAndSeparation,  ///< film and separation, with a separation for each strip where a ring bends
+  kFilmAlone,          ///< film at the given separation
 };
 
 /// The coupled Newton method for as many films as there are lanes, each at its own iteration of its own step. What
@@ -72,7 +72,7 @@ class LaneNewton {
   struct Lane {
     const FilmProblem* problem = nullptr;
     const FilmInputs* inputs = nullptr;
-    std::shared_ptr<const models::OilAtTemperature> oil;  ///< of the last step, whose fit the lane holds
+    std::shared_ptr<const models::OilAtTemperature> oil;  ///< oil of the last step, whose fit the lane holds
     Phase phase = Phase::kIdle;
     int n_cells = 0;
     int iterations = 0, most_iterations = 0;
@@ -107,7 +107,7 @@ class LaneNewton {
   int width_, most_cells_;
   std::vector<double> memory_;
   std::vector<Lane> lanes_;
-  std::vector<double> p_;  ///< of one lane, for laws that are given
+  std::vector<double> p_;  ///< pressures of one lane, for laws that are given
   NodalOil oil_;           ///< at these pressures
   LaneBlock block_;
 };

@@ -10,16 +10,16 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kSweepsPerCell = 100;  // of one solve at the most, and kFewSweeps more
+constexpr int kSweepsPerCell = 100;  // limit of sweeps in one solve, plus kFewSweeps
 constexpr int kFewSweeps = 1000;
-constexpr double kLargestCorrection = 0.25;  // of ln h_m in one correction
+constexpr double kLargestCorrection = 0.25;  // largest change of ln h_m in one correction
 constexpr double kDampingAtFirst = 0.2;      // d ln h_m over the relative imbalance, before a better one is known
-constexpr double kLoadShare = 0.01;          // of the imbalance that an unfinished relaxation may hide
+constexpr double kLoadShare = 0.01;          // share of the imbalance that an unfinished relaxation may hide
 constexpr double kNoise = 10;                // a change of the load is significant above so many iteration errors
 constexpr double kLargestDamping = 1;        // the load falls at least about as fast as 1/h_m
-constexpr double kLargestGrowth = 4;         // of the damping, either way, in one correction
+constexpr double kLargestGrowth = 4;         // largest factor by which the damping rises or falls in one correction
 constexpr double kSlowest = 1e-8;  // 1 - radius of Jacobi's iteration: no film of fewer than 10^4 cells is slower
-constexpr int kHalvings = 12;      // of the logarithm of the bracket of 1 - radius, which leaves 0.5 %
+constexpr int kHalvings = 12;      // halvings of ln(1 - radius) between its bounds, to within 0.5 %
 
 /// The best factor for tridiagonal matrices (young1954), by the spectral radius of Jacobi's iteration.
 double best_factor(double radius) { return 2 / (1 + std::sqrt(1 - radius * radius)); }
@@ -248,7 +248,7 @@ double PointRelaxation::sweep_mass_conserving() {
     const double in = work_.couette_[i - 1] * (step > 0 ? passed(i - 1, i - 1).gap : 1.0);
     const double out = work_.couette_[i] * (step > 0 ? 1.0 : passed(i, i + 1).gap);
     const double balanced = work_.kept_[i] + work_.from_left_[i] * p[i - 1] + work_.from_right_[i] * p[i + 1] -
-                            work_.compliance_[i] * (out - in);  // of a full film
+                            work_.compliance_[i] * (out - in);  // balance of a full film
     const double before = p[i];
     double film_content = 1;
     if (balanced > p_c) {

@@ -26,7 +26,7 @@ class RelaxationWorkspace {
   RelaxationFactor factor_;
   NodalOil oil_;
   std::vector<double> theta_, multiplier_;
-  std::vector<double> conductance_, couette_;  ///< of the faces [kg/(m s Pa)], [kg/(m s)]
+  std::vector<double> conductance_, couette_;  ///< coefficients of the flow through the faces [kg/(m s Pa)], [kg/(m s)]
   std::vector<double> gain_;                   ///< storage less source of full nodes [kg/(m s)]
   std::vector<double> compliance_;             ///< d(p)/d(imbalance) of a node [m s Pa/kg]
   std::vector<double> kept_;  ///< balancing pressure = kept + from_left p_left + from_right p_right [Pa]

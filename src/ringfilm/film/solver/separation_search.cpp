@@ -11,7 +11,7 @@ namespace ringfilm::film {
 namespace {
 
 constexpr double kRunaway = 1e6;       // multiple of the load beyond which only the sign counts
-const double kStride = std::log(1.5);  // of the search, in ln h_m, at the most
+const double kStride = std::log(1.5);  // largest stride of the search in ln h_m
 constexpr double kShorter = 0.25;  // the next stride, where there is no film: a film that is not found takes longest
 const double kThicker = std::log(2.5);
 /// Strides below this one no longer separate a film that has a solution from one that has none. In ln h_m, as a

@@ -13,7 +13,7 @@ constexpr int kMostIterations = 300;
 constexpr double kEnough = 1e-6;
 /// Between the film of a parabola, 1, and that of a slider whose inlet is far, 2.
 constexpr double kPower = 1.5;
-/// Of the way to a film of no thickness that one step goes.
+/// Largest share of the way to zero film thickness that one step covers.
 constexpr double kMostOfFilm = 0.9;
 
 class RingOnSprings {

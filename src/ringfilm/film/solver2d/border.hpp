@@ -30,7 +30,7 @@ class Border {
   virtual void eliminate(const double* g, double* x, double* b) = 0;
 };
 
-/// Of a rigid ring: one unknown, ln h_m.
+/// Border of a rigid ring: one unknown, ln h_m.
 class RigidBorder final : public Border {
  public:
   /// @param n numbers of a vector x; column and row are those of the block
@@ -54,8 +54,9 @@ class RigidBorder final : public Border {
   double corner_ = 0, slope_ = 0;
 };
 
-/// Of a ring that bends: the unknowns of its beam, over a length. A strip's film is eliminated as if all strips were
-/// displaced alike: what differs between near strips is held by the stiffness of the ring. So D - R Y is a band.
+/// Border of a ring that bends: the unknowns of its beam, over a length. A strip's film is eliminated as if all strips
+/// were displaced alike, because the stiffness of the ring limits differences between near strips. So D - R Y is a
+/// band.
 class BeamBorder final : public Border {
  public:
   /// @param first the first strip that is solved
@@ -80,17 +81,17 @@ class BeamBorder final : public Border {
   const Film2dKernels* kernels_;
   const Film2dBlock* block_;
   ElasticRing ring_;
-  int n_strips_, first_;  ///< of the film; the first that is solved
+  int n_strips_, first_;  ///< number of strips of the film; index of the first that is solved
   Ends ends_;
-  double length_;  ///< of the film in y [m]
+  double length_;  ///< length of the film in y [m]
   double scale_ = 0;
   int lowest_ = 0;
   std::vector<double> contact_slope_;
   std::vector<double> stiffened_;                ///< displacement that each unknown needs, flattened by it [-]
-  std::vector<double> share_;                    ///< of the length that each strip has
+  std::vector<double> share_;                    ///< share of the length that each strip has
   std::vector<double> closing_;                  ///< slope of each displacement in its unknown [-]
   std::vector<double> solution_;                 ///< Y of all strips displaced alike
-  std::vector<double> own_, low_, high_, sums_;  ///< of strips, as the block has them
+  std::vector<double> own_, low_, high_, sums_;  ///< scratch: values at the strips, in the order of the block
   std::vector<double> factor_, left_, bent_;
 };
 

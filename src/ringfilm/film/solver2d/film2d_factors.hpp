@@ -5,8 +5,8 @@
 #include "ringfilm/film/factors/factor_laws.hpp"
 #include "ringfilm/film/film2d.hpp"
 
-/// Flow factors of two-dimensional films: along the motion those of each strip as of a film across the face, and that
-/// of the flow between strips (docs/theory/two-dimensional-film.md).
+/// Flow factors of two-dimensional films: the factors of each strip along the motion, as for a film across the face,
+/// and the factor of the flow between strips (docs/theory/two-dimensional-film.md).
 namespace ringfilm::film {
 
 /// The factors of all strips, each with its pressures and its own separation where that of the film is h_m [m].

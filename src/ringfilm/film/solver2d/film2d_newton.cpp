@@ -14,7 +14,7 @@ namespace ringfilm::film {
 namespace {
 
 constexpr double kThinnestClosed = 1.05;     // to start from, of closed_film()
-constexpr int kMostIterationsOfStrips = 60;  // of Newton's method with the load
+constexpr int kMostIterationsOfStrips = 60;  // limit of Newton iterations with the separation as an unknown
 
 /// By how much GMRES must reduce what is left of a linear system: by the square root of the tolerance, so that the last
 /// step's linear errors are as small as its nonlinear ones; after a step larger than kFarStep by no more than this. (A
@@ -225,7 +225,7 @@ void Film2dNewton::set_step(const Film2dProblem& problem, const Film2dInputs& in
   double *z = block_.z, *inflow = block_.inflow;
   const GasReach reach(problem.strip.grid, strip);
   for (int i = 0; i < shape_.n_across; ++i) {
-    // The same in all strips.
+    // The bound is the same in all strips.
     const double bound = block_.terms == Terms::kAll ? reach.pressure_bound(i) - strip.p_cavitation : 0;
     const double share = block_.share[i];
     for (int s = 0; s < shape_.n_strips; ++s) {

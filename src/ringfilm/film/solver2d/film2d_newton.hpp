@@ -15,8 +15,8 @@ namespace ringfilm::film {
 
 /// Newton's method on pressure and film content of all nodes of a two-dimensional film and on ln h_m, or on separation
 /// and slope of a ring that bends (docs/theory/two-dimensional-film.md, "the solver"). Nodes stop at the kink, fronts
-/// that only advance are helped along each strip, h_m moves by at most -60 % or +150 % an iteration, as in LaneNewton;
-/// of a ring that bends the film of each strip does.
+/// that only advance are helped along each strip, h_m moves by at most -60 % or +150 % an iteration, as in LaneNewton.
+/// With a ring that bends, this limit applies to the film of each strip.
 class Film2dNewton {
  public:
   explicit Film2dNewton(const Film2dProblem& problem);
@@ -27,7 +27,7 @@ class Film2dNewton {
     bool solved = false;
     int iterations = 0;
     double last_step = 0;      ///< largest relative change of film or pressure in the last iteration [-]
-    double peak_pressure = 0;  ///< of the film, given strips and edges included [Pa]
+    double peak_pressure = 0;  ///< largest pressure of the film, given strips and edges included [Pa]
   };
   /// From `state`, at its separation or from it. `state` receives separation, pressure and deficit, solved or not.
   Outcome solve(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous, Unknowns unknowns,
@@ -53,8 +53,8 @@ class Film2dNewton {
   bool solve_at_border_step(double reduction);
   bool limit_border_step();
   bool limit_step_of_beam();
-  double change_of_strip(int j) const;  ///< of its separation in the border's step [m]
-  double largest_move() const;          ///< of the border's step, relative [-]
+  double change_of_strip(int j) const;  ///< change of the strip's separation in the border's step [m]
+  double largest_move() const;          ///< largest relative move in the border's step [-]
   bool has_film_everywhere() const;
   void move_border(const Film2dProblem& problem, const Film2dInputs& inputs);
   void advance_fronts(bool only_advanced);
@@ -77,17 +77,17 @@ class Film2dNewton {
   std::optional<BeamBorder> beam_border_;
   Border* border_;
   std::vector<double> step_, rhs_, product_;  ///< zebras, the first two with the border's step behind them
-  std::vector<double> excess_, border_step_;  ///< of the border's equations [N/m]; of its unknowns
+  std::vector<double> excess_, border_step_;  ///< residuals of the border's equations [N/m]; step of its unknowns
   double h_m_ = 0;
   std::vector<double> ring_;         ///< unknowns of a ring that bends, over h_m [m]
-  std::vector<double> rise_;         ///< of strips over h_m; empty: none [m]
+  std::vector<double> rise_;         ///< rise of each strip over h_m; empty: none [m]
   std::vector<double> lowest_;       ///< height of the gap at each strip [m]
-  std::vector<double> strip_loads_;  ///< of films, as the block has strips [N/m]
+  std::vector<double> strip_loads_;  ///< loads of the strips' films, in the order of the block [N/m]
   std::vector<double> p_;            ///< for laws that are given
   NodalOil oil_;
-  double left_ = 1;          ///< of the last linear system [-]
+  double left_ = 1;          ///< reduction of the residual of the last linear system [-]
   int krylov_ = 0;           ///< iterations of GMRES that it took
-  int krylov_prepared_ = 0;  ///< of the one for which the multigrid was prepared
+  int krylov_prepared_ = 0;  ///< iterations of GMRES for the system for which the multigrid was prepared
   double border_scale_ = 1;  ///< by which the border's step counts among pressures [Pa]
   FrontAdvance fronts_;
 };

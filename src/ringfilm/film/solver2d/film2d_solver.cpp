@@ -98,7 +98,7 @@ class Film2dSearch : public FilmAtSeparation {
   const FilmState& previous_;
   FilmState& state_;
   FilmState& guess_;
-  FilmState& solved_;  ///< of the search: the last film that was found
+  FilmState& solved_;  ///< last film that the search found
   Film2dNewton& newton_;
   FilmReport report_;
   double peak_pressure_ = 0;

@@ -33,15 +33,15 @@ class Film2dWorkspace {
 film::FilmReport solve_film2d(const Film2dProblem& problem, const Film2dInputs& inputs, const FilmState& previous,
                               FilmState& state, Film2dWorkspace& workspace);
 
-/// The same at the separation of `state`, which stays. `inputs.strip.load` is only the scale of pressures.
+/// Solves the film at the separation of `state`, which stays. `inputs.strip.load` is only the scale of pressures.
 film::FilmReport solve_film2d_at_separation(const Film2dProblem& problem, const Film2dInputs& inputs,
                                             const FilmState& previous, FilmState& state, Film2dWorkspace& workspace);
 
 /// Every strip like the one of a film across.
 film::FilmState of_strips(const Film2dProblem& problem, const FilmState& strip);
 
-/// rho theta h of every node, from pressure, deficit and h_m, by the laws that `state.laws` names and with the factors
-/// of the inputs.
+/// rho theta h of every node, from pressure, deficit and h_m, by the laws that `state.laws` names and the factors in
+/// `inputs`.
 void complete_state(const Film2dProblem& problem, const Film2dInputs& inputs, FilmState& state);
 
 /// W_h + W_a per length in y [N/m].

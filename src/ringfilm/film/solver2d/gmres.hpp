@@ -13,7 +13,7 @@ class Gmres {
 
   struct Report {
     int iterations = 0;
-    double reduction = 1;  ///< of the residual's norm [-]
+    double reduction = 1;  ///< reduction of the residual's norm [-]
   };
   /// @param map y = A x, of vectors of n; @param b right-hand side; @param x the solution
   /// @param reduction of the residual at which to stop [-]
@@ -29,7 +29,7 @@ class Gmres {
   std::size_t n_;
   std::vector<std::vector<double>> basis_;
   std::vector<double> residual_, image_;
-  std::vector<std::vector<double>> column_;  ///< of the triangular factor
+  std::vector<std::vector<double>> column_;  ///< columns of the triangular factor
   std::vector<double> cosine_, sine_, rotated_;
 };
 

@@ -53,20 +53,21 @@ class StripMultigrid {
     std::vector<double> memory;
     double *film = nullptr, *rhs = nullptr, *x = nullptr;
     // To the coarser two-dimensional film, if there is one: of each strip
-    std::vector<double> share;  ///< of its pair [-]
+    std::vector<double> share;  ///< weight of the strip in its pair [-]
     // and of each node
-    std::vector<double> to_coarse;          ///< weights of its row in that of the coarse node
-    std::vector<double> of_own, of_beside;  ///< of an odd strip's corrections
+    std::vector<double> to_coarse;  ///< weights of its row in that of the coarse node
+    /// Weights of its own pair and of the pair beside in the corrections of an odd strip
+    std::vector<double> of_own, of_beside;
   };
   /// Strips next to each other that are close enough to need coarser two-dimensional films.
   struct Run {
-    std::size_t offset = 0;     ///< of their first number in that of the whole
+    std::size_t offset = 0;     ///< index of the run's first number in the whole system
     std::vector<Level> levels;  ///< the first is a part of the given system, without memory of its own
   };
   static Level part_of(const Level& whole, int begin, int end);
   static Level coarser(Level& fine);
   static void coarsen(Level& fine, Level& coarse);
-  /// Of an odd number of joined strips, the first and the last are beside each other, both even.
+  /// Sets the ends of an odd number of joined strips, where the first and the last are neighbours and both even.
   static void start_ends(const Level& coarse, const Level& fine, double* x);
   void solve_level(Run& run, std::size_t level, const double* rhs, double* x);
   /// What the coarser two-dimensional films make of a right-hand side, in the odd strips of x.
