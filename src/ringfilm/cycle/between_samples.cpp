@@ -12,7 +12,7 @@ namespace {
 constexpr double kStrokeDeg = 180;
 /// Angles closer than this are the same [degree].
 constexpr double kSameAngle = 1e-9;
-/// Of neighbouring steps that a parabola joins.
+/// Largest ratio of the lengths of neighbouring steps that a parabola joins.
 constexpr double kMostUnequal = 8;
 
 }  // namespace
@@ -37,7 +37,7 @@ BetweenSamples::Slope BetweenSamples::secant(std::size_t k) const {
   return {{k, after(k), k}, {-1 / length_[k], 1 / length_[k], 0}, false};
 }
 
-/// Of the parabola through `first` and the two samples after it. @param at from the first one [degree]
+/// Slope of the parabola through `first` and the two samples after it. @param at distance from the first one [degree]
 BetweenSamples::Slope BetweenSamples::parabola(std::size_t first, double at) const {
   const std::size_t second = after(first);
   const double x_1 = length_[first], x_2 = x_1 + length_[second];
@@ -106,7 +106,7 @@ BetweenSamples::Place BetweenSamples::highest(std::size_t k, const Cubic& cubic)
   return {cubic.at(share), std::fmod(angle_[k] + share * length_[k], cycle_)};
 }
 
-/// Of a cubic whose ends have different signs: where it crosses zero, by bisection.
+/// Share of the step at which a cubic whose ends have different signs crosses zero, by bisection.
 double BetweenSamples::share_below_zero(const Cubic& cubic) {
   constexpr int kHalvings = 40;
   double low = 0, high = 1;

@@ -78,7 +78,8 @@ class BetweenSamples {
       return weight[0] * value(sample[0]) + weight[1] * value(sample[1]) + weight[2] * value(sample[2]);
     }
   };
-  /// Of a cubic at an end of its step, in rises over the step and the one beyond it: up to 3 a cubic is monotone.
+  /// Largest slope of a cubic at an end of its step, in rises over this step or the one beyond: up to 3 a cubic is
+  /// monotone.
   static constexpr double kMostSlope = 3;
   /// Over one step, by the share of the step that has passed.
   struct Cubic {
@@ -118,7 +119,7 @@ class BetweenSamples {
 
   double cycle_;                               ///< length of the cycle [degree]
   std::vector<double> angle_;                  ///< [degree]
-  std::vector<double> length_;                 ///< of the step from sample k to the next one [degree]
+  std::vector<double> length_;                 ///< length of the step from sample k to the next one [degree]
   std::vector<Slope> slope_from_, slope_to_;   ///< at the begin and at the end of that step
   std::array<std::vector<double>, 4> weight_;  ///< [degree]
   std::vector<double> mean_weight_;            ///< [-]

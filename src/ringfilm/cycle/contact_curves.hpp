@@ -9,7 +9,7 @@
 /// The contact law of a case against the separation, next to other laws of the same surfaces: for pictures.
 namespace ringfilm::cycle {
 
-/// The same case with another contact law.
+/// A case that differs from another one only in its contact law.
 struct OtherContactLaw {
   std::string name, label;  ///< a stable word; in words
   Case of;
@@ -23,12 +23,13 @@ struct ContactCurves {
     std::string name, label;
   };
   std::vector<double> separation;  ///< from 0 to kLambdaOfCurves times the roughness; empty: no contact [m]
-  std::vector<Law> laws;           ///< that of the case first
-  std::vector<double> pressure;    ///< of each law at each separation [Pa]
-  /// The same of the standard deviation of ln p by what was measured: regions and relative positions of a measured
-  /// pair, regions of N, beta and sigma; NaN where none is known [-].
+  std::vector<Law> laws;           ///< contact laws, that of the case first
+  std::vector<double> pressure;    ///< pressure of each law at each separation [Pa]
+  /// Standard deviation of ln p for each law at each separation, by the spread of measurements: regions and relative
+  /// positions of a measured pair, regions of N, beta and sigma; NaN where it is not known [-].
   std::vector<double> log_deviation;
-  std::vector<double> real_area;  ///< of the law of the case [-]
+  /// Real area of contact over the nominal one, by the law of the case, at each separation [-]
+  std::vector<double> real_area;
   /// Flow factors of the case or of the file of its law; empty: smooth walls [-].
   std::vector<double> phi_x, phi_y, phi_s;
 };
@@ -62,7 +63,7 @@ constexpr auto members(const ContactCurves*) {
 inline constexpr double kLambdaOfCurves = 4;
 inline constexpr int kPlacesOfCurves = 81;
 
-/// Of a ring's case. Throws as asperity_contact().
+/// Contact curves of the case of a ring. Throws as asperity_contact().
 ContactCurves contact_curves(const Case& c);
 
 }  // namespace ringfilm::cycle

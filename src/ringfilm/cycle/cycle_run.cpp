@@ -23,10 +23,10 @@ constexpr double kCheckSpacingDeg = 15;
 constexpr double kCheckedDeg = 180;
 constexpr int kCompression = 3;  ///< stroke_at
 /// A film forgets its start within half a stroke, as a rule. Very cold oil on a nearly flat face is squeezed out so
-/// slowly that a film of millimetres at the start loses some percent per cycle, and then each cycle leaves up to 0.96
-/// of the difference from the one before. The state is followed as long as that difference halves in so many cycles,
-/// and so reaches any tolerance. One that does not is held up by something else: the rounding of the iteration, or
-/// steps that differ from cycle to cycle.
+/// slowly that a film of millimetres at the start loses some percent per cycle, and then each cycle leaves up to
+/// 0.96 of the difference from the one before. The state is followed as long as that difference halves in so many
+/// cycles, and so reaches any tolerance. One that does not is held up by something else: the rounding of the iteration,
+/// or steps that differ from cycle to cycle.
 constexpr std::size_t kCyclesToHalve = 50;
 constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 

@@ -42,9 +42,9 @@ class CycleRun final : public BatchMember {
 
   const Setup& setup() const { return setup_; }
   int steps_integrated() const { return steps_integrated_; }
-  double crank_angle_deg() const { return k_ * step_deg_; }  ///< of the last base angle
+  double crank_angle_deg() const { return k_ * step_deg_; }  ///< crank angle of the last base angle [degree]
 
-  // Of the oil on the liner, see OilSettling.
+  // Oil on the liner, see OilSettling.
   /// Is the integration at the angle where a cycle of the oil ends and the next begins, BDC before compression? There
   /// the rings leave free what settles slowly, the liner near TDC.
   bool begins_compression() const;
@@ -76,8 +76,8 @@ class CycleRun final : public BatchMember {
   Setup setup_;
   bool shares_liner_;  ///< with other rings of a pack, which settle the oil together
   PlaceOnLiner place_;
-  OilSettling settling_;  ///< of a liner of its own
-  int n_steps_;           ///< of a cycle
+  OilSettling settling_;  ///< settling of the oil where the liner is not shared
+  int n_steps_;           ///< number of steps of a cycle
   double step_deg_;
   int check_every_;
   TimeIntegration integration_;

@@ -87,7 +87,7 @@ class Curves {
     const Place place = between_.largest_near(k_least, [curve = curve(member)](std::size_t k) { return -curve(k); });
     return from_curve({-place.value, place.angle_deg}, *least, member);
   }
-  /// Of a stroke over the crank angle [degree].
+  /// Integral of a value over a stroke, over the crank angle [degree].
   double integral(int stroke, Member member) const {
     const std::vector<double>& weights = between_.weights(stroke);
     double sum = 0;

@@ -33,8 +33,8 @@ class AndersonMixing {
   struct Pair {
     std::vector<double> image;
     std::vector<double> moved;  ///< integral of image less argument up to each cell
-    double norm = 0;            ///< of `moved`
-    double share = 0;           ///< of all oil that lies elsewhere in the image than in the argument
+    double norm = 0;            ///< norm of `moved`
+    double share = 0;           ///< share of all oil that lies elsewhere in the image than in the argument
   };
   std::vector<Pair> history_;  ///< the latest last
 };

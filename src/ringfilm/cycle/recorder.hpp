@@ -33,18 +33,20 @@ class Recorder : public StepObserver {
   bool is_field_angle(double crank_angle_deg) const;
 
   const Setup& setup_;
-  std::optional<UnrolledRecorder> unrolled_;  ///< of an unrolled film
+  std::optional<UnrolledRecorder> unrolled_;  ///< recorder of an unrolled film, if there is one
   double step_deg_;
   std::vector<Sample> base_;                ///< at the base angles
   std::vector<std::vector<Sample>> steps_;  ///< at all steps on the way to each base angle, that included
   std::vector<Sample> on_the_way_;          ///< to the next base angle, so far
-  std::vector<std::vector<UncontrolledStep>> uncontrolled_;  ///< likewise
+  /// Steps with an uncontrolled error, on the way to each base angle
+  std::vector<std::vector<UncontrolledStep>> uncontrolled_;
   std::vector<UncontrolledStep> uncontrolled_on_the_way_;
   std::vector<bool> is_passed_;
-  std::vector<double> untrusted_share_;              ///< of the asperity load, of each of base_
+  /// Share of the asperity load from where the contact law is not trusted, at each of base_
+  std::vector<double> untrusted_share_;
   std::map<double, std::optional<Sample>> between_;  ///< requested angles that are not base angles
-  std::vector<double> requested_deg_;                ///< of the samples that go out, increasing
-  std::vector<double> field_deg_;                    ///< of the fields that go out, increasing
+  std::vector<double> requested_deg_;                ///< crank angles of the requested samples, increasing
+  std::vector<double> field_deg_;                    ///< crank angles of the requested fields, increasing
   std::map<double, FaceFields> fields_;              ///< one angle each
   double max_load_residual_ = 0;
   double largest_mass_defect_ = 0, largest_flow_ = 0;  ///< [kg/(m s)]

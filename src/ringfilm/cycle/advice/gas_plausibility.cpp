@@ -46,7 +46,7 @@ constexpr double kLowestCommonIndex = 1.15, kHighestCommonIndex = 1.55;
 /// Without an offset the pressure of an engine that is not charged falls below that of the atmosphere; one that leaks
 /// at cranking speed has a low index, too.
 constexpr double kLowestAdded = 1.1 * kBar;
-constexpr double kLatestCommonStartDeg = -100;  ///< of a compression that has two halves
+constexpr double kLatestCommonStartDeg = -100;  ///< latest start of a compression whose halves are compared [degree]
 constexpr const char* kPeg =
     "Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and TDC";
 constexpr double kLeastRatioTried = 5, kMostRatioTried = 60;
@@ -73,9 +73,9 @@ constexpr double kThinAir = 0.6 * kBar;
 constexpr double kHighestCharge = 6 * kBar;
 /// Series engines peak below 300 bar, and heavy knock below 400.
 constexpr double kHighestPeak = 400 * kBar;
-/// The lowest pressure above the atmosphere of a naturally aspirated engine is below zero; of a charged one it is the
-/// boost, which is seldom above this. The same number of an absolute pressure is that of the atmosphere, less the loss
-/// of an open throttle.
+/// The lowest pressure above the atmosphere of a naturally aspirated engine is below zero. For a charged engine it is
+/// the boost, which is seldom above this bound. As an absolute pressure, the same number is the pressure of the
+/// atmosphere less the loss of an open throttle.
 constexpr double kLargestUsualBoost = 0.7 * kBar;
 
 /// Bounds of a compression up to the start of a trace: that of no engine is larger, and no exponent above that of cold
@@ -110,7 +110,7 @@ double rise_of_reference(const Gas& gas) {
   return gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
 }
 
-/// Of an angle of the trace, in [-360, 360).
+/// Crank angle of an angle of the trace, in [-360, 360), 0 = firing TDC [degree].
 double from_firing(const Gas& gas, double trace_angle_deg) {
   const double zero = gas.angle_zero == AngleZero::kGasExchangeTdc ? kCycleDeg / 2 : 0;
   const double angle = wrapped(trace_angle_deg + zero);
@@ -397,7 +397,7 @@ class GasNotes {
   const models::CyclePressure& cylinder_;
   std::vector<Note>& notes_;
   double lowest_ = 0, highest_ = 0, peak_deg_ = 0;  ///< absolute [Pa]; of the peak, in [-360, 360) [degree]
-  double first_deg_ = 0;                            ///< of a trace, in [-360, 360) [degree]
+  double first_deg_ = 0;                            ///< first crank angle of a trace, in [-360, 360) [degree]
   bool is_whole_ = false;                           ///< does the trace cover the cycle?
 };
 

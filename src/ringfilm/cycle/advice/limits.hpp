@@ -11,10 +11,10 @@ namespace ringfilm::cycle {
 /// A limit of a quantity.
 struct Limit {
   enum class Allowed { kAbove, kBelow } allowed;  ///< on which side of the limit results are
-  const char* topic;                              ///< of the note
+  const char* topic;                              ///< topic of the note
   double value;                                   ///< SI
   double unit;                                    ///< in which the note states quantity and limit [SI]
-  const char* format;                             ///< of the note: extreme value, where it is, limit
+  const char* format;                             ///< format of the note: extreme value, where it is, limit
 };
 
 /// Below the length of the molecules of an oil there is no liquid film.

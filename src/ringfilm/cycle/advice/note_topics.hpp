@@ -32,7 +32,7 @@ struct NoteTopic {
   Trust trust;                        ///< in a result that carries the note
   NoteCount count;                    ///< what the note counts
   const char* measure = nullptr;      ///< value of the cycle by which two results compare; nullptr: there is none
-  BadEnd bad_end = BadEnd::kHighest;  ///< of that value
+  BadEnd bad_end = BadEnd::kHighest;  ///< which end of the range of `measure` is bad
 };
 
 /// All topics of notes on results of cycles and pads, the most serious first: the order of all lists of notes.

@@ -44,8 +44,8 @@ void append_face_note(const Setup& setup, std::vector<Note>& notes) {
        1});
 }
 
-/// Of the thinnest film or the roughness, as an error of the straight lines between points of the face: there the
-/// smallest film of a parabola is off by 5 %, its friction by 0.3 % (docs/manual/robustness.md).
+/// Allowed error of the straight lines between points of the face, over the thinnest film or the roughness. At this
+/// value the smallest film of a parabola is off by 5 %, its friction by 0.3 % (docs/manual/robustness.md).
 constexpr double kCoarsePoints = 0.1;
 
 /// How far a curved face may lie from the straight lines next to its lowest point, |h''| dx^2/8, with h'' of the three
@@ -149,7 +149,7 @@ double shear_rate(const Sample& s) { return std::abs(s.piston_velocity) / s.min_
 
 /// A ring that leaves the liner by h shortens its circumference by 2 pi h, until its ends meet. Closed gaps of ISO 6621
 /// are 0.2 to 0.5 % of the bore; this is twice the largest.
-constexpr double kLargestEndGap = 0.01;  // of the bore
+constexpr double kLargestEndGap = 0.01;  // share of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
@@ -311,7 +311,8 @@ void append_measured_flow_notes(const Setup& setup, const std::vector<Sample>& b
   }
 }
 
-/// Of the film, as a rise of the face within a cell: there the flow through the cell is wrong by a factor of two.
+/// Allowed rise of the face within a cell, over the film. At this value the flow through the cell is wrong by
+/// a factor of two.
 constexpr double kUnseen = 0.25;
 
 void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, CellsOfFace cells, std::vector<Note>& notes) {

@@ -11,8 +11,8 @@ namespace ringfilm::cycle {
 /// polynomial, beyond the last separation of a table at which several spots carry.
 struct UntrustedContact {
   long steps = 0;             ///< crank steps with asperity load from there, of the polynomial
-  double largest_share = 0;   ///< of the asperity load at one of them [-]
-  double share_of_cycle = 0;  ///< of the asperity load over the cycle, of a table [-]
+  double largest_share = 0;   ///< largest share of the asperity load that is from there, at one of these steps [-]
+  double share_of_cycle = 0;  ///< share of the asperity load over the cycle that is from there, for a table [-]
 };
 
 /// Notes on models used outside the range in which they were made, and on results that no ring can have.

@@ -88,8 +88,8 @@ void check_joined_gap(const Pad& pad, Breaches& breaches) {
   }
 }
 
-/// An edge below the pressure of cavities would be filled with gas. That of an infinitely wide pad lowers the pressure
-/// of its cavities, with a note.
+/// An edge below the pressure of cavities would be filled with gas. In an infinitely wide pad, such an edge lowers the
+/// pressure of the cavities, with a note.
 void check_edge_pressures(const Case& c, Breaches& breaches) {
   const Pad& pad = c.pad;
   if (!pad.width) return;

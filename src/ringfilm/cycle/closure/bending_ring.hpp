@@ -32,9 +32,9 @@ class BendingRing {
   double elastic_load_;                         ///< p_e b [N/m]
   std::vector<double> target_;                  ///< line force that the ring is made for, of each strip, over its mean
   std::vector<double> heights_;                 ///< at which the bore is known, rising; empty: alike at all [m]
-  std::vector<std::vector<double>> force_;      ///< of the bore there, at each unknown [N]
+  std::vector<std::vector<double>> force_;      ///< force of the bore at each height, at each unknown [N]
   std::vector<models::FourierSeries> dynamic_;  ///< what the cycle adds to the bore, by section [m]
-  std::vector<std::vector<double>> dynamic_force_;  ///< of that, at each unknown [N]
+  std::vector<std::vector<double>> dynamic_force_;  ///< force of each of `dynamic_`, at each unknown [N]
 };
 
 }  // namespace ringfilm::cycle

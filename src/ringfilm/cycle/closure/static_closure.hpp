@@ -16,15 +16,15 @@ struct ClosureValues {
   double max_clearance = 0;        ///< between ring and bore [m]
   double max_clearance_angle = 0;  ///< where it is [degree]
   double open_area = 0;            ///< clearance times B/2 over the angle, without the end gap [m2]
-  double contact_angle = 0;        ///< of all contact arcs [degree]
+  double contact_angle = 0;        ///< sum of the angles of all contact arcs [degree]
   double mean_wall_force = 0;      ///< all force of the wall over 2 pi [N/rad]
-  double share_in_points = 0;      ///< of the wall's force, in point forces [-]
+  double share_in_points = 0;      ///< share of the wall's force in point forces [-]
   double moment_at_back = 0;       ///< opposite the gap, closing positive [N m]
   double tangential_force = 0;     ///< F_t = p h B/2 with the mean target pressure p [N]
-  double second_moment = 0;        ///< of the section, I [m4]
+  double second_moment = 0;        ///< second moment of area of the section, I [m4]
   double free_gap = 0;             ///< opening of the free ring less the end gap, to first order [m]
   double projection = 0;           ///< term of order 1 that balances the target pressure, over its mean [-]
-  double unbalanced_share = 0;     ///< of wall and gas, over the tangential force [-]
+  double unbalanced_share = 0;     ///< unbalanced force of wall and gas over the tangential force [-]
 };
 
 /// A value of a static closure and where `ClosureValues` has it.

@@ -47,8 +47,8 @@ std::optional<BendingRing> bending_ring(const Case& c) {
   return BendingRing(c, strips_of(c));
 }
 
-/// Of two half-spaces that a strip presses together, beside its pressed part a tenth of the face wide: (3.7) between
-/// the middle of that part and the ends of the face, eq-ring-flattening [m2/N].
+/// Flattening of two half-spaces that a strip presses together, whose pressed part is a tenth of the face wide: (3.7)
+/// between the middle of that part and the ends of the face, eq-ring-flattening [m2/N].
 double flattening(double E_prime) {
   constexpr double kPressedPart = 0.1;
   return 4 / (std::numbers::pi * E_prime) * (std::log(1 / kPressedPart) + 1);

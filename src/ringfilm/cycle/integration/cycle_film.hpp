@@ -25,7 +25,7 @@ class CycleFilm {
   /// Across the face: that of each strip of an unrolled film. Its gap is that of the film that was solved last, where
   /// the face gives way to it.
   const film::FilmProblem& across() const { return across_; }
-  /// The same with the gap of a face without load.
+  /// Grid of `across()` with the gap of a face without load.
   const film::FilmGrid& unloaded_grid() const { return elastic_ ? elastic_->unloaded() : across_.grid; }
   /// nullptr: the film is that across the face.
   const film::Film2dProblem* film2d() const { return film2d_ ? &*film2d_ : nullptr; }
@@ -67,9 +67,9 @@ class CycleFilm {
 
   film::FilmProblem across_;
   std::optional<film::ElasticFace> elastic_;   ///< nothing: face and liner are rigid
-  film::FactorIteration factors_;              ///< of the film across the face
+  film::FactorIteration factors_;              ///< flow factors of the film across the face
   std::optional<BendingRing> ring_;            ///< nothing: it is rigid
-  std::optional<film::Film2dProblem> film2d_;  ///< of an unrolled film
+  std::optional<film::Film2dProblem> film2d_;  ///< unrolled film, if there is one
   Workspace workspace_;
 };
 

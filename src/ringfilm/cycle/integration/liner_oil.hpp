@@ -56,8 +56,8 @@ struct PlaceOnLiner {
   bool is_last = true;              ///< only the oil ring follows
 };
 
-/// What the ring meets and leaves: the film on the liner, the beads of scraped oil ahead of its edges, and the account
-/// of all oil. Per length of circumference.
+/// What the ring meets and leaves: the film on the liner, the beads of scraped oil ahead of its edges, and the
+/// account of all oil. Per length of circumference.
 class LinerOil {
  public:
   explicit LinerOil(const Setup& setup, const PlaceOnLiner& place = {});
@@ -87,7 +87,7 @@ class LinerOil {
     double left = 0;          ///< out of it, behind the ring
   };
   const Account& account() const { return account_; }
-  /// The same over the last whole cycle, from dead centre to dead centre.
+  /// Account over the last whole cycle, from dead centre to dead centre.
   Account of_last_cycle() const;
   /// Mean film over the stretch of liner that the ring passes while it goes from one place below TDC to another.
   /// @param films of Pass [kg/m2]  @param below at the crankcase edge of the ring, else at the chamber edge

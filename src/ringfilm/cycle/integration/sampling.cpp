@@ -21,7 +21,7 @@ struct FromChamber {
   double wetted_begin, wetted_end;
 };
 
-/// Of a position or a film that does not exist.
+/// Value of a position or a film that does not exist.
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) {
@@ -36,7 +36,7 @@ FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) 
 }
 
 double mean_real_pressure(double load, double area, double applied_load) {
-  constexpr double kFelt = 0.01;  // of the load: below it the ratio is that of two numbers that mean nothing
+  constexpr double kFelt = 0.01;  // share of the load: below it the ratio is one of two negligible numbers
   return load > kFelt * applied_load && area > 0 ? load / area : 0;
 }
 

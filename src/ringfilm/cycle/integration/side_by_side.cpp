@@ -115,7 +115,7 @@ class Block {
   }
 
   film::LaneNewton newton_;
-  film::LaneLaws laws_;  ///< of all lanes
+  film::LaneLaws laws_;  ///< oil laws of all lanes
   std::vector<Owned> integrations_;
   int n_busy_ = 0;
 };

@@ -23,7 +23,7 @@ constexpr int kSearchedTicks = kTicks / 8;
 constexpr double kAimedError = 0.65;
 /// The first step after a start of a new past, of which no error is known.
 constexpr int kTicksWithoutPast = kTicks / 16;
-constexpr double kLeastGrowth = 0.25, kMostGrowth = 2;  ///< of a step over the one before
+constexpr double kLeastGrowth = 0.25, kMostGrowth = 2;  ///< bounds of the ratio of a step to the one before
 /// BDF2 is stable while a step is no longer than 1 + sqrt(2) times the one before.
 constexpr double kLongestToLast = 2.1;
 
@@ -67,7 +67,7 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
   }
   const std::string text =
       formatted("film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
-  constexpr double kMostAtTips = 100;  // of the mean load, of what rings of the paper press in a point
+  constexpr double kMostAtTips = 100;  // multiple of the mean load, about what rings of the paper press in a point
   if (!setup.input.bends() || problem.contact == nullptr) return text;
   if (film::asperity_load(problem, 0) > kMostAtTips * inputs.load) return text;
   return text +
@@ -103,7 +103,7 @@ RingConditions TimeIntegration::conditions(double from_deg, double to_deg, doubl
   return at;
 }
 
-/// Of the candidate, which is taken as the next state.
+/// Adds the oil of the candidate, which becomes the next state.
 void TimeIntegration::account_of_oil() {
   if (!liner_oil_) return;
   const film::FilmView view = film::film_view(problem(), step_.at.inputs, candidate_);

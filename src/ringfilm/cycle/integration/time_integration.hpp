@@ -28,7 +28,7 @@ struct Instant {
   const film::FilmState* previous = nullptr;
   const film::FilmState* state = nullptr;
   StepEffort effort;
-  double bead = 0;  ///< of scraped oil ahead of the ring, per length of circumference [kg/m]
+  double bead = 0;  ///< scraped oil ahead of the ring, per length of circumference [kg/m]
 };
 
 /// Nothing balances the load at a crank angle.
@@ -70,8 +70,8 @@ class TimeIntegration {
   /// To the next base angle. Throws ConvergenceError with the state left at the last good angle.
   void advance(StepObserver& waypoints);
 
-  // The same step by step, for who solves the films of many integrations side by side: propose, find the film,
-  // conclude.
+  // The step of advance() in three parts, for callers that solve the films of many integrations side by side: propose,
+  // find the film, conclude.
 
   /// Lays out the next step.
   void propose();
@@ -105,13 +105,13 @@ class TimeIntegration {
   static constexpr double kUncontrolledError = 0.05;
   /// Error that is allowed per step in the oil on the face, as a share of that in ln h_m [-].
   static constexpr double kContentShare = 0.5;
-  /// The same of second order: over 64 random engines 312 steps a cycle with 8 brought as many values within 0.5 % as
-  /// 474 with 0.5.
+  /// Error allowed per step in the oil on the face with BDF2, as a share of that in ln h_m [-]. Over 64 random engines,
+  /// 312 steps a cycle with 8 brought as many values within 0.5 % as 474 with 0.5.
   static constexpr double kContentShareOfBdf2 = 8;
-  /// Of the pressure of asperities in eq-error-weight: over the same engines 225 steps with 2 were as good as 240
-  /// without weight, and fewer values were far off.
+  /// Weight of the pressure of asperities in eq-error-weight. Over the same engines 225 steps with 2 were as good as
+  /// 240 without weight, and fewer values were far off.
   static constexpr double kWeightOfContact = 2;
-  /// Of the mean pressure of the load: asperities that press less do not count [-].
+  /// Smallest pressure of asperities that counts, over the mean pressure of the load [-].
   static constexpr double kFeltPressure = 1e-3;
 
   /// A film at `crank_angle_deg`, solved from the current instant without advancing the integration, in up to 64 steps.
@@ -124,10 +124,10 @@ class TimeIntegration {
   /// The current instant.
   const Instant& instant() const { return instant_; }
   const film::FilmState& state() const { return state_; }
-  /// Of the film across the face, which is that of each strip of an unrolled film.
+  /// Problem of the film across the face, which is that of each strip of an unrolled film.
   const film::FilmProblem& problem() const { return film_.across(); }
   const film::FilmGrid& unloaded_grid() const { return film_.unloaded_grid(); }
-  /// Of an unrolled film, else nullptr.
+  /// Problem of an unrolled film, else nullptr.
   const film::Film2dProblem* film2d() const { return film_.film2d(); }
   /// What acts on an unrolled film.
   film::Film2dInputs film2d_inputs(const RingConditions& at) const { return film_.film2d_inputs(at); }
@@ -154,7 +154,7 @@ class TimeIntegration {
 
   struct Totals {
     long crank_steps = 0, newton_iterations = 0, sub_steps = 0;
-    long relaxation_sweeps = 0;  ///< of point relaxation
+    long relaxation_sweeps = 0;  ///< sweeps of point relaxation
     long fallback_secant = 0, fallback_sub_step = 0;
     long exact_law_solves = 0;  ///< solves by the laws themselves because their fits did not reach
     double max_newton_step = 0;
@@ -199,17 +199,17 @@ class TimeIntegration {
   std::optional<LinerOil> liner_oil_;
   film::FilmState state_, before_, older_, candidate_, side_before_;
   film::FilmState history_;         ///< what a step of second order remembers
-  Axis axis_ = Axis::kFromChamber;  ///< of `state_` and `before_`
+  Axis axis_ = Axis::kFromChamber;  ///< orientation of `state_` and `before_`
   Fluids fluids_;                   ///< at the edges of `state_`
   double time_step_before_ = 0;     ///< that led to `state_`; 0: no history
   double time_step_older_ = 0;      ///< that led to `before_`; 0: there is no `older_`
   double thinnest_ = 0;             ///< h_m of all films so far [m]
-  HeatBefore heat_;                 ///< of `state_`, if it counts
+  HeatBefore heat_;                 ///< heat of the film in `state_`, if it counts
   int k_ = 0;                       ///< current base angle
-  double angle_deg_ = 0;            ///< the same as an angle, within a base step too
-  double longest_ticks_ = 0;        ///< that the next step may have
-  int tick_ = kTicksPerBaseStep;    ///< of the base step, done
-  double uncontrolled_error_ = 0;   ///< of the last step [-]
+  double angle_deg_ = 0;            ///< crank angle of `state_`, within a base step too [degree]
+  double longest_ticks_ = 0;        ///< longest next step, in ticks
+  int tick_ = kTicksPerBaseStep;    ///< ticks of the current base step that are done
+  double uncontrolled_error_ = 0;   ///< uncontrolled error of the last step [-]
   struct {
     int ticks = 0;  ///< length
     double to_deg = 0, time_step = 0, h_m = 0;

@@ -30,7 +30,7 @@ struct CaseWithGas {
 /// are. Throws ConvergenceError where the gas is not found.
 CaseWithGas solve_gas_of_case(Case c);
 
-/// Likewise, without what the gas does.
+/// The case of solve_gas_of_case(), without the result of the gas path.
 Case with_gas_path(Case c);
 
 /// Notes on rings that flutter, or that are kept on flanks off which they are pressed.

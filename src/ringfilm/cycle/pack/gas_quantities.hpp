@@ -22,10 +22,10 @@ using GasRegionQuantity = GasQuantity<gas_path::RegionValues, double>;
 using GasPathQuantity = GasQuantity<gas_path::PathValues, double, std::optional<double>>;
 using GasRingQuantity = GasQuantity<gas_path::RingMotionValues, double, std::optional<double>, long, bool>;
 
-const std::vector<GasSumQuantity>& gas_sum_quantities();        ///< of one cylinder
-const std::vector<GasRegionQuantity>& gas_region_quantities();  ///< of each region
-const std::vector<GasPathQuantity>& gas_path_quantities();      ///< of each path
-const std::vector<GasRingQuantity>& gas_ring_quantities();      ///< of each ring in a groove
+const std::vector<GasSumQuantity>& gas_sum_quantities();        ///< quantities of one cylinder
+const std::vector<GasRegionQuantity>& gas_region_quantities();  ///< quantities of each region
+const std::vector<GasPathQuantity>& gas_path_quantities();      ///< quantities of each path
+const std::vector<GasRingQuantity>& gas_ring_quantities();      ///< quantities of each ring in a groove
 
 /// One of gas_sum_quantities() by its name.
 const GasSumQuantity& gas_sum_quantity(const char* name);

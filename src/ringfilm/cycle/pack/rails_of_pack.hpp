@@ -11,11 +11,11 @@ namespace ringfilm::cycle {
 /// Cases without such a ring as they are.
 Case with_rails(Case pack);
 
-/// Of a ring that with_rails() made: its rail from 1, the one next to the chamber; 0 of other rings.
+/// Number of the rail of a ring that with_rails() made, from 1, the one next to the chamber; 0 for other rings.
 /// @param ring index in the rings of that pack
 std::size_t rail_number(const Case& pack_without_rails, std::size_t ring);
 
-/// The same ring for people: "2", or "3, rail 1".
+/// Label of that ring for readers: "2", or "3, rail 1".
 std::string ring_label(const Case& pack_without_rails, std::size_t ring);
 
 }  // namespace ringfilm::cycle

@@ -13,11 +13,11 @@
 /// `cycle_quantities` for the cycle as a whole; CSV, JSON, NetCDF, report and Python walk them.
 namespace ringfilm::cycle {
 
-/// Everything at one crank angle. SI; loads, friction and flow for the whole ring: the circumference pi x bore, of an
-/// unrolled film without the gap. Where the cavity begins and ends is reported of its strip halfway, opposite the gap.
-/// Signs: velocity and friction on the liner positive towards TDC; `viscous_friction_ring` is the shear at the ring in
-/// the same sense of motion, so that the force on the ring itself is its opposite; oil flow positive from chamber to
-/// crankcase.
+/// Everything at one crank angle. SI. Loads, friction and flow are for the whole ring: for the circumference pi x bore,
+/// without the gap for an unrolled film. The places where the cavity begins and ends are those of the strip opposite
+/// the gap. Signs: velocity and friction on the liner are positive towards TDC. `viscous_friction_ring` is the shear at
+/// the ring in the same sense of motion, so that the force on the ring itself is its opposite. Oil flow is positive
+/// from chamber to crankcase.
 struct Sample {
   double crank_angle_deg = 0;          ///< in [0, 720), 0 = firing TDC [degree]
   double piston_position = 0;          ///< distance below TDC [m]
@@ -34,16 +34,16 @@ struct Sample {
   double mean_real_pressure = 0;       ///< W_a/A_a; 0 where asperities carry less than 1 % of the load [Pa]
   double boundary_friction = 0;        ///< f_b = tau_0 A_a + zeta W_a, modulus [N]
   double viscous_friction = 0;         ///< f_v: oil shear on the liner, modulus [N]
-  double viscous_friction_liner = 0;   ///< the same with its sign, positive towards TDC [N]
+  double viscous_friction_liner = 0;   ///< oil shear on the liner, signed, positive towards TDC [N]
   double viscous_friction_ring = 0;    ///< oil shear at the ring, sign as defined above [N]
   double total_friction = 0;           ///< f_t = f_b + f_v [N]
   double friction_on_liner = 0;        ///< boundary and viscous, positive towards TDC [N]
   double friction_coefficient = 0;     ///< f_t/W [-]
   double power_loss = 0;               ///< f_t |U_p| [W]
   double archard_wear_load_rate = 0;   ///< asperity load x speed [W]
-  double oil_flow_middle = 0;          ///< through the middle of the face, in the frame of the ring [kg/s]
-  double oil_flow_chamber_edge = 0;    ///< the same through the edge at the chamber [kg/s]
-  double oil_flow_crankcase_edge = 0;  ///< the same through the edge at the crankcase [kg/s]
+  double oil_flow_middle = 0;          ///< oil flow through the middle of the face, in the frame of the ring [kg/s]
+  double oil_flow_chamber_edge = 0;    ///< oil flow through the edge at the chamber, in the frame of the ring [kg/s]
+  double oil_flow_crankcase_edge = 0;  ///< oil flow through the edge at the crankcase, in the frame of the ring [kg/s]
   double stribeck_number = 0;          ///< eta |U_p|/(p sigma), eta of the oil at 1 atm, p = W per area of the face [-]
   double peak_film_pressure = 0;       ///< largest along the face, absolute [Pa]
   double cavitated_fraction = 0;       ///< share of the face that is a cavity [-]
@@ -52,7 +52,7 @@ struct Sample {
   double gas_breakthrough = 0;         ///< 1 where gas of an edge reaches the lowest place of the face, else 0 [-]
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
-  double film_temperature = 0;      ///< of the oil film [K]
+  double film_temperature = 0;      ///< temperature of the oil film [K]
   double film_ahead = 0;            ///< oil on the liner ahead of the ring; NaN where it floods the inlet [m]
   double film_left_behind = 0;      ///< oil on the liner behind a trailing edge in gas; NaN at an edge of oil [m]
   double bead_volume = 0;           ///< scraped oil that the ring moves ahead of it [m3]
@@ -91,17 +91,17 @@ const std::vector<CurveQuantity>& curve_quantities();
 /// steps of the last cycle (docs/theory/cycle-values.md); angles with 0 = firing TDC.
 struct CycleValues {
   double energy_per_cycle = 0;              ///< E: friction energy of one cycle [J]
-  double mean_power_loss = 0;               ///< of total friction [W]
+  double mean_power_loss = 0;               ///< mean power of total friction [W]
   double fmep = 0;                          ///< friction mean effective pressure of this ring: E over swept volume [Pa]
   double mean_boundary_power = 0;           ///< part of mean_power_loss by boundary friction [W]
   double mean_viscous_power = 0;            ///< part of it by oil shear on the liner [W]
-  double mean_boundary_friction = 0;        ///< of the modulus [N]
+  double mean_boundary_friction = 0;        ///< mean modulus of the boundary friction [N]
   double peak_boundary_friction = 0;        ///< largest modulus [N]
   double peak_boundary_friction_angle = 0;  ///< crank angle of it [degree]
-  double mean_viscous_friction = 0;         ///< of the modulus on the liner [N]
+  double mean_viscous_friction = 0;         ///< mean modulus of the viscous friction on the liner [N]
   double peak_viscous_friction = 0;         ///< largest modulus on the liner [N]
   double peak_viscous_friction_angle = 0;   ///< crank angle of it [degree]
-  double mean_total_friction = 0;           ///< of f_t = f_b + f_v [N]
+  double mean_total_friction = 0;           ///< mean total friction, f_t = f_b + f_v [N]
   double peak_total_friction = 0;           ///< largest f_t [N]
   double peak_total_friction_angle = 0;     ///< crank angle of it [degree]
   double peak_friction_coefficient = 0;     ///< largest f_t/W [-]
@@ -110,7 +110,7 @@ struct CycleValues {
   double min_film_thickness = 0;                ///< smallest h_m of the cycle [m]
   double min_film_thickness_angle = 0;          ///< crank angle of it [degree]
   double max_film_thickness = 0;                ///< largest h_m of the cycle [m]
-  double peak_gas_pressure = 0;                 ///< of the cylinder, absolute [Pa]
+  double peak_gas_pressure = 0;                 ///< peak pressure of the cylinder, absolute [Pa]
   double peak_gas_pressure_angle = 0;           ///< crank angle of it [degree]
   double lambda_ratio_at_peak_pressure = 0;     ///< h_m/sigma at the peak of the cylinder pressure [-]
   double min_lambda_ratio = 0;                  ///< smallest h_m/sigma of the cycle [-]
@@ -126,9 +126,11 @@ struct CycleValues {
   double mean_cavitated_fraction = 0;  ///< share of the face that is a cavity [-]
   double oil_scraped_up =
       0;  ///< left above the ring at TDC, per cycle; 0 where the film on the liner is not followed [kg]
-  double oil_scraped_down = 0;           ///< the same below it at BDC [kg]
-  double oil_replenished = 0;            ///< laid by the oil ring, less what it takes away, per cycle; 0 likewise [kg]
-  double peak_viscous_heating_rise = 0;  ///< largest rise of the film's temperature by shear [K]
+  /// Oil left below the ring at BDC, per cycle; 0 where the film on the liner is not followed [kg]
+  double oil_scraped_down = 0;
+  /// Oil that the oil ring lays on the liner less what it scrapes off, per cycle; 0 where the film is not followed [kg]
+  double oil_replenished = 0;
+  double peak_viscous_heating_rise = 0;        ///< largest rise of the film's temperature by shear [K]
   double peak_viscous_heating_rise_angle = 0;  ///< crank angle of it [degree]
   double peak_flash_temperature = 0;           ///< largest rise of the liner's surface under the face [K]
   double peak_flash_temperature_angle = 0;     ///< crank angle of it [degree]
@@ -173,20 +175,23 @@ struct FaceFields {
 
 /// What one crank angle gives beyond `Sample` where the film is unrolled.
 struct UnrolledSample {
-  double gap_leakage = 0;            ///< oil out of the film through both ends of the ring [kg/s]; negative: drawn in
-  double ends_share_load = 0;        ///< 1 - strip opposite the gap x length / whole ring [-]
-  double ends_share_friction = 0;    ///< the same of the total friction [-]
-  double ends_share_flow = 0;        ///< the same of the oil flow at the middle section; NaN where that is 0 [-]
-  double gap_leakage_low_end = 0;    ///< of it, through the end y = 0 [kg/s]
-  double gap_leakage_high_end = 0;   ///< of it, through the end y = length [kg/s]
+  double gap_leakage = 0;      ///< oil out of the film through both ends of the ring [kg/s]; negative: drawn in
+  double ends_share_load = 0;  ///< 1 - load of the strip opposite the gap x length / load of the whole ring [-]
+  /// 1 - total friction of the strip opposite the gap x length / that of the whole ring [-]
+  double ends_share_friction = 0;
+  /// 1 - middle oil flow of the strip opposite the gap x length / that of the whole ring; NaN where that is 0 [-]
+  double ends_share_flow = 0;
+  double gap_leakage_low_end = 0;    ///< part of the leakage through the end y = 0 [kg/s]
+  double gap_leakage_high_end = 0;   ///< part of the leakage through the end y = length [kg/s]
   double oil_flow_without_ends = 0;  ///< at the middle section, if all were like the strip opposite the gap [kg/s]
   double open_area = 0;              ///< between ring and bore where the ring is lifted off [m2]
   double lifted_angle = 0;           ///< angle around the bore of these parts [degree]
   double max_clearance = 0;          ///< largest film thickness of all strips, each at its lowest place [m]
   double max_clearance_place = 0;    ///< where that is, from the middle of the gap [degree]
   double gas_opening = 0;        ///< gap all around that gas passes like these parts, eq-open-gas-path; in no file [m]
-  double load_without_ends = 0;  ///< load carried likewise: the shares over the cycle are made of it; in no file [N]
-  double friction_without_ends = 0;  ///< total friction likewise; in no file [N]
+  double load_without_ends = 0;  ///< load carried, if all strips were like the one opposite the gap; in no file [N]
+  /// Total friction, if all strips were like the one opposite the gap; in no file [N]
+  double friction_without_ends = 0;
 };
 
 /// A quantity over crank angle of an unrolled film and where `UnrolledSample` has it.
@@ -199,18 +204,19 @@ const std::vector<UnrolledQuantity>& unrolled_quantities();
 /// What the ends of the gap do over a cycle, in the order of `unrolled_cycle_quantities()`.
 struct UnrolledValues {
   double mean_gap_leakage = 0;           ///< positive out of the film [kg/s]
-  double mean_absolute_gap_leakage = 0;  ///< of its modulus [kg/s]
+  double mean_absolute_gap_leakage = 0;  ///< mean modulus of the leakage [kg/s]
   double peak_gap_leakage = 0;           ///< largest either way, positive out of the film [kg/s]
   double peak_gap_leakage_angle = 0;     ///< crank angle of it [degree]
   double gap_leakage_share = 0;          ///< mean absolute leakage over mean absolute flow at the middle section [-]
   double ends_share_mean_load = 0;       ///< 1 - mean as if without ends / mean of the whole ring [-]
-  double ends_share_friction_power = 0;  ///< the same of the mean friction power [-]
-  double ends_share_absolute_flow = 0;   ///< the same of the mean absolute flow at the middle section [-]
-  double mean_open_area = 0;             ///< between ring and bore where the ring is lifted off [m2]
-  double peak_open_area = 0;             ///< [m2]
-  double peak_open_area_angle = 0;       ///< crank angle of it [degree]
-  double peak_clearance = 0;             ///< largest film thickness of all strips over the cycle [m]
-  double peak_clearance_angle = 0;       ///< crank angle of it [degree]
+  /// Share of the ends in the mean friction power: 1 - mean as if without ends / mean of the whole ring [-]
+  double ends_share_friction_power = 0;
+  double ends_share_absolute_flow = 0;  ///< share of the ends in the mean absolute flow at the middle section [-]
+  double mean_open_area = 0;            ///< between ring and bore where the ring is lifted off [m2]
+  double peak_open_area = 0;            ///< [m2]
+  double peak_open_area_angle = 0;      ///< crank angle of it [degree]
+  double peak_clearance = 0;            ///< largest film thickness of all strips over the cycle [m]
+  double peak_clearance_angle = 0;      ///< crank angle of it [degree]
 };
 
 /// A value of the cycle of an unrolled film and where `UnrolledValues` has it.
@@ -225,7 +231,7 @@ const std::vector<UnrolledCycleQuantity>& unrolled_cycle_quantities();  ///< in 
 struct UnrolledFields {
   double circumference = 0;                     ///< pi x bore [m]
   double end_gap = 0;                           ///< between y = length and y = 0 [m]; 0: a closed ring
-  double gap_position = 0;                      ///< of the middle of the gap around the bore [rad]
+  double gap_position = 0;                      ///< position of the middle of the gap around the bore [rad]
   std::vector<double> x;                        ///< along the face, from 0 to its width [m]
   std::vector<double> y;                        ///< around the ring, from 0 to its length [m]
   std::vector<double> crank_angle_deg;          ///< may be empty
@@ -238,7 +244,7 @@ struct UnrolledFields {
   std::vector<float> strip_peak_film_pressure;  ///< largest across the face, absolute [Pa]
   std::vector<float> strip_cavitated_fraction;  ///< share of the width [-]
   std::vector<float> strip_min_film_thickness;  ///< smallest across the face [m]
-  std::vector<float> strip_total_friction;      ///< of oil and asperities, per length in y [N/m]
+  std::vector<float> strip_total_friction;      ///< friction of oil and asperities, per length in y [N/m]
   std::vector<float> strip_oil_flow_middle;     ///< positive to the crankcase, per length in y [kg/(m s)]
   std::vector<float> strip_lifted_off;          ///< 1 where the ring is lifted off, else 0 [-]
   std::vector<float> strip_bore_deviation;  ///< radius of the bore over that of the round one; of a ring that bends [m]
@@ -264,7 +270,7 @@ struct StrokeProfile {
   /// Oil on the liner where the ring is, ahead of it, by stroke from power on; empty where it is not followed
   /// (`film.supply = "film-on-liner"`) [m].
   std::array<std::vector<double>, 4> film_ahead;
-  std::array<std::vector<double>, 4> film_behind;  ///< the same behind it [m]
+  std::array<std::vector<double>, 4> film_behind;  ///< oil on the liner behind the ring, by stroke as `film_ahead` [m]
 };
 
 /// A film on the liner over the stroke, and where `StrokeProfile` has it.
@@ -294,15 +300,16 @@ struct Effort {
   double periodicity_error =
       0;                 ///< largest relative difference of the state one cycle apart, or of the oil from its end [-]
   long crank_steps = 0;  ///< taken in all cycles integrated, shortened ones among them
-  long newton_iterations = 0;    ///< of all films that were sought, those of steps that were taken again shorter too
-  long sub_steps = 0;            ///< of the crank steps: shorter than solver.crank_step
+  /// Newton iterations of all films that were sought, also of steps that were repeated with a shorter length
+  long newton_iterations = 0;
+  long sub_steps = 0;            ///< crank steps shorter than solver.crank_step
   long fallback_secant = 0;      ///< films that a bracketed search found because Newton's method failed
   long fallback_sub_step = 0;    ///< times that a step was cut because no film was found
   double max_load_residual = 0;  ///< |W_h + W_a - W|/W [-]
   double max_newton_step = 0;    ///< last relative Newton step accepted, worst of the cycle [-]
   /// Worst mass balance of a step, relative to the largest flow at the middle section [-].
   double max_mass_residual = 0;
-  long relaxation_sweeps = 0;  ///< of solver.method = "point-relaxation"
+  long relaxation_sweeps = 0;  ///< sweeps of solver.method = "point-relaxation"
 };
 
 /// All that an integration gives. Plain data: what files, pages and other programs are made of.
@@ -316,7 +323,7 @@ struct CycleResult {
   StrokeProfile stroke;                          ///< empty where the integration stopped
   std::map<std::string, double> derived;  ///< composite_modulus, elastic_pressure, ... [SI]; see derived_quantities()
   std::vector<Note> notes;  ///< laws outside their range, remedies that were used; empty: nothing to be known
-  Effort effort;            ///< of the whole integration, the cycles before the last one too
+  Effort effort;            ///< effort of the whole integration, the cycles before the last one too
   bool complete = true;     ///< false: the integration stopped; `samples` are those that it had passed
 };
 

@@ -8,7 +8,7 @@
 /// The contact of a case's ring with its liner.
 namespace ringfilm::cycle {
 
-/// Of a grey iron liner, typical, assumed (data/materials/hardness.csv): the softer face of most pairs [Pa].
+/// Hardness of a grey iron liner, typical, assumed (data/materials/hardness.csv): the softer face of most pairs [Pa].
 inline constexpr double kUsualHardness = 2.5e9;
 
 /// Is the law the closed form of Greenwood and Tripp with the numbers of a pair, as styles2014 feeds it? Its sigma is

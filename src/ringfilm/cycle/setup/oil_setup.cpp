@@ -81,7 +81,7 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
 /// The oil without shear at a temperature, at atmospheric pressure [Pa s].
 using ViscosityAt = std::function<double(double T)>;
 
-/// Of an oil that thins. @param T_low,T_high between which the viscosity is known [K]
+/// Adds the thinning of an oil by shear. @param T_low,T_high range of temperatures in which the viscosity is known [K]
 void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, double T_low, double T_high,
                   OilSetup& setup) {
   const auto law = shear_thinning(lubricant);

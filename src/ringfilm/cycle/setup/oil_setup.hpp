@@ -13,7 +13,7 @@ namespace ringfilm::cycle {
 
 /// Can an oil weigh as much, at any temperature and pressure [kg/m3]? Another number is of another unit.
 inline bool is_oil_density(double density) { return density > 100 && density < 5000; }
-/// The same for messages.
+/// Allowed range of the density of an oil, for messages.
 inline constexpr const char* kAllowedOilDensity = "allowed is above 100 to below 5000 kg/m3";
 
 /// "120.0 degC", for messages.
@@ -21,7 +21,7 @@ std::string celsius(double temperature);
 
 struct PreparedOil {
   OilSetup setup;                                     ///< without fits until fit_properties
-  std::shared_ptr<models::OilOverTemperature> range;  ///< that of `setup`
+  std::shared_ptr<models::OilOverTemperature> range;  ///< oil over temperature that `setup` refers to
   std::vector<Note> notes;                            ///< extrapolations, in a reader's units
 };
 
@@ -29,7 +29,7 @@ struct PreparedOil {
 struct OilConditions {
   double temperature;  ///< operating.oil_temperature [K]
   double stroke;       ///< [m]
-  double rise = 0;     ///< of the film above its walls that the oil is to serve at least [K]
+  double rise = 0;     ///< largest rise of the film above its walls for which the oil is needed [K]
 };
 
 /// The oil of a case at the temperatures of its film, by the laws that the case names.
@@ -55,8 +55,9 @@ std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant);
 /// The oil of a pad. Its laws count from the zero of the pad's pressures.
 struct PadOil {
   std::shared_ptr<const models::OilAtTemperature> law;
-  double viscosity = 0, density = 0;          ///< at that zero [Pa s], [kg/m3]
-  std::optional<double> temperature;          ///< of the film; nothing: the case states viscosity and density [K]
+  double viscosity = 0, density = 0;  ///< at that zero [Pa s], [kg/m3]
+  /// Temperature of the film; nothing: the case states viscosity and density [K]
+  std::optional<double> temperature;
   std::optional<film::ThinningOil> thinning;  ///< nothing: the oil is Newtonian
   std::vector<Note> notes;                    ///< extrapolations
 };

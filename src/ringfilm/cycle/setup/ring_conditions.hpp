@@ -27,8 +27,8 @@ struct RingConditions {
 
 /// How the film of the step before heated itself; zero where the case does not heat its film (`Thermal::is_heated`).
 struct HeatBefore {
-  double rise = 0;       ///< of its temperature above that of its walls [K]
-  double viscosity = 0;  ///< of its oil, at atmospheric pressure [Pa s]
+  double rise = 0;       ///< rise of the film's temperature above that of its walls [K]
+  double viscosity = 0;  ///< viscosity of the film's oil at atmospheric pressure [Pa s]
 };
 
 /// Up to this rise the oil serves a film that its own shear heats [K]. It covers starts at -30 degC.

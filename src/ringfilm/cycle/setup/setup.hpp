@@ -20,7 +20,7 @@ namespace ringfilm::cycle {
 /// Cells across the face.
 enum class CellsOfFace {
   kUniform,  ///< `solver.cells`, all alike
-  kGraded    ///< the same, and many more near the lowest places of the face: film::graded_grid
+  kGraded    ///< `solver.cells`, and many more near the lowest places of the face: film::graded_grid
 };
 
 /// Do the strips of a ring that bends, and the liner, flatten under what they carry?
@@ -32,13 +32,13 @@ enum class Surfaces {
 /// What all rings of an engine have in common.
 struct EngineSetup {
   models::CrankSlider crank;  ///< moves piston and rings
-  double speed;               ///< of the crankshaft [rad/s]
+  double speed;               ///< speed of the crankshaft [rad/s]
 };
 
 /// Gas pressures at the edges of a ring's face, absolute, 0 = firing TDC.
 struct LandPressures {
-  models::CyclePressure above;                                 ///< of the top ring that of the cylinder [Pa]
-  models::CyclePressure below;                                 ///< of the last ring that of the crankcase [Pa]
+  models::CyclePressure above;  ///< gas pressure above the ring; for the top ring that of the cylinder [Pa]
+  models::CyclePressure below;  ///< gas pressure below the ring; for the last ring that of the crankcase [Pa]
   std::optional<models::CyclePressure> behind = std::nullopt;  ///< in the groove, where the gas path is computed [Pa]
 };
 
@@ -46,12 +46,13 @@ struct LandPressures {
 struct OilSetup {
   std::optional<models::WallTemperatures> walls;            ///< nothing: one temperature, `temperature`
   std::shared_ptr<const models::OilOverTemperature> range;  ///< with fits where solver.properties asks for them
-  double temperature;                                       ///< of the film; with walls in the middle of the stroke [K]
-  double viscosity;                                         ///< at `temperature` and no pressure [Pa s]
-  double density;                                           ///< likewise [kg/m3]
+  double temperature;                         ///< temperature of the film; with walls, in the middle of the stroke [K]
+  double viscosity;                           ///< at `temperature` and no pressure [Pa s]
+  double density;                             ///< density at `temperature` and no pressure [kg/m3]
   double hottest = 0;                         ///< up to which `range` serves a film that its own shear heats [K]
   std::optional<film::ThinningOil> thinning;  ///< nothing: the oil is Newtonian
-  std::optional<double> hths_viscosity;       ///< of an oil that thins, where it is known at 150 degC [Pa s]
+  /// Viscosity of an oil that thins, at 150 degC and high shear rate, where it is known [Pa s]
+  std::optional<double> hths_viscosity;
 };
 
 /// One ring and what it meets.
@@ -60,11 +61,12 @@ struct RingSetup {
   double elastic_pressure;  ///< p_e [Pa]
   double E_prime;           ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
   double sigma;             ///< composite roughness as the contact model uses it [m]
-  std::shared_ptr<const models::AsperityContact> contact;        ///< law of the pair
-  std::optional<models::GreenwoodTripp::Parameters> asperities;  ///< of the pair; nothing: the law is a table
-  LandPressures lands;                                           ///< gas above and below
-  OilSetup oil;                                                  ///< that of its film
-  film::FactorLaws factors;                                      ///< of its film
+  std::shared_ptr<const models::AsperityContact> contact;  ///< law of the pair
+  /// Asperities of the pair; nothing: the law is a table
+  std::optional<models::GreenwoodTripp::Parameters> asperities;
+  LandPressures lands;       ///< gas above and below
+  OilSetup oil;              ///< oil of the ring's film
+  film::FactorLaws factors;  ///< flow factors of the ring's film
 };
 
 /// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several
@@ -112,7 +114,7 @@ struct OwnOil {
   std::shared_ptr<const models::OilAtTemperature> law;  ///< at operating.oil_temperature; see oil_of_functions
 };
 
-/// The same with an oil of the caller's own; lubricant.* of the case is ignored, and a note in the result reports
+/// Sets up a case with an oil of the caller's own. lubricant.* of the case is ignored, and a note in the result reports
 /// that. Throws InputError also where the law has no value (check_oil), and for a case with [thermal].
 Setup prepare(const Case& c, const OwnOil& oil);
 
