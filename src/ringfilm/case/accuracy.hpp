@@ -11,7 +11,7 @@ struct Resolution {
   int uniform_cells;      ///< as good as these
   double crank_step_deg;  ///< the longest [degree]
   double step_error;      ///< let through per step [-]
-  double tolerance;       ///< of the iteration [-]
+  double tolerance;       ///< tolerance of the iteration [-]
 };
 
 /// Cells and steps with which 95 of 100 values of a cycle were found within `accuracy` [%].

@@ -30,7 +30,7 @@ struct TemperatureValue {
 
 /// A value at one place of the stroke.
 struct StrokeValue {
-  double distance = 0;  ///< of the ring from its TDC position when it is there [m]
+  double distance = 0;  ///< distance of the ring from its TDC position [m]
   double value = 0;     ///< [SI unit of the quantity]
 };
 
@@ -44,15 +44,15 @@ using OilTable = models::OilTable;  ///< viscosity and density of an oil of one'
 
 /// The keys under `engine`.
 struct Engine {
-  double bore = 0;                   ///< of the cylinder, B [m]
+  double bore = 0;                   ///< bore of the cylinder, B [m]
   double stroke = 0;                 ///< twice the crank radius [m]
   double connecting_rod_length = 0;  ///< between the centres of its bearings [m]
 };
 
 /// The keys under `operating`.
 struct Operating {
-  double speed = 0;            ///< omega, of the crankshaft [rad/s]
-  double oil_temperature = 0;  ///< of the film, one value for the whole stroke; not used with [thermal] [K]
+  double speed = 0;            ///< speed of the crankshaft, omega [rad/s]
+  double oil_temperature = 0;  ///< temperature of the film, one value for the whole stroke; not used with [thermal] [K]
 };
 
 using FilmTemperature = models::FilmTemperature;  ///< `thermal.film`
@@ -65,10 +65,10 @@ enum class ViscousHeating {
 
 /// The keys under `thermal`: wall temperatures in place of one oil temperature, and the film's own heat.
 struct Thermal {
-  std::optional<double> ring;                              ///< of the face of the ring [K]
+  std::optional<double> ring;                              ///< temperature of the face of the ring [K]
   std::vector<StrokeValue> liner;                          ///< by distance, increasing; one point: the same everywhere
   FilmTemperature film = FilmTemperature::kMeanOfWalls;    ///< whose temperature the oil film has
-  ViscousHeating viscous_heating = ViscousHeating::kNone;  ///< of the oil film, above that temperature
+  ViscousHeating viscous_heating = ViscousHeating::kNone;  ///< heating by shear, above that temperature
 
   bool is_stated() const { return ring || !liner.empty(); }  ///< are there walls? Else one oil temperature
   bool is_heated() const { return viscous_heating == ViscousHeating::kInFilm; }  ///< by its own shear
@@ -90,7 +90,7 @@ struct Gas {
   // model = "wiebe"; angles 0 = firing TDC
   double compression_ratio = 10.5;         ///< largest over smallest cylinder volume [-]
   double peak_pressure = 62e5;             ///< [Pa] absolute
-  double peak_angle_deg = 20;              ///< of the highest pressure after firing TDC [degree]
+  double peak_angle_deg = 20;              ///< crank angle of the peak pressure after firing TDC [degree]
   double burn_duration_deg = 60;           ///< length of the heat release [degree]
   double exhaust_valve_opening_deg = 130;  ///< [degree]
   double exhaust_valve_closing_deg = 375;  ///< [degree]
@@ -99,8 +99,8 @@ struct Gas {
   // wiebe, and a trace that covers only a part of the cycle (there without default)
   std::optional<double> intake_pressure;                   ///< in the cylinder during intake, absolute [Pa]
   std::optional<double> exhaust_pressure;                  ///< in the cylinder during exhaust, absolute [Pa]
-  static constexpr double kWiebeIntakePressure = 0.95e5;   ///< unless the case states it [Pa]
-  static constexpr double kWiebeExhaustPressure = 1.05e5;  ///< likewise [Pa]
+  static constexpr double kWiebeIntakePressure = 0.95e5;   ///< pressure during intake unless the case states it [Pa]
+  static constexpr double kWiebeExhaustPressure = 1.05e5;  ///< pressure during exhaust unless the case states it [Pa]
   // always
   double crankcase_pressure = 101325;  ///< under the ring, absolute [Pa]; not used where a trace is given
   std::optional<std::string> crankcase_pressure_file;         ///< CSV like that of the cylinder, as named
@@ -126,12 +126,12 @@ struct GasPath {
   GasPathModel model = GasPathModel::kGiven;     ///< pressures between the rings as stated, or by volumes and orifices
   RingMotion ring_motion = RingMotion::kSeated;  ///< rings on their lower flanks, or moved along the bore's axis
   FilmGas film = FilmGas::kSealing;              ///< do the films of the rings let gas pass?
-  double discharge_coefficient = 0.65;           ///< C, of the end gaps [-]
-  double gas_constant = 287;                     ///< R, of air [J/(kg K)]
-  double heat_capacity_ratio = 1.33;             ///< gamma, of burned gas [-]
-  double viscosity = 2.7e-5;                     ///< mu, of air at 500 K [Pa s]
-  double chamber_temperature = 600;              ///< of the gas that enters from the chamber [K]
-  double crankcase_temperature = 360;            ///< of the gas in the crankcase [K]
+  double discharge_coefficient = 0.65;           ///< discharge coefficient of the end gaps, C [-]
+  double gas_constant = 287;                     ///< gas constant of air, R [J/(kg K)]
+  double heat_capacity_ratio = 1.33;             ///< heat capacity ratio of burned gas, gamma [-]
+  double viscosity = 2.7e-5;                     ///< viscosity of air at 500 K, mu [Pa s]
+  double chamber_temperature = 600;              ///< temperature of the gas that enters from the chamber [K]
+  double crankcase_temperature = 360;            ///< temperature of the gas in the crankcase [K]
   double choking_smoothing = 1e-3;               ///< distance from a pressure ratio of 1 that is bridged [-]
   double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
 
@@ -142,16 +142,16 @@ struct GasPath {
 /// What the gas meets at a ring: keys under `ring`, used where GasPath::is_computed().
 struct RingGasPath {
   RingKind kind = RingKind::kCompression;   ///< where its gas goes
-  std::optional<double> gap_area;           ///< of the end gap; absent: end_gap times land_clearance [m2]
-  std::optional<double> groove_volume;      ///< of the gas behind and above the ring [m3]
-  double groove_temperature = 473.15;       ///< of that gas; typical, assumed [K]
-  double volume_below = 0;                  ///< of the piston land below; 0: it is the region below it [m3]
-  double temperature_below = 423.15;        ///< of the gas there; typical, assumed [K]
-  std::optional<double> side_clearance;     ///< of the ring in its groove, along the bore's axis [m]
+  std::optional<double> gap_area;           ///< area of the end gap; absent: end_gap times land_clearance [m2]
+  std::optional<double> groove_volume;      ///< volume of the gas behind and above the ring [m3]
+  double groove_temperature = 473.15;       ///< temperature of the gas in the groove; typical, assumed [K]
+  double volume_below = 0;                  ///< volume of the piston land below; 0: the region below it [m3]
+  double temperature_below = 423.15;        ///< temperature of the gas at the piston land below; typical, assumed [K]
+  std::optional<double> side_clearance;     ///< clearance of the ring in its groove, along the bore's axis [m]
   std::optional<double> land_clearance;     ///< radial, between piston lands and bore [m]
-  std::optional<double> mass;               ///< of the ring [kg]
-  std::optional<double> density;            ///< or of what it is made of [kg/m3]
-  double bore_friction_coefficient = 0.05;  ///< of the ring on the bore; typical, assumed [-]
+  std::optional<double> mass;               ///< mass of the ring [kg]
+  std::optional<double> density;            ///< density of the material of the ring, in place of its mass [kg/m3]
+  double bore_friction_coefficient = 0.05;  ///< coefficient of friction of the ring on the bore; typical, assumed [-]
   /// Computed: gap through which gas passes the film, at each degree of crank angle; empty: the film seals [m].
   std::vector<double> face_opening;
 };
@@ -171,8 +171,8 @@ struct FaceShape {
   FaceForm form{};  ///< how h_s(x), the gap to a straight surface, is given
   // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
   std::vector<double> coefficients = {};  ///< highest power first
-  double length_unit = 0;                 ///< of x in the polynomial [m]
-  double height_unit = 0;                 ///< of the height in the polynomial [m]
+  double length_unit = 0;                 ///< unit of x in the polynomial [m]
+  double height_unit = 0;                 ///< unit of the height in the polynomial [m]
   // form = "parabola" or "cosine"
   double crown_height = 0;  ///< rise of the parabola at the farther edge, of the cosine to its highest point [m]
   double apex = 0.5;        ///< place of the lowest point, fraction of the way from x = 0 to the other edge [-]
@@ -180,20 +180,20 @@ struct FaceShape {
 
 /// The keys under `ring.face`, with the points that they name.
 struct RingFace : FaceShape {
-  HeightZero height_zero = HeightZero::kMinimum;      ///< of the stored heights; the film is the true gap in both
+  HeightZero height_zero = HeightZero::kMinimum;      ///< zero of the stored heights; the film has the true gap in both
   Orientation orientation = Orientation::kX0Chamber;  ///< the edge at x = 0: a ring-fixed one, or the leading one
   // form = "points"
   std::string points_file;     ///< CSV of measured points, as named
   std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
   std::vector<double> height;  ///< h_s at x, low where the ring comes next to the liner [m]
-  MeasuredFace measured;       ///< of a face that was fitted to a trace
+  MeasuredFace measured;       ///< measurement behind a face that was fitted to a trace
 };
 
 /// What covers the face of the ring. Contact spots are far smaller than usual coatings are thick.
 struct Coating {
   std::optional<double> youngs_modulus;  ///< [Pa]; absent: no coating
-  double poissons_ratio = 0;             ///< of the coating [-]
-  std::optional<double> thickness;       ///< of the coating; absent: not known, and no note on what lies below [m]
+  double poissons_ratio = 0;             ///< Poisson's ratio of the coating [-]
+  std::optional<double> thickness;       ///< coating thickness; absent: not known, and no note on what lies below [m]
   ContactModulus contact_modulus = ContactModulus::kCoating;  ///< whose modulus the contact spots feel
 };
 
@@ -206,32 +206,32 @@ struct Ring {
   // exactly one of: elastic_pressure | tangential_force | expander_force | (free_gap and radial_thickness) | free_shape
   std::optional<double> elastic_pressure;  ///< p_e, on the bore by the ring's own tension [Pa]
   std::optional<double> tangential_force;  ///< F_t = p_e b B/2, that closes the ring at its gap [N]
-  /// Of an oil ring: tangential force of its expander, which its rails share; F_t = p_e n b B/2 [N].
+  /// Tangential force of the expander of an oil ring, which its rails share; F_t = p_e n b B/2 [N].
   std::optional<double> expander_force;
-  std::optional<double> free_gap;          ///< of the free ring less that of the closed one [m]
-  std::optional<double> radial_thickness;  ///< of the ring, t; goes with free_gap, and with gas_path [m]
-  LandPressure pressure_above;             ///< of the piston land above; not stated: that of the cylinder
-  LandPressure pressure_below;             ///< of the piston land below; not stated: that of the crankcase
+  std::optional<double> free_gap;          ///< gap of the free ring less that of the closed one [m]
+  std::optional<double> radial_thickness;  ///< ring thickness t; with free_gap, and with gas_path [m]
+  LandPressure pressure_above;             ///< pressure at the piston land above; not stated: that of the cylinder
+  LandPressure pressure_below;             ///< pressure at the piston land below; not stated: that of the crankcase
   /// In the groove, computed by the gas path: absolute [Pa], 0 = firing TDC. Absent: Gas::pressure_behind_ring.
   std::optional<base::Shared<SampledTrace>> pressure_behind;
   bool has_computed_gas = false;     ///< was the gas path of the pack computed for this ring?
   std::optional<double> land_below;  ///< height of the piston land down to the next ring [m]
-  // of an oil ring
+  // keys of an oil ring
   int rails = 1;                        ///< faces, each face_width wide and with a film of its own
   std::optional<double> rail_distance;  ///< free height between two rails; absent: as high as a rail is wide [m]
   // film.dimension = "unrolled"; the end gap also where the gas path is computed
   std::optional<double> end_gap;               ///< between the ends of the ring in the bore; absent: a closed ring [m]
-  double gap_position_deg = 0;                 ///< of the gap's middle around the bore [degree]
+  double gap_position_deg = 0;                 ///< position of the middle of the gap around the bore [degree]
   Conformity conformity = Conformity::kRigid;  ///< does the ring of an unrolled film bend?
-  LocalDeformation local_deformation = LocalDeformation::kNone;  ///< of face and liner by the film's pressure
+  LocalDeformation local_deformation = LocalDeformation::kNone;  ///< deformation by the film's pressure
   RingGasPath gas_path;                                          ///< what the gas meets at the ring
-  /// Of the pressure that the ring is made for, relative to its mean, from the gap's middle.
+  /// Fourier terms of the target pressure of the ring, relative to its mean, from the gap's middle.
   std::vector<FourierTerm> pressure_orders;
   std::optional<std::string> pressure_points;    ///< CSV of that pressure around the ring, as named
-  base::Shared<PressurePoints> pressure_around;  ///< of that file
+  base::Shared<PressurePoints> pressure_around;  ///< points in the file pressure_points
   int pressure_points_orders = 8;                ///< the highest order that is kept of it
   std::optional<std::string> free_shape;         ///< CSV of the measured free ring, as named
-  base::Shared<FreeRing> free_ring;              ///< of that file
+  base::Shared<FreeRing> free_ring;              ///< free shape in the file free_shape
   double free_shape_smoothing = 0;               ///< shortest wave around the ring that is kept of it [m]
   RingFace face;                                 ///< shape of the face across its width
   Coating coating;                               ///< absent unless its modulus is stated
@@ -241,17 +241,17 @@ struct Ring {
 struct Liner {
   double youngs_modulus = 92.3e9;  ///< E_2 [Pa]
   double poissons_ratio = 0.211;   ///< nu_2 [-]
-  // of grey cast iron, for the flash temperature
+  // properties of grey cast iron, for the flash temperature
   double thermal_conductivity = 55;  ///< [W/(m K)]
   double density = 7200;             ///< [kg/m3]
   double specific_heat = 490;        ///< [J/(kg K)]
   // out of roundness, for rings that bend: deviations of the radius that add up
-  std::vector<FourierTerm> distortion;            ///< of the cold bore [m]
+  std::vector<FourierTerm> distortion;            ///< distortion of the cold bore [m]
   std::vector<FourierTerm> thermal_distortion;    ///< by heat [m]
   std::optional<std::string> distortion_map;      ///< CSV of the measured bore, as named
-  base::Shared<BoreMap> map;                      ///< of that file
+  base::Shared<BoreMap> map;                      ///< bore in the file distortion_map
   std::optional<std::string> dynamic_distortion;  ///< CSV of the part that changes over the cycle, as named
-  base::Shared<DynamicBore> dynamic;              ///< of that file
+  base::Shared<DynamicBore> dynamic;              ///< distortion in the file dynamic_distortion
   int map_orders = 20;                            ///< the highest order that is kept of both files
 
   /// Is the bore round, without any stated distortion?
@@ -271,9 +271,9 @@ struct MeasuredShearStrength {
   std::optional<std::string> loops;             ///< file and sample
   std::optional<std::string> method;            ///< "silicon", "geometry", "wedge"
   std::optional<std::string> calibration;       ///< its name; cases that share it are correlated
-  std::optional<double> slope_deviation;        ///< of zeta, by the sample's own line [-]
-  std::optional<double> calibration_deviation;  ///< of zeta, by the measurement of the calibration [-]
-  std::optional<double> reference_deviation;    ///< of zeta, by the value that the calibration took over [-]
+  std::optional<double> slope_deviation;        ///< standard deviation of zeta, by the sample's own line [-]
+  std::optional<double> calibration_deviation;  ///< standard deviation of zeta, by the calibration [-]
+  std::optional<double> reference_deviation;    ///< standard deviation of zeta, by the reference value [-]
 };
 
 /// How N, beta and sigma were measured, and their scatter between the regions. The models do not use it; the numbers of
@@ -289,18 +289,18 @@ struct MeasuredContact {
   std::optional<std::string> difference_scheme;      ///< how slopes and curvatures were made of heights, in words
   std::optional<double> regions;                     ///< how many were measured [-]
   std::optional<double> asperity_density_deviation;  ///< standard deviation of N between regions [1/m2]
-  std::optional<double> asperity_radius_deviation;   ///< the same of beta [m]
-  std::optional<double> roughness_deviation;         ///< the same of sigma [m]
-  std::optional<double> density_radius_correlation;  ///< of N and beta over the regions [-]
-  std::optional<double> density_roughness_correlation;  ///< of N and sigma over the regions [-]
-  std::optional<double> radius_roughness_correlation;   ///< of beta and sigma over the regions [-]
+  std::optional<double> asperity_radius_deviation;   ///< standard deviation of beta between regions [m]
+  std::optional<double> roughness_deviation;         ///< standard deviation of sigma between regions [m]
+  std::optional<double> density_radius_correlation;  ///< correlation of N and beta over the regions [-]
+  std::optional<double> density_roughness_correlation;  ///< correlation of N and sigma over the regions [-]
+  std::optional<double> radius_roughness_correlation;   ///< correlation of beta and sigma over the regions [-]
   MeasuredShearStrength shear_strength;                 ///< where zeta comes from
 };
 
 /// The contact law of a measured pair (docs/theory/contact-of-measured-pair.md), as `ringfilm contact` writes it.
 struct ContactLawTable {
   models::ContactTable rows;             ///< separations that rise, with contact
-  std::vector<double> mean_gap;          ///< of the same rows [m]
+  std::vector<double> mean_gap;          ///< mean gap at each of the rows [m]
   double composite_roughness = 0;        ///< rms of both maps together [m]
   double composite_modulus = 0;          ///< E' [Pa]
   std::optional<double> hardness;        ///< nothing: elastic [Pa]
@@ -308,8 +308,8 @@ struct ContactLawTable {
   /// Through the same gaps; nullptr where the file has none.
   std::shared_ptr<const models::MeasuredFlow> flow;
   std::optional<double> shift_deviation;           ///< standard deviation of the shift of the separation [m]
-  std::optional<double> factor_deviation;          ///< the same of ln p [-]
-  std::optional<double> shift_factor_correlation;  ///< of both [-]
+  std::optional<double> factor_deviation;          ///< standard deviation of ln p [-]
+  std::optional<double> shift_factor_correlation;  ///< correlation of the shift and ln p [-]
 };
 
 /// The keys under `contact`.
@@ -318,10 +318,10 @@ struct Contact {
   AsperityLaw asperity = AsperityLaw::kElastic;      ///< how its asperities deform
   SummitPlane summit_plane = SummitPlane::kSurface;  ///< from which plane the separation is measured
   ContactMoments moments = ContactMoments::kPair;    ///< whose N and beta the law of pairs takes
-  std::string law_file;                              ///< of kTable
-  base::Shared<ContactLawTable> law;                 ///< of that file; empty without one
-  double law_shift = 0;                              ///< by which the law moves to larger separations [m]
-  double law_factor = 1;                             ///< of its pressure and area [-]
+  std::string law_file;                              ///< file of the law for kTable
+  base::Shared<ContactLawTable> law;                 ///< law in law_file; empty without one
+  double law_shift = 0;                              ///< shift of the law to larger separations [m]
+  double law_factor = 1;                             ///< factor of the law's pressure and area [-]
   double asperity_density = 0;                       ///< N: asperity peaks per area of the pair [1/m2]
   double asperity_radius = 0;                        ///< beta: mean radius of their summits [m]
   double roughness = 0;                              ///< sigma: composite roughness of the pair, as stated [m]
@@ -329,14 +329,14 @@ struct Contact {
   RoughnessMeasure roughness_measure = RoughnessMeasure::kAsGiven;
   double boundary_shear_strength_coefficient = 0;  ///< zeta: boundary shear strength over contact pressure [-]
   double eyring_shear_stress = 2e6;                ///< tau_0, of the boundary film [Pa]
-  std::optional<std::string> friction_pair;        ///< of data/pairs, which states zeta and the hardness
-  base::Shared<models::FrictionPair> pair;         ///< that pair; without a name where there is none
+  std::optional<std::string> friction_pair;        ///< name of a pair in data/pairs, which states zeta and the hardness
+  base::Shared<models::FrictionPair> pair;         ///< pair named by friction_pair; without a name where there is none
   std::optional<double> composite_modulus;         ///< E' of 2/E' = sum (1 - nu^2)/E; absent: of ring and liner [Pa]
   /// H of the softer face; the contact is elastic, and its pressure is compared with it [Pa].
   std::optional<double> hardness;
-  ContactIntegrals integrals = ContactIntegrals::kExact;  ///< of the heights, F_2 and F_5/2
+  ContactIntegrals integrals = ContactIntegrals::kExact;  ///< integrals of the heights, F_2 and F_5/2
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
-  double ring_roughness_share = 0;  ///< of the square of sigma, the ring's own [-]; film.shear_flow
+  double ring_roughness_share = 0;  ///< share of the ring's own roughness in the square of sigma [-]; film.shear_flow
   MeasuredContact measured;         ///< where N, beta, sigma and zeta come from
 
   /// Does nothing limit the pressure on the real area?
@@ -356,21 +356,21 @@ struct Lubricant {
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
-  base::Shared<OilTable> table;                       ///< of that file; empty without one
+  base::Shared<OilTable> table;                       ///< table in table_file; empty without one
   double temperature_viscosity_coefficient = 0.04;    ///< beta_0 [1/K], houpert
   double reference_temperature = 313.15;              ///< theta_0 [K], houpert and thermal-expansivity
   double thermal_expansivity = 7.5e-4;                ///< gamma [1/K]
   /// Law of viscosity against temperature: ASTM D341 through the points, or Houpert's term.
   ViscosityTemperature viscosity_temperature = ViscosityTemperature::kWalther;
   ViscosityPressure viscosity_pressure = ViscosityPressure::kRoelands;    ///< law of viscosity against pressure
-  models::LawParameters law_parameters = models::usual_law_parameters();  ///< of viscosity against pressure [SI]
+  models::LawParameters law_parameters = models::usual_law_parameters();  ///< parameters of viscosity_pressure [SI]
   DensityTemperature density_temperature = DensityTemperature::kTable;    ///< linear through the points, or by gamma
   Compressibility compressibility = Compressibility::kDowsonHigginson;    ///< law of density against pressure
-  double dh_a = models::DowsonHigginson{}.a;              ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
-  double dh_b = models::DowsonHigginson{}.b;              ///< b of the same law [1/Pa]
-  double thermal_conductivity = 0.14;                     ///< k, of a mineral oil [W/(m K)]
-  double specific_heat = 2100;                            ///< c_p, of a mineral oil [J/(kg K)]
-  double viscosity = 0;                                   ///< of a pad, at the zero of its pressures [Pa s]
+  double dh_a = models::DowsonHigginson{}.a;  ///< a of the density rho_0 [1 + a p/(1 + b p)] [1/Pa]
+  double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
+  double thermal_conductivity = 0.14;         ///< thermal conductivity of a mineral oil, k [W/(m K)]
+  double specific_heat = 2100;                ///< specific heat of a mineral oil, c_p [J/(kg K)]
+  double viscosity = 0;                       ///< viscosity of the oil of a pad, at the zero of its pressures [Pa s]
   ShearThinning shear_thinning = ShearThinning::kNone;    ///< law of viscosity against the shear rate
   double second_newtonian_ratio = 0.7;                    ///< R: viscosity at the highest shear rates over that at none
   std::optional<double> critical_shear_rate;              ///< g_c, at the temperature below [1/s]
@@ -390,14 +390,14 @@ struct Film {
   double cavitation_pressure = 101325;  ///< p_c, absolute [Pa]; of a pad counted like its other pressures
   /// What lies at an edge where the film leaves, and with a supply that is not flooded where it enters.
   EdgeFluid chamber_edge = EdgeFluid::kOil;
-  EdgeFluid crankcase_edge = EdgeFluid::kOil;  ///< likewise
+  EdgeFluid crankcase_edge = EdgeFluid::kOil;  ///< fluid at the edge towards the crankcase, as chamber_edge
 
   OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas; see supply_at_inlet
 
-  Roughness flow_factors = Roughness::kNone;      ///< of the flow by pressure
-  Roughness shear_flow = Roughness::kNone;        ///< of the flow by sliding
-  Roughness stress_factors = Roughness::kNone;    ///< of the shear stress
-  AverageGap average_gap = AverageGap::kNominal;  ///< that is stored and carried
+  Roughness flow_factors = Roughness::kNone;      ///< factors of the flow by pressure
+  Roughness shear_flow = Roughness::kNone;        ///< factors of the flow by sliding
+  Roughness stress_factors = Roughness::kNone;    ///< factors of the shear stress
+  AverageGap average_gap = AverageGap::kNominal;  ///< gap that the film stores and the wall carries
   double orientation = 1;  ///< gamma of the roughness: correlation length along the motion over that across it [-]
 
   /// Is one of the factors of this origin?
@@ -412,11 +412,11 @@ struct Film {
   bool has_gas_edge() const { return chamber_edge == EdgeFluid::kGas || crankcase_edge == EdgeFluid::kGas; }
   /// What a film finds where it enters: edges of oil flood it, whatever the conditions set as `supply`.
   OilSupply supply_at_inlet() const { return has_gas_edge() ? supply : OilSupply::kFlooded; }
-  // of a pad
+  // keys of a pad
   EdgeFluid left_edge = EdgeFluid::kOil;   ///< at x = 0
   EdgeFluid right_edge = EdgeFluid::kOil;  ///< at x = length
-  std::optional<double> supply_left;       ///< film on the flat surface that comes in at an edge of gas [m]
-  std::optional<double> supply_right;      ///< likewise [m]
+  std::optional<double> supply_left;       ///< film that enters at the left edge, if that has gas [m]
+  std::optional<double> supply_right;      ///< film that enters at the right edge, if that has gas [m]
 
   /// Does the film of a pad end at gas?
   bool has_gas_edge_of_pad() const { return left_edge == EdgeFluid::kGas || right_edge == EdgeFluid::kGas; }
@@ -436,12 +436,12 @@ struct Solver {
   std::optional<double> accuracy;  ///< to be reached: chooses cells, steps and scheme below (with_accuracy) [%]
   int cells = 200;                 ///< across the face
   CellLengths cell_lengths = CellLengths::kUniform;  ///< how they share it
-  int cells_y = 180;                            ///< of a film in two dimensions: around the ring, or across the pad
-  std::optional<double> end_cell;               ///< length of the cells at the ends of the gap [m]
+  int cells_y = 180;               ///< cells in y of a two-dimensional film: around the ring, or across the pad
+  std::optional<double> end_cell;  ///< length of the cells at the ends of the gap [m]
   static constexpr double kEndCell = 1.0 / 50;  ///< where it is not stated, of the face width [-]
-  double crank_step_deg = 1.0;                  ///< of the integration; whole steps make 720 [degree]
+  double crank_step_deg = 1.0;                  ///< crank angle step of the integration; whole steps make 720 [degree]
   StepControl crank_step_control = StepControl::kAdaptive;  ///< refine that step where the film needs it?
-  TimeScheme time_scheme = TimeScheme::kBdf2;               ///< of the step
+  TimeScheme time_scheme = TimeScheme::kBdf2;               ///< scheme of the time step
   double step_error = 1e-3;  ///< error in time let through per step, adaptive: in ln h_m; half of it in the oil [-]
   double tolerance = 1e-8;   ///< relative error left by the Newton iteration in film and pressure [-]
   Method method = Method::kCoupledNewton;       ///< how film and load balance are solved
@@ -454,7 +454,7 @@ struct Output {
   std::vector<double> crank_angles_deg;              ///< explicit list, increasing, within [0, 720)
   FieldOutput fields = FieldOutput::kNone;           ///< at which angles pressure and film along the face are kept
   std::vector<double> field_angles_deg;              ///< where kListed: explicit list, increasing [degree]
-  FieldReduction reduction = FieldReduction::kNone;  ///< of the fields of an unrolled film
+  FieldReduction reduction = FieldReduction::kNone;  ///< reduction of the fields of an unrolled film
 };
 
 /// The keys under `pad.oscillation`: s(t) = separation + amplitude cos(2 pi t/period + phase) from t = 0 on.
@@ -471,10 +471,10 @@ struct Pad {
   std::optional<double> width;        ///< B, across the motion; absent: infinitely wide [m]
   FaceShape face{FaceForm::kPoints};  ///< its gap by a formula, or by points
   std::string gap_file;               ///< CSV or NetCDF of the points of the gap, as named
-  std::vector<double> gap_x;       ///< of the points [m], from 0 to the length, increasing; a step appears there twice
-  std::vector<double> gap_y;       ///< of a map, from 0 to the width, likewise; empty: the same gap at every y [m]
-  std::vector<double> gap_height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
-  double speed = 0;                ///< of the flat surface [m/s]
+  std::vector<double> gap_x;          ///< x of the points, from 0 to the length, increasing; twice at a step [m]
+  std::vector<double> gap_y;       ///< y of a map, from 0 to the width, increasing; empty: the same gap at every y [m]
+  std::vector<double> gap_height;  ///< gap at each x; in a map, at each x of the first y, then of the next [m]
+  double speed = 0;                ///< speed of the flat surface [m/s]
   Direction direction = Direction::kPlusX;  ///< which way the flat surface moves
   double left_pressure = 0;                 ///< at x = 0 [Pa]
   double right_pressure = 0;                ///< at x = length [Pa]
@@ -490,11 +490,11 @@ struct Pad {
   std::vector<double> history_separation;              ///< at these times, straight between them [m]
   // separation_history | oscillation
   PadOscillation oscillation;         ///< about the separation
-  double time_step = 0;               ///< of the integration [s]
+  double time_step = 0;               ///< time step of the integration [s]
   std::optional<double> end_time;     ///< absent: end of the history [s]
   std::optional<double> output_step;  ///< absent: every time step is kept [s]
 
-  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< of width alone
+  bool has_sides_at_pressures() const { return width && sides == Sides::kOpen; }  ///< for pads with a width only
 
   /// Is the gap a formula over x, without points?
   bool has_formula() const { return face.form != FaceForm::kPoints; }
@@ -514,7 +514,7 @@ struct Pad {
 struct InputFile {
   std::string role;    ///< "case", "include", "gas.cylinder_pressure", ...
   std::string path;    ///< as named
-  std::string sha256;  ///< of its bytes
+  std::string sha256;  ///< SHA-256 checksum of the file
 };
 
 /// All keys of a case. Members that a problem or a model does not use stay as they are.
@@ -537,9 +537,9 @@ struct Case {
   Film film;                                       ///< in one dimension or two, and how it ruptures
   Solver solver;                                   ///< grid, steps, tolerances
   Output output;                                   ///< what is kept of the integration
-  Pad pad;                                         ///< of Problem::kPad alone
-  /// Of a ring pack ([[ring]]) the case of each ring, from the chamber to the crankcase, complete and without rings of
-  /// its own; `ring` and `contact` of the pack itself are those of the first. Empty: a case of one ring.
+  Pad pad;                                         ///< pad, for Problem::kPad only
+  /// Case of each ring of a ring pack ([[ring]]), from the chamber to the crankcase, complete and without rings of its
+  /// own. `ring` and `contact` of the pack itself are those of the first ring. Empty: a case of one ring.
   std::vector<Case> rings;
 
   /// Does the film differ from that of a Newtonian oil between smooth walls?
@@ -549,7 +549,7 @@ struct Case {
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
-  /// That of its steps: oil on the liner is accounted for step by step, which is of first order.
+  /// Time scheme of the steps: oil on the liner is accounted for step by step, which is of first order.
   TimeScheme time_scheme() const {
     return film.supply_at_inlet() == OilSupply::kFilmOnLiner ? TimeScheme::kBackwardEuler : solver.time_scheme;
   }
@@ -567,7 +567,7 @@ struct Case {
   }
   /// Around the bore; of an unrolled film without the gap [m].
   double ring_length() const;
-  /// Of the cells at the ends of the ring, as asked for [m].
+  /// Requested length of the cells at the ends of the ring [m].
   double end_cell() const { return solver.end_cell.value_or(Solver::kEndCell * ring.face_width); }
 
   std::set<std::string> stated;  ///< keys that the user gave; every other active key is an assumption

@@ -51,8 +51,8 @@ enum class PressureReference {
 
 /// `gas.angle_zero`: the dead centre at which a trace has crank angle 0.
 enum class AngleZero {
-  kFiringTdc,      ///< that of the firing, as everywhere else
-  kGasExchangeTdc  ///< that of the gas exchange, 360 degree off
+  kFiringTdc,      ///< the dead centre of the firing, as everywhere else
+  kGasExchangeTdc  ///< the dead centre of the gas exchange, 360 degree off
 };
 
 /// `gas.trace_origin`: where a trace comes from.
@@ -83,13 +83,13 @@ enum class FaceForm {
   kPolynomial,  ///< coefficients
   kParabola,    ///< crown height and place of the lowest point
   kPoints,      ///< points of a file, straight between them
-  kCosine       ///< of a pad: one period, as in a journal bearing that is unwrapped; crown height and lowest point
+  kCosine       ///< for a pad: one period, as in a journal bearing that is unwrapped; crown height and lowest point
 };
 
 /// `ring.face.height_zero`: zero of the stored heights of the face.
 enum class HeightZero {
   kMinimum,  ///< its lowest point
-  kAsGiven   ///< that of the input
+  kAsGiven   ///< the zero of the input
 };
 
 /// `ring.face.orientation`: which edge is x = 0 of the input.
@@ -101,17 +101,18 @@ enum class Orientation {
 
 /// `ring.coating.contact_modulus`: whose modulus the contact spots feel.
 enum class ContactModulus {
-  kCoating,  ///< that of the coating
-  kBase      ///< that of the ring below
+  kCoating,  ///< modulus of the coating
+  kBase      ///< modulus of the ring below
 };
 
 /// `contact.model`: the law of the asperity contact, as models::ContactModel, or a table.
 enum class ContactLaw {
   kGreenwoodTripp,       ///< two rough surfaces, pairs of summits
   kGreenwoodWilliamson,  ///< one rough surface against a flat
-  kBushGibsonThomas,     ///< the same with the joint distribution of summit heights and curvatures
-  kPlastic,              ///< hardness times the material ratio
-  kTable                 ///< of a measured pair
+  /// One rough surface against a flat, with the joint distribution of summit heights and curvatures
+  kBushGibsonThomas,
+  kPlastic,  ///< hardness times the material ratio
+  kTable     ///< table of the contact of a measured pair
 };
 
 using models::AsperityLaw;     ///< `contact.asperity`
@@ -128,7 +129,7 @@ enum class RoughnessMeasure {
 enum class ContactIntegrals {
   kExact,               ///< their values
   kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
-  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+  kPolynomialAsPrinted  ///< the fit as styles2014 has it, digits cut off: rises again beyond 1.911
 };
 
 /// `contact.lambda_ratio`: what the contact pressure follows.
@@ -191,7 +192,7 @@ enum class Conditions {
 /// `film.supply`: what lies on the liner ahead of an edge of gas.
 enum class OilSupply {
   kFlooded,     ///< as much oil as the film takes
-  kGiven,       ///< the same film on every stroke
+  kGiven,       ///< a stated film that does not change from stroke to stroke
   kFilmOnLiner  ///< what the strokes before have left there, and on downstrokes what the oil ring leaves
 };
 

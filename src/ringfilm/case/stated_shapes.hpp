@@ -9,21 +9,21 @@ namespace ringfilm::cycle {
 struct FourierTerm {
   int order = 0;
   double amplitude = 0;          ///< [unit of the key]
-  double phase_deg = 0;          ///< of a crest [degree]
+  double phase_deg = 0;          ///< phase of a crest [degree]
   std::optional<double> height;  ///< along the stroke, where the bore changes with it [m]
 };
 
 /// Deviation of the bore's radius on a grid, angles evenly spaced over one turn.
 struct BoreMap {
   std::vector<double> height;                  ///< increasing [m]
-  double first_angle_deg = 0;                  ///< of each row [degree]
+  double first_angle_deg = 0;                  ///< first angle of each row [degree]
   std::vector<std::vector<double>> deviation;  ///< a row of one height each [m]
 };
 
-/// The same at the place of a ring over the crank angle.
+/// Deviation of the bore's radius at the place of a ring, over the crank angle.
 struct DynamicBore {
   std::vector<double> crank_angle_deg;         ///< increasing, within [0, 720), 0 = firing TDC [degree]
-  double first_angle_deg = 0;                  ///< of each row [degree]
+  double first_angle_deg = 0;                  ///< first angle of each row [degree]
   std::vector<std::vector<double>> deviation;  ///< a row of one crank angle each [m]
 };
 

@@ -38,7 +38,7 @@ using OptionalTextRef = Ref<std::optional<std::string>>;
 struct NumberKind {
   NumberRef ref;
 };
-/// The same, absent by default.
+/// A number with its unit, absent by default.
 struct OptionalNumberKind {
   OptionalNumberRef ref;
 };
@@ -69,7 +69,7 @@ struct NumberOrFileKind {
   NumberRef number;
   OptionalTextRef file;
 };
-/// The same, absent by default (`ring.pressure_below`).
+/// A number or a file, absent by default (`ring.pressure_below`).
 struct OptionalNumberOrFileKind {
   Ref<LandPressure> ref;
 };
@@ -161,7 +161,7 @@ const std::vector<Field>& case_fields();
 /// A key of one ring of a pack, `ring.2.face_width` or `ring.2.contact.roughness`.
 struct RingKey {
   std::size_t ring;  ///< from 1, the one next to the chamber
-  std::string key;   ///< that of a case of one ring, "ring.face_width" or "contact.roughness"
+  std::string key;   ///< key in a case of one ring, "ring.face_width" or "contact.roughness"
 };
 /// Nothing for a key of another form.
 std::optional<RingKey> ring_key(const std::string& key);

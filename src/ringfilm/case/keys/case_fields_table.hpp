@@ -35,7 +35,7 @@ ChoiceKind choice(std::vector<std::pair<std::string, MemberOf<Path...>>> named) 
   return kind;
 }
 
-/// The same of an enumeration whose values are the numbers of the names.
+/// Choice whose names are in the order of the values of an enumeration.
 template <auto... Path>
 ChoiceKind choice_in_order(const std::vector<std::string>& names) {
   std::vector<std::pair<std::string, MemberOf<Path...>>> named;
