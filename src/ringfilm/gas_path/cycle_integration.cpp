@@ -54,7 +54,7 @@ CycleIntegration::CycleIntegration(const Network& network, PackState begin)
 void CycleIntegration::begin_cycle() {
   angle_ = kBeginDeg;
   n_steps_ = 0;
-  next_step_ = kFirstStep;  // the same in each cycle, so that equal beginnings have equal ends
+  next_step_ = kFirstStep;  // equal in each cycle, so that equal beginnings have equal ends
   step_.forget();
   result_ = {};
   result_.paths = network_.paths();

@@ -17,8 +17,8 @@ class CycleIntegration {
 
   CycleIntegration(const Network& network, PackState begin);
 
-  /// Steps that a cycle may take, those that are rejected included. Packs as in engines take some thousand, the hardest
-  /// of 1,200 random ones whose motion repeats 26,000: a light ring that bounces on little gas.
+  /// Steps that a cycle may take, those that are rejected included. Packs as in engines take some thousand. Among 1,200
+  /// random ones whose motion repeats, the hardest takes 26,000: a light ring that bounces on little gas.
   static constexpr long kMostSteps = 200'000;
 
   /// One cycle, from kBeginDeg to a cycle later. Throws ConvergenceError where no step is short enough, or where it
@@ -42,7 +42,7 @@ class CycleIntegration {
   struct Found {
     std::size_t ring;
     FlankEvent event;
-    double share;  ///< of the step
+    double share;  ///< share of the step at which the event is
   };
 
   void begin_cycle();
@@ -68,7 +68,7 @@ class CycleIntegration {
   double angle_ = kBeginDeg, next_step_ = 0;
   long n_steps_ = 0, most_steps_ = kMostSteps;
   std::vector<double> y_, scale_, at_, pressure_, flow_, sensitivity_;
-  // of the cycle
+  // results of the cycle
   GasPathResult result_;
   std::vector<double> passed_;  ///< gross mass along each path [kg]
   double stored_before_ = 0;    ///< in the regions between chamber and crankcase [kg]

@@ -59,7 +59,7 @@ Network::Network(const Pack& pack, GivenPressures given)
   const std::size_t n = pack.rings.size();
   given_.resize(n);
   regions_.push_back({"chamber", pack.chamber_temperature, 0, &pack.chamber});
-  std::vector<std::size_t> groove(n), below(n);  // of each ring; 0: the piston land below has no volume
+  std::vector<std::size_t> groove(n), below(n);  // regions of each ring; below 0: the piston land below has no volume
   for (std::size_t i = 0; i < n; ++i) {
     const Ring& ring = pack.rings[i];
     if (ring.kind == RingKind::kCompression) {

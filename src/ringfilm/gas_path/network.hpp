@@ -11,10 +11,11 @@ namespace ringfilm::gas_path {
 
 /// A space of gas at one pressure.
 struct Region {
-  std::string name;                              ///< "chamber", "groove 1", "land 2", ..., "crankcase"
-  double temperature = 0;                        ///< [K]
-  double capacity = 0;                           ///< mass of gas over its pressure; 0 where that is given [kg/Pa]
-  const models::CyclePressure* given = nullptr;  ///< of chamber and crankcase, and of piston lands where it is stated
+  std::string name;        ///< "chamber", "groove 1", "land 2", ..., "crankcase"
+  double temperature = 0;  ///< [K]
+  double capacity = 0;     ///< mass of gas over its pressure; 0 where that is given [kg/Pa]
+  /// Pressure of chamber and crankcase, and of piston lands where it is stated
+  const models::CyclePressure* given = nullptr;
 };
 
 /// Pressures below the rings of a pack where they are stated, one entry for each ring; empty: all are computed.
@@ -22,9 +23,9 @@ using GivenPressures = std::vector<std::optional<models::CyclePressure>>;
 
 /// Where gas passes a ring.
 enum class PathKind {
-  kEndGap,     ///< of the ring
+  kEndGap,     ///< end gap of the ring
   kAboveRing,  ///< side clearance between the upper flanks of groove and ring
-  kBelowRing,  ///< that between the lower flanks
+  kBelowRing,  ///< side clearance between the lower flanks of groove and ring
   kFace        ///< gap over the face, Ring::face_opening
 };
 
@@ -35,7 +36,7 @@ struct Path {
   std::size_t from = 0, to = 0;  ///< indices of regions
 };
 
-/// Of "end gap 1", "above ring 1", "below ring 1", "face of ring 1".
+/// Name of a path: "end gap 1", "above ring 1", "below ring 1", "face of ring 1".
 std::string path_name(const Path& path);
 
 /// What borders a compression ring in its groove: indices of regions.
@@ -60,7 +61,7 @@ class Network {
   bool is_inner(std::size_t region) const { return regions_[region].given == nullptr; }
   /// Place of an inner region in inner().
   std::size_t unknown(std::size_t region) const { return unknown_[region]; }
-  /// Of the ring of that index; it must be a compression ring.
+  /// Borders of the ring with that index, which must be a compression ring.
   const RingBorders& borders(std::size_t ring) const { return borders_[ring]; }
   bool has_groove(std::size_t ring) const { return pack_.rings[ring].kind == RingKind::kCompression; }
 
@@ -76,7 +77,8 @@ class Network {
   double axial_force(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
                      double p_crankcase) const;
 
-  /// Of the bore on a ring, towards the chamber; 0 without a stated coefficient [N]. @param as of axial_force()
+  /// Friction of the bore on a ring, towards the chamber; 0 without a stated coefficient [N]. @param as of
+  /// axial_force()
   double friction_on_bore(std::size_t ring, double crank_angle, double p_groove, double p_crankcase) const;
 
   /// Acceleration of a ring relative to its groove, where nothing supports it, eq-ring-acceleration [m/s2].
@@ -86,7 +88,7 @@ class Network {
                       double p_crankcase) const;
 
  private:
-  /// The same without inertia [N].
+  /// Force of the gas and friction on a ring, without inertia [N].
   double gas_and_friction(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
                           double p_crankcase) const;
   void add_ring(std::size_t ring, std::size_t above, std::size_t below);
@@ -100,7 +102,7 @@ class Network {
   std::vector<Path> paths_;
   std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
   std::vector<double> seated_clearance_;      ///< side clearance of each ring in RingMotion::kSeated [m]
-  std::vector<models::GasChannel> channels_;  ///< likewise
+  std::vector<models::GasChannel> channels_;  ///< channels of the side clearance of each ring, unused for oil rings
   std::vector<models::GasChannel> faces_;     ///< over the face of each ring
 };
 

@@ -23,19 +23,21 @@ enum class RingMotion {
 /// A ring as the gas meets it. Of an oil ring only the first four members count, and face_opening.
 struct Ring {
   RingKind kind = RingKind::kCompression;
-  double gap_area = 0;                   ///< of the end gap, as the gas passes it [m2]
-  double volume_below = 0;               ///< of the piston land below; 0: it is the region below it [m3]
-  double temperature_below = 0;          ///< of the gas there [K]
-  double groove_volume = 0;              ///< behind and above the ring, filled with gas [m3]
-  double groove_temperature = 0;         ///< of the gas there [K]
-  double side_clearance = 0;             ///< of the ring in its groove, along the bore's axis [m]
-  double land_clearance = 0;             ///< radial, between piston lands and bore [m]
-  double radial_thickness = 0;           ///< of the ring [m]
-  double face_width = 0;                 ///< b; RingMotion::kAxial, and for the static twist [m]
-  double youngs_modulus = 0;             ///< of the ring, for the static twist [Pa]
-  double elastic_pressure = 0;           ///< p_e, of the ring on the bore; likewise [Pa]
-  double mass = 0;                       ///< likewise [kg]
-  double bore_friction_coefficient = 0;  ///< likewise [-]
+  double gap_area = 0;            ///< area of the end gap, as the gas passes it [m2]
+  double volume_below = 0;        ///< volume of the piston land below; 0: the region below it [m3]
+  double temperature_below = 0;   ///< temperature of the gas at the piston land below [K]
+  double groove_volume = 0;       ///< behind and above the ring, filled with gas [m3]
+  double groove_temperature = 0;  ///< temperature of the gas in the groove [K]
+  double side_clearance = 0;      ///< clearance of the ring in its groove, along the bore's axis [m]
+  double land_clearance = 0;      ///< radial, between piston lands and bore [m]
+  double radial_thickness = 0;    ///< radial thickness of the ring [m]
+  double face_width = 0;          ///< b; RingMotion::kAxial, and for the static twist [m]
+  double youngs_modulus = 0;      ///< Young's modulus of the ring, for the static twist [Pa]
+  /// Pressure of the ring on the bore by its tension, p_e; for RingMotion::kAxial and the static twist [Pa]
+  double elastic_pressure = 0;
+  double mass = 0;  ///< mass of the ring, for RingMotion::kAxial and the static twist [kg]
+  /// Coefficient of friction of the ring on the bore, for RingMotion::kAxial and the static twist [-]
+  double bore_friction_coefficient = 0;
   /// Gap over the face that gas passes all around, at each degree of crank angle; empty: none. Counts of oil rings,
   /// too, as does face_width [m].
   std::vector<double> face_opening;
@@ -54,11 +56,11 @@ struct Gas {
 struct Pack {
   double bore = 0;                       ///< [m]
   models::CrankSlider crank{};           ///< that moves the piston
-  double speed = 0;                      ///< of the crankshaft [rad/s]
+  double speed = 0;                      ///< speed of the crankshaft [rad/s]
   models::CyclePressure chamber{1e5};    ///< pressure in the combustion chamber
   models::CyclePressure crankcase{1e5};  ///< pressure in the crankcase
-  double chamber_temperature = 0;        ///< of the gas there [K]
-  double crankcase_temperature = 0;      ///< likewise [K]
+  double chamber_temperature = 0;        ///< temperature of the gas in the chamber [K]
+  double crankcase_temperature = 0;      ///< temperature of the gas in the crankcase [K]
   Gas gas;
   RingMotion ring_motion = RingMotion::kSeated;
   double sliding_smoothing_speed = 0;  ///< U_0; RingMotion::kAxial [m/s]

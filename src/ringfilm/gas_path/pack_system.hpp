@@ -13,10 +13,10 @@ enum class Contact { kLowerFlank, kFree, kUpperFlank };
 
 /// Gas and rings at one crank angle.
 struct PackState {
-  std::vector<double> pressure;  ///< of the regions between chamber and crankcase, in units of kPressureUnit
-  std::vector<double> position;  ///< of each ring, in units of its side clearance
-  std::vector<double> velocity;  ///< of each ring, in units of its side clearance over a degree
-  std::vector<Contact> contact;  ///< of each ring
+  std::vector<double> pressure;  ///< pressures of the regions between chamber and crankcase, in units of kPressureUnit
+  std::vector<double> position;  ///< position of each ring, in units of its side clearance
+  std::vector<double> velocity;  ///< velocity of each ring, in units of its side clearance over a degree
+  std::vector<Contact> contact;  ///< contact of each ring with its groove
 };
 
 /// The equations of gas and free rings over the crank angle in degrees: unknowns are the pressures of the regions in
@@ -80,8 +80,8 @@ class PackSystem : public OdeSystem {
   std::size_t n_inner_;
   double seconds_per_degree_;
   std::vector<std::size_t> free_;       ///< rings
-  std::vector<std::size_t> place_;      ///< of each ring's position among the unknowns, or kNotFree
-  std::vector<double> fixed_position_;  ///< of each ring that is not free [side clearance]
+  std::vector<std::size_t> place_;      ///< index of each ring's position among the unknowns, or kNotFree
+  std::vector<double> fixed_position_;  ///< position of each ring that is not free [side clearance]
   std::vector<double> pressure_;        ///< workspace: of all regions [Pa]
 };
 

@@ -49,15 +49,15 @@ struct GasPathResult {
   std::vector<RegionValues> regions;  ///< the chamber first, the crankcase last
   std::vector<Path> paths;            ///< in the order of `flow`
   // at each degree of crank angle, 0 to 719
-  std::vector<std::vector<double>> pressure;  ///< of each region [Pa]
+  std::vector<std::vector<double>> pressure;  ///< pressure of each region [Pa]
   std::vector<std::vector<double>> flow;      ///< along each path [kg/s]
-  std::vector<std::vector<double>> position;  ///< of each ring above its lower flank [m]
+  std::vector<std::vector<double>> position;  ///< position of each ring above its lower flank [m]
   std::vector<RingEvent> events;              ///< by crank angle; RingMotion::kAxial
-  std::vector<RingMotionValues> motion;       ///< of each ring; likewise
+  std::vector<RingMotionValues> motion;       ///< motion of each ring; RingMotion::kAxial
   std::vector<double> transported;            ///< net mass along each path in the cycle [kg]
   std::vector<double> back;                   ///< mass along each path against its direction, positive [kg]
   double blow_by = 0;                         ///< net mass that enters the crankcase in the cycle [kg]
-  double duration = 0;                        ///< of the cycle [s]
+  double duration = 0;                        ///< duration of the cycle [s]
   double mass_defect =
       0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
   /// Largest relative change of a pressure from one cycle to the next, or from one period to the next [-].

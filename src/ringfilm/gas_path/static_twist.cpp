@@ -12,7 +12,7 @@ using std::numbers::pi;
 
 /// Radii of a ring of rectangular section in the bore [m].
 struct Radii {
-  double bore, flank, inner;  ///< of the face, of the outer edge of the flank in the groove, of the back
+  double bore, flank, inner;  ///< radii of the face, of the outer edge of the flank in the groove, of the back
   double centroid() const { return (bore + inner) / 2; }
 };
 
@@ -38,7 +38,7 @@ double moment_between(const Radii& at, double inner, double outer, double p_inne
   return sum;
 }
 
-/// Of the gas on one flank, pressing towards the chamber; `p_edge` beyond the edge of the groove.
+/// Moment of the gas on one flank, pressing towards the chamber; `p_edge` beyond the edge of the groove.
 double flank_moment(const Radii& at, double p_groove, double p_edge) {
   return moment_between(at, at.inner, at.flank, p_groove, p_edge) +
          moment_between(at, at.flank, at.bore, p_edge, p_edge);

@@ -10,7 +10,7 @@ namespace ringfilm::pad {
 class GapSurface {
  public:
   /// @param x from 0 to the length, increasing, twice at a step [m]
-  /// @param y from 0 to the width, likewise [m]
+  /// @param y from 0 to the width, increasing, twice at a step [m]
   /// @param height for each x of the first y, then of the next [m]
   GapSurface(std::vector<double> x, std::vector<double> y, std::vector<double> height);
 

@@ -12,11 +12,11 @@ namespace {
 
 constexpr int kCellsOfScan = 200;   // at most: enough to see where the load is crossed
 constexpr double kStep = 1.3;       // from one film of the scan to the next
-constexpr double kThinnest = 1e-9;  // of the scan [m]: molecules
+constexpr double kThinnest = 1e-9;  // smallest separation of the scan [m]: molecules
 /// So many films in a row that were not found, on the finest grid either: from there on that grid is not tried, which
 /// takes seconds a film in two dimensions.
 constexpr int kMaxFinestInRow = 3;
-constexpr int kHalvings = 12;         // of a step of the scan, towards a film that was not found
+constexpr int kHalvings = 12;         // halvings of a step of the scan, towards a film that was not found
 constexpr int kMaxEvaluations = 100;  // bisection alone takes 45 from one film of the scan to the next
 constexpr double kLnResolution = 1e-13;
 /// Relative error of a load that is found. Where the load jumps, as with another cavity, no film carries it.
@@ -262,7 +262,7 @@ class Search {
   const PadSetup& setup_;
   double load_;
   Effort& effort_;
-  PadFilm* grid_ = nullptr;  ///< of the scan
+  PadFilm* grid_ = nullptr;  ///< film of the scan
   int unsolved_in_row_ = 0;
   LoadSearch found_;
 };

@@ -16,8 +16,8 @@ struct LoadSearch {
   std::optional<film::FilmState> film;  ///< nothing if no separation carries the load
   Slope slope = Slope::kFalling;        ///< there
   int n_separations = 0;                ///< at which the load is carried, as far as the search resolves them
-  int n_stable = 0;                     ///< of them, those at which it falls with the separation
-  /// Of all films tried: what they carry [N/m] and their smallest film thickness [m].
+  int n_stable = 0;                     ///< number of these at which the load falls with the separation
+  /// Extreme of the load over all films that were tried [N/m], and the smallest film thickness of that film [m].
   struct Extreme {
     double load, thickness;
   };

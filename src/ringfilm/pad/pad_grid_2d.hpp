@@ -18,7 +18,7 @@ struct PadGrid2d {
   film::CircumferentialGrid around;         ///< strips across
   film::Film2dGap gap;                      ///< above the lowest point
   std::vector<int> steps_x, steps_y;        ///< nodes and strips at which the gap may step
-  std::vector<int> piece_of_x, piece_of_y;  ///< of the gap, for each cell
+  std::vector<int> piece_of_x, piece_of_y;  ///< piece of the gap that each cell belongs to
   double lowest = 0;                        ///< height that the grid sees [m]
 };
 

@@ -24,7 +24,7 @@ bool has_jumps_in_corners(const cycle::Pad& pad) {
 }
 
 /// Reynolds' equation drops terms of the order of (h/L)^2 against 1: 1 % from here on.
-constexpr double kThickestFilm = 0.1;  // of the length of the pad
+constexpr double kThickestFilm = 0.1;  // share of the length of the pad
 
 /// Films that were solved and that no oil forms, with the limits of the cycle.
 void append_limit_notes(const PadFilm& film, PadResult& result) {

@@ -17,18 +17,19 @@ struct Sample {
   double load = 0, mean_film_pressure = 0, peak_film_pressure = 0, peak_position = 0;
   double separation = 0, min_film_thickness = 0;
   double friction_moving = 0, friction_fixed = 0, friction_coefficient = 0;  ///< coefficient: NaN without load
-  double flow_left = 0, flow_right = 0;                                      ///< of oil at its stated density
+  double flow_left = 0, flow_right = 0;  ///< volume flow through both ends, of oil at its stated density
   double mass_flow_left = 0, mass_flow_right = 0;
   double cavitated_fraction = 0;             ///< without the gas of the edges
   double wetted_left = 0, wetted_right = 0;  ///< between them the film is full, but for cavities; else gas
-  double film_load = 0, gas_load = 0;        ///< of the load, on the wetted length and beyond it
-  double asperity_load = 0;                  ///< of the load, on the asperities
-  double boundary_friction = 0;              ///< of both frictions, that of the asperities; 0 at rest
+  double film_load = 0, gas_load = 0;        ///< parts of the load: film on the wetted length, gas beyond it
+  double asperity_load = 0;                  ///< part of the load on the asperities
+  double boundary_friction = 0;              ///< part of both frictions by asperities; 0 at rest
   double film_left_behind = 0;               ///< on the flat surface where it leaves; NaN where it stands still
   double gas_breakthrough = 0;               ///< 1 where gas of an edge reaches the lowest place of the gap
   double stable_solutions = 0;               ///< separations that carry pad.load and are stable; NaN without it
   double film_temperature = 0;               ///< NaN without temperatures of the walls
-  double viscous_heating_rise = 0;           ///< of the oil by its shear, above its walls; NaN with a width
+  /// Rise of the oil temperature by its shear, above its walls; NaN with a width
+  double viscous_heating_rise = 0;
   double mass_residual = 0;  ///< balance of the whole film over the largest flow in it; round-off if mass is kept
   std::vector<double> rupture_positions;      ///< upstream ends of the cavities, from x = 0 on
   std::vector<double> reformation_positions;  ///< downstream ends; a cavity open to the downstream edge has none
@@ -36,7 +37,7 @@ struct Sample {
   double total_load = 0;                                       ///< [N]
   double total_friction_moving = 0, total_friction_fixed = 0;  ///< [N]
   double flow_front = 0, flow_back = 0;                        ///< through the whole sides, +y [m3/s]; NaN where joined
-  double mass_flow_front = 0, mass_flow_back = 0;              ///< [kg/s], likewise
+  double mass_flow_front = 0, mass_flow_back = 0;              ///< through the whole sides, +y [kg/s]; NaN where joined
   double peak_position_y = 0;                                  ///< [m]
 };
 
@@ -78,7 +79,7 @@ const cycle::Quantity& place_across();
 struct Effort {
   long time_steps = 0;         ///< whole steps; 0 for a steady film
   long sub_steps = 0;          ///< solved, those that were cut included
-  long newton_iterations = 0;  ///< of all solves
+  long newton_iterations = 0;  ///< Newton iterations of all solves
   long cut_steps = 0;          ///< steps that were solved only after they were cut
   long eased_starts = 0;       ///< steady films that were reached by raising the speed little by little
   double max_newton_step = 0;  ///< last relative Newton step accepted, the worst of all solves [-]
@@ -96,14 +97,15 @@ constexpr auto members(const Effort*) {
 }
 
 struct PadResult {
-  std::vector<Sample> samples;    ///< one for a steady film; else one for each time of the result, the last at the end
-  std::vector<double> x;          ///< nodes, from 0 to the length; a step of the gap appears twice [m]
-  std::vector<double> y;          ///< strips, from 0 to the width, likewise; empty without a width [m]
+  std::vector<Sample> samples;  ///< one for a steady film; else one for each time of the result, the last at the end
+  std::vector<double> x;        ///< nodes, from 0 to the length; a step of the gap appears twice [m]
+  /// Strips, from 0 to the width; a step of the gap appears twice; empty without a width [m]
+  std::vector<double> y;
   std::vector<Profile> profiles;  ///< along x at the times of `samples`, with a width on the strip next to its middle
   std::vector<Profile> fields;    ///< over x and y at the same times; empty without a width
   std::vector<cycle::Note> notes;
   Effort effort;
-  bool is_history = false;  ///< of a separation history, however far it came; else a steady film
+  bool is_history = false;  ///< true: separation history, however far it came; false: steady film
   bool complete = true;     ///< false: the film could not be solved further; `samples` are those before
 };
 

@@ -14,15 +14,15 @@ namespace ringfilm::pad {
 struct PadSetup {
   cycle::Case input;
   std::shared_ptr<const models::OilAtTemperature> oil;
-  double viscosity, density;                               ///< of the oil at the zero of the pressures [Pa s], [kg/m3]
-  std::optional<double> film_temperature;                  ///< of a case with walls of stated temperatures [K]
+  double viscosity, density;  ///< viscosity and density of the oil at the zero of the pressures [Pa s], [kg/m3]
+  std::optional<double> film_temperature;  ///< temperature of the film, for walls of stated temperatures [K]
   std::shared_ptr<const models::AsperityContact> contact;  ///< nullptr: the surfaces never touch
-  std::vector<film::GapPiece> pieces;  ///< of an infinitely wide pad: heights above the lowest point of the gap
-  std::optional<GapSurface> surface;   ///< of one with a width, likewise
+  std::vector<film::GapPiece> pieces;  ///< gap of an infinitely wide pad: heights above its lowest point
+  std::optional<GapSurface> surface;   ///< gap of a pad with a width: heights above its lowest point
   double lowest_gap;                   ///< min g [m]
   double U;                            ///< velocity of the flat surface, positive in +x [m/s]
   double p_cavitation;                 ///< p_c, not above the pressure of any edge [Pa]
-  film::FactorLaws factors;            ///< of an infinitely wide pad
+  film::FactorLaws factors;            ///< flow factors of an infinitely wide pad
   std::vector<cycle::Note> notes;      ///< on the oil and the contact as stated
 
   /// The film across a grid.

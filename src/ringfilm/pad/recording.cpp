@@ -48,7 +48,7 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
     out.boundary_friction = cycle::boundary_friction(setup.input.contact, sums.asperity_load, sums.asperity_area);
   out.friction_moving = sense * (sums.shear_couette + sums.shear_poiseuille) + out.boundary_friction;
   out.friction_fixed = sense * (sums.shear_couette - sums.shear_poiseuille) + out.boundary_friction;
-  constexpr double kNoLoad = 1e-6;  // of the friction: what the load is then is rounding
+  constexpr double kNoLoad = 1e-6;  // share of the friction: a smaller load is rounding
   out.friction_coefficient = out.load > kNoLoad * std::abs(out.friction_moving)
                                  ? out.friction_moving / out.load
                                  : std::numeric_limits<double>::quiet_NaN();

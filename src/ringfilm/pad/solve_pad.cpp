@@ -95,7 +95,7 @@ class TimeIntegration {
   }
 
  private:
-  static constexpr double kRounding = 1e-9;  // of a step: what is left of the division of times
+  static constexpr double kRounding = 1e-9;  // share of a step: remainder of the division of times
 
   double h_m_at(double time) const { return separation_at(setup_.input.pad, time) + setup_.lowest_gap; }
 
@@ -198,7 +198,7 @@ void append_load_notes(const LoadSearch& search, std::vector<cycle::Note>& notes
 
 /// A steady film with half the cells, to check whether the grid is fine enough.
 void append_grid_note(const PadSetup& setup, const film::FilmState& state, const Sample& fine, PadResult& result) {
-  constexpr double kZeroLoad = 1e-9;  // of the pressures that act: no share of such a load is known
+  constexpr double kZeroLoad = 1e-9;  // share of the pressures that act: a share of a smaller load is not meaningful
   if (std::abs(fine.load) <= kZeroLoad * acting_pressure(setup, state.h_m) * setup.input.pad.length) return;
   constexpr double kReportedChange = 0.01;
   const cycle::Solver& solver = setup.input.solver;

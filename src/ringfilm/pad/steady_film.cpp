@@ -6,12 +6,13 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kSpeedHalvings = 8;      // the slowest start of a speed that is raised little by little
-constexpr double kFarOff = 0.1;        // an estimate of the pressures is not used if they turn out below this share
-constexpr int kMostEstimates = 40;     // each a tenth of the one before or less
-constexpr double kNothing = 1e-40;     // of the first estimate
-constexpr double kStandstill = 1e-10;  // of the film in one step
-constexpr double kNoPressure = 1.0;    // scale where neither motion nor edges make any pressure [Pa]
+constexpr int kSpeedHalvings = 8;   // the slowest start of a speed that is raised little by little
+constexpr double kFarOff = 0.1;     // an estimate of the pressures is not used if they turn out below this share
+constexpr int kMostEstimates = 40;  // each a tenth of the one before or less
+constexpr double kNothing = 1e-40;  // share of the first estimate below which a pressure counts as zero
+// smallest change of the film in one step that counts as motion, over the film thickness
+constexpr double kStandstill = 1e-10;
+constexpr double kNoPressure = 1.0;  // scale where neither motion nor edges make any pressure [Pa]
 
 /// Pressures that wedge, squeeze and edges may make [Pa]; never 0.
 double estimated_pressure(const PadSetup& setup, const film::FilmInputs& inputs, double h_m, double closing) {

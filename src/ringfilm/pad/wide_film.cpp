@@ -75,7 +75,7 @@ std::optional<int> WideFilm::crest(const film::FilmInputs& inputs, const film::F
 
 film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& given, const film::FilmState& previous,
                                                film::FilmState& state) {
-  constexpr int kMostMoves = 5;  // of the node at which the bounds meet; one or two are usual
+  constexpr int kMostMoves = 5;  // moves of the node at which the bounds meet; one or two are usual
   const film::FilmInputs inputs = supplied(given, state.h_m);
   film::FilmInputs held = inputs;
   film::FilmReport total = solve_with_bounds(held, previous, state);
