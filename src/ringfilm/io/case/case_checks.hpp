@@ -17,7 +17,7 @@ struct KeyPlace {
 
 /// What a case states, and where.
 struct StatedKeys {
-  std::string path;                       ///< of the case, for what has no place in it
+  std::string path;                       ///< path of the case, for faults that have no place in it
   std::map<std::string, KeyPlace> given;  ///< each of them a known key
   std::set<std::string> faulty;           ///< keys, or whole sections ("engine."), that cannot be checked further
   std::set<std::string> from_oil_file;    ///< keys that describe the oil, whether this case has a use for them or not
@@ -27,7 +27,7 @@ struct StatedKeys {
 struct KeyFault {
   std::string key;
   Fault fault;
-  std::string used_where = {};  ///< of a key that is not used in the case: the words on its use
+  std::string used_where = {};  ///< where the key is used, in words, if the case does not use it; else empty
 };
 
 /// Everything that is wrong with a case whose values are good one by one. Empty if nothing is.

@@ -180,7 +180,7 @@ void update_pack(Case& pack, const std::vector<Change>& changes, const Units& un
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::vector<Change> of_ring;
     for (const Change& change : changes) {
-      const Case& concerned = located_key(pack, change.key).of;  // of the engine's keys the first ring
+      const Case& concerned = located_key(pack, change.key).of;  // the first ring for keys of the engine
       const auto key = cycle::ring_key(change.key);
       if (!key) {
         of_ring.push_back(change);

@@ -12,7 +12,8 @@ struct CaseEntry {
   bool assumed = false;                                        ///< the user did not state it
   std::string help;                                            ///< what the key is, one line
   double value_si = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the value is not a single number
-  std::string unit = {};  ///< of `value_si`, SI in UDUNITS spelling; "1" dimensionless, "" for what is not a number
+  /// Unit of `value_si`, SI in UDUNITS spelling; "1" dimensionless, "" if the value is not a number.
+  std::string unit = {};
 };
 
 }  // namespace ringfilm::io

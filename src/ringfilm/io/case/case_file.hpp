@@ -14,13 +14,13 @@ namespace ringfilm::io {
 struct Override {
   std::string key;               ///< "engine.bore"
   std::string value;             ///< as written, e.g. "89 mm"; empty: the key is removed
-  std::string option = "--set";  ///< of the command line that states it, for messages
+  std::string option = "--set";  ///< option of the command line that states it, for messages
 };
 
 /// A key of a file that overrides make unused, or state in another way.
 struct DroppedKey {
-  std::string key;  ///< with its section
-  SourceMark mark;  ///< of the key
+  std::string key;  ///< name of the key with its section
+  SourceMark mark;  ///< place of the key
 };
 
 using cycle::CasePurpose;
@@ -30,12 +30,12 @@ using cycle::CasePurpose;
 /// those of an override to the working folder; `data/lubricants/...` falls back to the shipped folder.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides = {});
 
-/// The same with units at hand, for a purpose.
+/// Reads a case for a purpose, with units at hand.
 cycle::Case read_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                       CasePurpose purpose = CasePurpose::kFilm);
 
-/// The same where overrides may make keys of the files unused: those are dropped from the case and put into `dropped`.
-/// A key that the files alone leave unused, or an override that is unused itself, is an error.
+/// Reads a case whose overrides may make keys of the files unused: those are dropped from the case and put into
+/// `dropped`. A key that the files alone leave unused, or an override that is unused itself, is an error.
 cycle::Case read_case_dropping(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                                std::vector<DroppedKey>& dropped, CasePurpose purpose = CasePurpose::kFilm);
 
@@ -60,7 +60,7 @@ std::vector<CaseEntry> case_entries(const cycle::Case& c);
 /// Traces and tables are named by path, as seen from the working folder of the run.
 std::string resolved_case(const cycle::Case& c);
 
-/// The same of entries, those of the rings of a pack (`ring.2.face_width`) in [[ring]] sections.
+/// A case file of these entries; the keys of the rings of a pack (`ring.2.face_width`) are in [[ring]] sections.
 std::string case_text(const std::vector<CaseEntry>& entries);
 
 }  // namespace ringfilm::io

@@ -106,7 +106,7 @@ std::string meaning_words(const Field& field) {
   return field.help + (field.active_when.empty() ? "" : " (where " + field.active_when + ")");
 }
 
-/// Rows of the table of keys, the first its head. @param keys of which there are rows
+/// Rows of the table of keys, the first its head. @param keys keys that have a row
 std::vector<std::vector<std::string>> rows(const std::string& section, const std::set<std::string>& keys,
                                            const Units& units) {
   std::vector<std::vector<std::string>> rows{{"key", "unit", "default", "allowed", "meaning"}};

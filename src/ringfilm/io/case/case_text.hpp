@@ -21,7 +21,7 @@ std::string commented_case(const std::string& head, const std::vector<StartValue
 /// InputError for a word that is in no key.
 std::string fields_table(const std::vector<std::string>& words = {});
 
-/// The same as Markdown tables, one a section, for the manual.
+/// The table of case keys as Markdown, one table for each section, for the manual.
 std::string fields_markdown();
 
 }  // namespace ringfilm::io

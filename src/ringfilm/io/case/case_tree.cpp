@@ -24,7 +24,7 @@ const char* const kOilGrade = "lubricant.grade";
 
 /// Several ways to state one thing, each with its keys.
 using Ways = std::vector<std::vector<std::string>>;
-/// Of these a case states one way. The first key of a way decides.
+/// Quantities with several ways to state each; a case uses one of them. The first key of a way decides.
 const std::vector<Ways> kWays = {
     {{"ring.elastic_pressure"},
      {"ring.tangential_force"},
@@ -87,7 +87,7 @@ bool is_ring_zero(const std::string& key) {
 
 const cycle::Field* field_of(const std::string& key) { return cycle::find_field(plain_key(key)); }
 
-/// The same of a section: `ring.2` and `ring.2.contact` are those of a ring of a pack.
+/// The section of the table behind a section of a case: `ring.2` and `ring.2.contact` belong to a ring of a pack.
 std::string plain_section(const std::string& section) {
   const std::string key = plain_key(section + ".x");
   return key.substr(0, key.size() - 2);

@@ -12,7 +12,7 @@ namespace ringfilm::io {
 /// All keys of a case, from its file, the files it includes, its oil file and the command line; each key once and
 /// known.
 struct CaseTree {
-  std::string path;  ///< of the case file, as named
+  std::string path;  ///< path of the case file, as named
   std::vector<TomlEntry> entries;
   std::vector<cycle::InputFile> files;
   std::vector<std::string> notes;
@@ -29,15 +29,15 @@ CaseTree read_case_tree(const std::string& path, const std::vector<Override>& ov
                         std::vector<DroppedKey>* dropped = nullptr);
 
 /// The keys that an oil file states of [lubricant], by their whole names, and what has no place in it as faults.
-/// @param folder of the file
+/// @param folder folder of the file
 std::vector<TomlEntry> oil_entries(const TomlValue& root, const std::string& folder, std::vector<Fault>& faults);
 
 /// The keys of the case of each ring, as a file of its own would have them.
 struct PackTrees {
   std::vector<CaseTree> trees;  ///< one where the case is not a ring pack
   bool is_pack = false;
-  std::vector<Fault> faults;             ///< of the pack as a whole
-  std::vector<Fault> missing_pressures;  ///< of pressures between two rings that the case does not state
+  std::vector<Fault> faults;             ///< faults of the pack as a whole
+  std::vector<Fault> missing_pressures;  ///< faults on pressures between two rings that the case does not state
 };
 
 /// Cuts the tree of a ring pack ([[ring]] sections, whose keys are "ring.1.face_width", ...) into those of its rings.

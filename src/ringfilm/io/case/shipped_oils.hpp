@@ -29,7 +29,7 @@ NamedFile shipped_oil_of_grade(const std::string& grade);
 /// The list for a terminal (`ringfilm oils`).
 std::string oils_table(const std::vector<ShippedOil>& oils);
 
-/// The same as JSON, SI units.
+/// The list of oils as JSON, SI units.
 std::string oils_json(const std::vector<ShippedOil>& oils);
 
 }  // namespace ringfilm::io

@@ -31,7 +31,7 @@ void check_sign(const CsvFile& csv, const std::string& name, const std::vector<d
   }
 }
 
-/// The same range as that of lubricant.density.
+/// Checks that all densities are in the range of lubricant.density.
 void check_density(const CsvFile& csv, const std::vector<double>& density, std::vector<Fault>& faults) {
   const auto found = std::find_if_not(density.begin(), density.end(), cycle::is_oil_density);
   if (found == density.end()) return;

@@ -32,7 +32,7 @@ std::string name_of(models::FrictionState state);  ///< "lubricated", "dry"
 
 /// The list for a terminal (`ringfilm pairs`).
 std::string pairs_table(const std::vector<models::FrictionPair>& pairs);
-/// The same as JSON, SI units.
+/// The list of pairs as JSON, SI units.
 std::string pairs_json(const std::vector<models::FrictionPair>& pairs);
 
 }  // namespace ringfilm::io

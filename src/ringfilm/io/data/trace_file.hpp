@@ -48,7 +48,8 @@ inline constexpr const char *kAngleUnits = "degree or rad", *kPressureUnits = "b
 struct TraceOutline {
   std::vector<TraceColumn> angle, pressure;  ///< the columns that may be the crank angle and the pressure
   bool is_degree_by_span = false;            ///< has the angle no unit, and a span that is too long for radians?
-  std::optional<cycle::PressureReference> reference_of_unit;  ///< that of bara or barg, of the one pressure
+  /// Reference that the unit of the one pressure states, bara or barg.
+  std::optional<cycle::PressureReference> reference_of_unit;
   std::vector<double> crank_angle_deg;  ///< empty unless one column is the angle, in a unit that is known
   std::vector<double> pressure_values;  ///< empty where the angles are, or several columns may be the pressure
   bool is_in_pascal = false;            ///< the pressures; else as written, without unit

@@ -19,7 +19,7 @@ struct GasPathDocument {
   std::vector<cycle::Note> notes;        ///< on the result
   Provenance provenance;                 ///< what computed it
   gas_path::GasPathResult result;        ///< pressures, flows and motion over the cycle
-  PackGas gas;                           ///< the same as files and JSON have it
+  PackGas gas;                           ///< gas in the form of files and JSON
 };
 
 /// The gas of a pack with the case that it is of.

@@ -14,9 +14,9 @@ namespace {
 
 /// What the length of a part of a duty is called and written as.
 struct Form {
-  const char* list;     ///< "segment"
-  const char* length;   ///< its key
-  const char* example;  ///< of it
+  const char* list;     ///< name of the list, "segment"
+  const char* length;   ///< key of the length
+  const char* example;  ///< example of a length
 };
 constexpr Form kSegments{"segment", "duration", "\"10 min\""}, kPoints{"point", "weight", "0.3"};
 

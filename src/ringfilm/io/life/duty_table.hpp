@@ -16,23 +16,23 @@ using ReadBase = std::function<std::optional<cycle::Case>(const std::vector<Over
 
 /// What the table [duty] is read with.
 struct DutySources {
-  const std::string& folder;  ///< of the life's file, from which its file names count
+  const std::string& folder;  ///< folder of the life's file, to which its file names are relative
   const Units& units;
 };
 
 /// An operating point as the file states it, before its case is read.
 struct StatedPoint {
   std::string name;
-  double share = 0;  ///< of the running time; 0: reported, not part of the duty [-]
+  double share = 0;  ///< share of the running time; 0: reported, not part of the duty [-]
   std::vector<Override> overrides;
-  std::optional<double> peak;  ///< to which the trace is scaled, with its reference [Pa]
+  std::optional<double> peak;  ///< peak pressure to which the trace is scaled, with its reference [Pa]
   SourceMark mark, peak_mark;
 };
 
 /// A duty as its table states it.
 struct Duty {
-  std::vector<StatedPoint> points;  ///< shares of 1 in all; empty where it was refused
-  std::optional<double> length;     ///< of all repetitions [s]; nothing: as long as the life
+  std::vector<StatedPoint> points;  ///< points whose shares sum to 1; empty where the table was refused
+  std::optional<double> length;     ///< length of all repetitions [s]; nothing: as long as the life
 };
 
 /// The table [duty]: segments with durations, or points with weights. What is wrong goes to `faults`.

@@ -22,9 +22,10 @@ struct FacePair {
 
 /// What measured faces alone state about wear: docs/theory/life.md#eq-life-bound.
 struct FaceComparison {
-  std::vector<NamedFace> faces;                            ///< in the order of their running hours
-  std::vector<std::vector<life::ConcaveStretch>> concave;  ///< of each face, by at least kNoticedConcavity
-  std::vector<FacePair> pairs;                             ///< each face and the next one, and the first and the last
+  std::vector<NamedFace> faces;  ///< in the order of their running hours
+  /// Concave stretches of each face, by at least kNoticedConcavity.
+  std::vector<std::vector<life::ConcaveStretch>> concave;
+  std::vector<FacePair> pairs;  ///< each face and the next one, and the first and the last
 };
 
 inline constexpr double kNoticedConcavity = 0.1e-6;  ///< [m]

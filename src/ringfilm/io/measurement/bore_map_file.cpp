@@ -177,7 +177,7 @@ class BoreRows {
   const SectionColumn& by_;
   std::vector<Fault>& faults_;
   std::vector<double> at_, angle_, deviation_;
-  std::vector<std::size_t> first_row_;  ///< of each section
+  std::vector<std::size_t> first_row_;  ///< first row of each section
 };
 
 /// Angles of one turn, evenly spaced.

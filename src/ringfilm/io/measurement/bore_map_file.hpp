@@ -27,9 +27,9 @@ struct DynamicBoreFile {
 /// its faults: holes, angles that are not a whole turn, a last angle that repeats the first with another deviation.
 BoreMapFile read_bore_map(const NamedFile& file, const Units& units);
 
-/// The same with `crank_angle [degree]` in place of the height: over a whole cycle of 720 degree, none more than
-/// models::kLargestSampleDistanceDeg apart. The last may repeat the first one cycle later. Throws InputError with its
-/// faults, also where the repetition differs.
+/// Reads a CSV file as read_bore_map does, with `crank_angle [degree]` in place of the height: crank angles over a
+/// whole cycle of 720 degree, at most models::kLargestSampleDistanceDeg apart. The last may repeat the first one cycle
+/// later. Throws InputError with its faults, also where the repetition differs.
 DynamicBoreFile read_dynamic_bore(const NamedFile& file, const Units& units);
 
 /// Pressure around a ring.

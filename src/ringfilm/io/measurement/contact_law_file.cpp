@@ -34,7 +34,7 @@ struct LawNumbers {
   std::map<std::string, std::vector<double>> columns;  ///< without those of the flow where the document has none
   std::map<std::string, double> values;
   std::vector<double> gap;                     ///< places of the true gap; empty without the flow [m]
-  std::vector<std::vector<double>> gap_share;  ///< of each row
+  std::vector<std::vector<double>> gap_share;  ///< distribution of the true gap over `gap` for each row
 };
 
 std::vector<std::size_t> rising_order(const std::vector<double>& values) {

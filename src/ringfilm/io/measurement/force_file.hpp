@@ -11,7 +11,7 @@ namespace ringfilm::io {
 /// What a file of lateral force microscopy holds: friction loops, or their summary load by load; the other list is
 /// empty.
 struct ForceFile {
-  std::string sample;  ///< of a line "# sample: NAME" before the header; empty if there is none
+  std::string sample;  ///< name in a line "# sample: NAME" before the header; empty if there is none
   surface::LoadUnit load_unit{};
   std::vector<surface::FrictionLoop> loops;
   std::vector<surface::LoadFriction> loads;

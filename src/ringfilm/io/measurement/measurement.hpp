@@ -10,7 +10,7 @@ namespace ringfilm::io {
 
 /// A number with its name and unit.
 struct MeasuredValue {
-  std::string name;          ///< of the JSON key and NetCDF variable, e.g. "asperity_density"
+  std::string name;          ///< name of the JSON key and NetCDF variable, e.g. "asperity_density"
   std::string long_name;     ///< "density of asperity peaks"
   std::string symbol;        ///< "N"
   std::string unit;          ///< SI, UDUNITS spelling; "1" dimensionless
@@ -87,7 +87,7 @@ struct MeasuredTable {
 struct Measurement {
   std::string kind;                     ///< "surface", "pair", "contact", "friction-band", "conformity", "face",
                                         ///< "lateral-force"
-  std::string title;                    ///< of the page
+  std::string title;                    ///< title of the page
   std::vector<std::string> sources;     ///< file, format, channel, plausibility: a line each
   std::vector<std::string> statements;  ///< what was done, in its order: form, filters, rules
   std::vector<std::string> notes;       ///< what the reader should consider before using the numbers

@@ -16,7 +16,7 @@ struct ThinnedSeries {
 /// parts of the axis (even on its scale), so that no peak is lost.
 ThinnedSeries thinned(const MeasuredCurve& curve, const MeasuredSeries& series, std::size_t stretches);
 
-/// The same for all series of a curve over one axis, with at most `most_points` as long as its places do not turn back;
+/// All series of a curve over one axis, thinned to at most `most_points` provided that its places do not turn back;
 /// empty where all points stay.
 std::optional<MeasuredCurve> thinned(const MeasuredCurve& curve, std::size_t most_points);
 

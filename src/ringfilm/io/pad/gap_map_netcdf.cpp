@@ -62,8 +62,8 @@ std::optional<double> default_fill(nc_type type) {
 struct Variable {
   std::string name;
   int id = 0;
-  std::vector<int> dimensions;       ///< their numbers in the file
-  std::vector<std::size_t> lengths;  ///< of each
+  std::vector<int> dimensions;       ///< numbers of its dimensions in the file
+  std::vector<std::size_t> lengths;  ///< length of each dimension
 };
 
 /// Reads the map of a NetCDF-4 file.

@@ -9,9 +9,9 @@
 namespace ringfilm::io {
 
 struct GapFile {
-  std::vector<double> x;       ///< [m], increasing; twice where the gap has a step
-  std::vector<double> y;       ///< of a map, likewise; else empty [m]
-  std::vector<double> height;  ///< for each x; of a map, for each x of the first y, then of the next [m]
+  std::vector<double> x;       ///< places along x [m], increasing; twice where the gap has a step
+  std::vector<double> y;       ///< places along y of a map [m], increasing; twice where the gap has a step; else empty
+  std::vector<double> height;  ///< gap at each x [m]; in a map at each x of the first y, then of the next
   std::string sha256;
   std::vector<std::string> notes;
 };

@@ -6,7 +6,7 @@
 namespace ringfilm::io {
 
 /// What the gas between the rings does over a cycle, without its curves: values in SI with their units, regions, ring
-/// events, ring motion and paths. The same in `gas --json`, in `run --json` of a pack, in Python and on the page.
+/// events, ring motion and paths. `gas --json`, `run --json` of a pack, Python and the page share this object.
 nlohmann::ordered_json gas_object(const PackGas& gas);
 
 }  // namespace ringfilm::io

@@ -24,16 +24,17 @@ struct PackGas {
   std::vector<gas_path::RegionValues> regions;  ///< the chamber first, the crankcase last
   std::vector<gas_path::PathValues> paths;
   std::vector<Event> events;
-  std::vector<Ring> rings;                         ///< in the order of `position`
-  std::vector<gas_path::RingMotionValues> motion;  ///< of each of `rings`; empty of a file of an earlier version
-  std::vector<double> crank_angle_deg;             ///< 0 to 719 [degree]
+  std::vector<Ring> rings;  ///< in the order of `position`
+  /// Motion of each of `rings`; empty for a file of an earlier version.
+  std::vector<gas_path::RingMotionValues> motion;
+  std::vector<double> crank_angle_deg;  ///< 0 to 719 [degree]
   // row by row of the crank angles
-  std::vector<double> pressure;  ///< of each region [Pa]
-  std::vector<double> flow;      ///< along each path [kg/s]
-  std::vector<double> position;  ///< of each compression ring above its lower flank [m]
+  std::vector<double> pressure;  ///< pressure of each region [Pa]
+  std::vector<double> flow;      ///< flow along each path [kg/s]
+  std::vector<double> position;  ///< position of each compression ring above its lower flank [m]
 };
 
-/// The same of what was computed. @param gas_constant [J/(kg K)]
+/// The gas of a computed result. @param gas_constant [J/(kg K)]
 PackGas pack_gas(const gas_path::GasPathResult& result, double gas_constant);
 
 }  // namespace ringfilm::io

@@ -18,9 +18,11 @@ std::vector<RingSums> ring_sums(const ResultDocument& pack);
 
 /// Oil at the chamber's side of a pack whose rings share the oil on the liner (docs/theory/gas-path.md).
 struct PackOil {
-  double film_after_power_stroke = 0;   ///< mean film on the liner above the first ring at BDC [m]
-  double film_after_intake_stroke = 0;  ///< the same after the intake stroke [m]
-  double left_at_tdc = 0;               ///< that the first ring leaves above it at TDC, per cycle [kg]
+  /// Mean film thickness on the liner above the first ring at BDC after the power stroke [m].
+  double film_after_power_stroke = 0;
+  /// Mean film thickness on the liner above the first ring at BDC after the intake stroke [m].
+  double film_after_intake_stroke = 0;
+  double left_at_tdc = 0;  ///< oil that the first ring leaves above it at TDC, per cycle [kg]
   /// All oil that the first ring leaves on the liner in its two downstrokes, as if it burned or were thrown off; no
   /// more can reach the chamber from the liner in a cycle [kg].
   double to_chamber_upper_bound = 0;

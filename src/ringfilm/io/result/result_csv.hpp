@@ -9,11 +9,11 @@
 
 namespace ringfilm::io {
 
-/// The curves as CSV text: a row per crank angle, a column per entry of cycle::curve_quantities(), header
-/// `name [unit]` or `name` alone if dimensionless. SI, angles in degrees, each number in the fewest digits that give
-/// it back exactly; `nan` where a quantity does not exist at that angle. Of an unrolled film a column for every entry
-/// of cycle::unrolled_quantities() after these. With errors a column `name_error [unit]` for every curve that has one,
-/// after all others.
+/// The curves as CSV text: a row per crank angle, a column per entry of cycle::curve_quantities(), header `name [unit]`
+/// or `name` alone if dimensionless. SI, angles in degrees, each number in the fewest digits that give it back exactly;
+/// `nan` where a quantity does not exist at that angle. An unrolled film adds a column for every entry of
+/// cycle::unrolled_quantities(). With errors a column `name_error [unit]` for every curve that has one, after all
+/// others.
 /// @param unrolled as many as samples, or none
 std::string result_csv(const std::vector<cycle::Sample>& samples,
                        const std::optional<study::ErrorEstimate>& errors = {},

@@ -14,7 +14,7 @@ namespace ringfilm::io {
 ResultDocument result_document(const cycle::Case& c, cycle::CycleResult result);
 
 /// The result of a ring pack from those of its rings, whose titles become "TITLE: ring 1 (NAME)".
-/// @param title of the pack
+/// @param title title of the pack
 ResultDocument pack_document(const std::string& title, std::vector<ResultDocument> rings);
 
 /// The number of each ring of a pack, from 1; rails of an oil ring have the number of their ring.

@@ -19,7 +19,7 @@ namespace ringfilm::io {
 /// What computed the result.
 struct Provenance {
   std::string program;   ///< "ringfilm 0.1.0"
-  std::string commit;    ///< of the sources, "unknown" outside a checkout
+  std::string commit;    ///< commit of the sources, "unknown" outside a checkout
   std::string compiler;  ///< name, version, build type
   std::string kernels;   ///< inner loops that found the films, and how many at once: "avx512, 1 lane"; of a run alone
 };
@@ -32,9 +32,9 @@ constexpr auto members(const Provenance*) {
                     Member{"kernels", "", "inner loops, and how many films at once", &Provenance::kernels}};
 }
 
-Provenance this_program();  ///< of this build
+Provenance this_program();  ///< provenance of this build
 
-/// The same for a run of this program that integrates by itself, in one lane.
+/// The provenance of a run of this program that integrates by itself, in one lane.
 Provenance this_run();
 
 /// All that a result file holds; a report can be drawn again from it alone.
@@ -51,11 +51,11 @@ struct ResultDocument {
   std::vector<study::ComparisonRow> comparison;  ///< with published values; empty where there are none
   std::optional<study::ErrorEstimate> errors;    ///< absent where they were not asked for
   cycle::ContactCurves contact;                  ///< contact law of the case and others of its surfaces
-  /// Of a ring pack the result of each ring, from the chamber down, and in place of `result` the friction of all rings
+  /// Result of each ring of a ring pack, from the chamber down; `result` then has the friction of all rings
   /// (cycle::summed_quantities) and whether all are complete. Empty: a case of one ring.
   std::vector<ResultDocument> rings;
-  std::optional<PackGas> gas;  ///< of a pack whose gas path is computed
-  long rail = 0;               ///< of an oil ring of several rails this one, from 1; 0: a ring as a whole
+  std::optional<PackGas> gas;  ///< gas of a pack whose gas path is computed
+  long rail = 0;               ///< number of the rail in an oil ring of several rails, from 1; 0: a ring as a whole
 
   bool is_pack() const { return !rings.empty(); }  ///< is it the result of a ring pack?
 };

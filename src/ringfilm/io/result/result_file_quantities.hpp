@@ -98,7 +98,7 @@ inline std::size_t place_in(std::size_t i, const std::vector<std::size_t>& lengt
 }
 
 /// The members of `Record` as columns of rows that exist, each by its name behind the prefix.
-/// @param part of a row that is a `Record`
+/// @param part returns the part of a row that is a `Record`
 template <class Record, class File, class Rows, class Part = std::identity>
 void exchange_members(File& file, const char* dimension, const std::string& prefix, Rows& rows, const Part& part = {}) {
   for_each_member<Record>(

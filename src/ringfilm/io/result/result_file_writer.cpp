@@ -19,13 +19,13 @@ namespace {
 
 /// Below this many values a compressed variable is larger than a plain one.
 constexpr std::size_t kCompressedFrom = 1024;
-/// Above this many it is a large map of measured heights, of which 14 % can be saved in 20 times the time.
+/// A variable of more values is a large map of measured heights, of which 14 % can be saved in 20 times the time.
 constexpr std::size_t kCompressedTo = 1 << 21;
 /// Higher levels cost ten times the time for 2 % of the size.
 constexpr int kDeflateLevel = 4;
-/// Of fields in single precision, which may hold ten million values each.
+/// Level for fields in single precision, which may hold ten million values each.
 constexpr int kFieldDeflateLevel = 1;
-/// Of what is written block by block, which may be a million scenarios.
+/// Level for variables written block by block, which may hold a million scenarios.
 constexpr int kBlockDeflateLevel = 1;
 
 /// Bytes that the file needs, from its first block (HDF5 file format specification, II.A): the library pads what it
@@ -244,7 +244,7 @@ std::string_view ResultFileWriter::bytes() {
   if (content.size < size + kDigestTrailerSize) {
     void* const larger = std::realloc(content_.get(), size + kDigestTrailerSize);
     if (larger == nullptr) throw std::bad_alloc();
-    static_cast<void>(content_.release());  // of which the larger one took over the bytes
+    static_cast<void>(content_.release());  // the larger block took over its bytes
     content_.reset(larger);
   }
   char* const bytes = static_cast<char*>(content_.get());

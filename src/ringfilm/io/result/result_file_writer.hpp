@@ -98,7 +98,7 @@ class ResultFileWriter {
 
   /// The whole file with its digest_trailer, without a copy: it lives as long as the writer. Call once, at the end.
   std::string_view bytes();
-  /// The same of a file on the disk: closes it and appends its digest_trailer.
+  /// Closes a file on the disk and appends its digest_trailer. Call once, at the end.
   void close();
 
  private:
@@ -114,8 +114,8 @@ class ResultFileWriter {
   std::string path_;
   NetcdfInUse in_use_;
   int file_ = -1;
-  AsideFile* aside_ = nullptr;                                           ///< of a file on the disk
-  std::unique_ptr<void, void (*)(void*)> content_{nullptr, &std::free};  ///< of the closed file
+  AsideFile* aside_ = nullptr;                                           ///< file on the disk; nullptr: in memory
+  std::unique_ptr<void, void (*)(void*)> content_{nullptr, &std::free};  ///< bytes of the closed file
 };
 
 }  // namespace ringfilm::io

@@ -21,13 +21,14 @@ nlohmann::ordered_json comparison_array(const std::vector<study::ComparisonRow>&
 
 /// What `ringfilm check` finds out about a case.
 struct CaseCheck {
-  std::string path;                                          ///< of the case
+  std::string path;                                          ///< path of the case
   std::vector<CaseEntry> inputs;                             ///< all keys in use
   std::vector<std::vector<study::LedgerEntry>> assumptions;  ///< modelling assumptions of each ring; none of a pad
   std::vector<cycle::Note> notes;                            ///< those of reading with the topic "input"
 };
 
-/// The same as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes", and "errors", which is empty.
+/// The check of a case as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes", and "errors", which
+/// is empty.
 std::string check_json(const CaseCheck& check);
 
 /// What is wrong with a case as JSON: "case" and "errors", each with its file, line, column and text of the line (null

@@ -103,8 +103,8 @@ class RingGatherer {
   const Values* shared_coordinate(const Variable& variable) const;
 
   std::size_t n_rings_ = 0;
-  std::map<std::string, std::vector<long>> lengths_;  ///< of each dimension, by ring
-  std::vector<Variable> variables_;                   ///< in the order of the file
+  std::map<std::string, std::vector<long>> lengths_;  ///< lengths of each dimension, by ring
+  std::vector<Variable> variables_;                   ///< variables in the order of the file
 };
 
 }  // namespace ringfilm::io

@@ -81,7 +81,7 @@ std::vector<float> drawn_values(const cycle::UnrolledFields& fields, const cycle
   return values;
 }
 
-/// Of file names, whose letters the user chose.
+/// A file name, whose characters the user chose, escaped for an attribute of XML.
 std::string in_quotes(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -163,7 +163,8 @@ std::string vts_text(const cycle::UnrolledFields& fields, std::size_t angle, Vts
                         inline_array(drawn_values(fields, field, angle, n_across)));
   };
   for (const cycle::UnrolledField& field : cycle::unrolled_fields()) append(field, fields.x.size());
-  // Of a ring that bends the bore and where it leaves it: each strip has one value, which all of its nodes repeat.
+  // A ring that bends has the bore and the places where the ring leaves it. Each strip has one value, which all its
+  // nodes repeat.
   if (!fields.strip_bore_deviation.empty()) {
     for (const cycle::UnrolledField& field : cycle::strip_fields()) append(field, 1);
   }

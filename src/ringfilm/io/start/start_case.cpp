@@ -20,9 +20,9 @@ const std::string kAssumed = "typical, assumed";
 struct Engine {
   const char* name;
   const char* title;
-  std::vector<StartValue> values;  ///< of engine, operation and ring; a remark is empty where it is kAssumed
-  std::vector<StartValue> gas;     ///< where no trace is given
-  const char* grade;               ///< of its oil
+  std::vector<StartValue> values;  ///< values of engine, operation and ring; a remark is empty where it is kAssumed
+  std::vector<StartValue> gas;     ///< values of the gas where no trace is given
+  const char* grade;               ///< viscosity grade of its oil
 };
 
 const std::vector<Engine>& engines() {

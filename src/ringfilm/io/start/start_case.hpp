@@ -10,13 +10,14 @@ namespace ringfilm::io {
 struct StartOptions {
   std::string engine = "passenger-car";  ///< one of start_engines()
   std::optional<std::string> trace;      ///< file of the cylinder pressure, as named in the working folder
-  std::string case_folder;               ///< of the case, to which it names the trace; empty: the working folder
+  /// Folder of the case, to which its path of the trace is relative; empty: the working folder.
+  std::string case_folder;
 };
 
 /// A case as text, and what a trace does not show.
 struct StartCase {
   std::string text;
-  std::vector<std::string> found;    ///< of the trace, sentences
+  std::vector<std::string> found;    ///< properties found in the trace, sentences
   std::vector<std::string> missing;  ///< what the user has to state before the case can be run, sentences
   std::vector<std::string> notes;    ///< why the pressures of the trace are improbable, sentences
 };

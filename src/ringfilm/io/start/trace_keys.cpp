@@ -164,7 +164,7 @@ class TraceAnswers {
   }
 
   TraceOutline seen_;
-  cycle::Case case_;  ///< of engine and gas alone
+  cycle::Case case_;  ///< case with engine and gas alone
   TraceKeys keys_;
 };
 

@@ -75,7 +75,7 @@ void write_atomically(const std::string& path, std::string_view bytes);
 /// The error of a file that could not be written, with the reason and whether there is a file of that name, which then
 /// is what it was before.
 [[noreturn]] void fail_to_write(const std::string& path, const std::string& reason);
-/// The same with the reason of an errno value.
+/// The error of a file that could not be written, with the reason of an errno value.
 [[noreturn]] void fail_to_write(const std::string& path, int error_number);
 
 }  // namespace ringfilm::io

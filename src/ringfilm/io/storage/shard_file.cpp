@@ -115,7 +115,7 @@ std::string in_one_line(std::string text) {
 }
 
 /// Lines of a topic, the rows of the block that carry it as bits in hexadecimal digits, and the message of the first of
-/// them. Of each base and topic one line for the row to show, one for all others; the most serious topics first.
+/// them. Each base and topic has one line for the row to show and one for all others; the most serious topics first.
 std::string note_lines(const study::ScenarioBlock& block) {
   using Key = std::tuple<std::size_t, std::string, std::size_t>;  // order of the topic, topic, base
   std::map<Key, std::vector<study::ScenarioNote>> carriers;

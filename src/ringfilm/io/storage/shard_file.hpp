@@ -19,10 +19,11 @@ struct ShardHeader {
   std::string program;                   ///< name, version and commit
   std::uint64_t part = 1, parts = 1;     ///< this is part `part` of `parts`
   std::uint64_t first = 0, end = 0;      ///< its scenarios, without `end`
-  std::uint64_t n_values = 0;            ///< of each row
-  std::vector<std::string> curves = {};  ///< names of those that are kept of each row
-  std::uint64_t n_angles = 0;            ///< over which they are kept, evenly spread over the cycle; 0 without curves
-  std::string kernels = "any";           ///< name of the film::FilmKernels that computed them
+  std::uint64_t n_values = 0;            ///< number of values of each row
+  std::vector<std::string> curves = {};  ///< names of the curves that are kept of each row
+  /// Number of angles at which they are kept, evenly spread over the cycle; 0 without curves.
+  std::uint64_t n_angles = 0;
+  std::string kernels = "any";  ///< name of the film::FilmKernels that computed them
 
   std::uint64_t n_curve_numbers() const { return curves.size() * n_angles; }
   study::ScenarioRange range() const { return {first, end}; }
@@ -52,9 +53,9 @@ struct BlockPlace {
 /// A note that several scenarios carry.
 struct SharedNote {
   std::string topic;
-  std::string message;                   ///< that of scenario `first`
-  std::vector<std::uint64_t> scenarios;  ///< of the range that was asked for, increasing
-  std::uint64_t first = 0;               ///< of all scenarios that share it; may lie before the range
+  std::string message;                   ///< message of scenario `first`
+  std::vector<std::uint64_t> scenarios;  ///< scenarios within the range that was asked for, increasing
+  std::uint64_t first = 0;               ///< first of all scenarios that share the note; may lie before the range
 };
 
 /// A file of rows that is there. Blocks may come in any order; those after the first that is cut off or corrupted are
@@ -71,13 +72,14 @@ class ShardReader {
   const ShardHeader& header() const { return header_; }
   std::uint64_t next() const { return next_; }  ///< first scenario that is not there
   bool is_complete() const { return next() == header_.end; }
-  std::uint64_t n_rows() const;                                 ///< all that are there, also beyond next()
-  std::vector<study::ScenarioRange> beyond() const;             ///< the scenarios beyond next() that are there
-  std::uint64_t header_bytes() const { return header_bytes_; }  ///< after which the blocks begin
+  std::uint64_t n_rows() const;                      ///< all that are there, also beyond next()
+  std::vector<study::ScenarioRange> beyond() const;  ///< the scenarios beyond next() that are there
+  /// Size of the header, after which the blocks begin [byte].
+  std::uint64_t header_bytes() const { return header_bytes_; }
   std::uint64_t intact_bytes() const { return intact_bytes_; }
   bool is_intact() const { return intact_bytes_ == size_; }  ///< is nothing cut off or corrupted?
-  std::uint64_t n_unsolved() const { return n_unsolved_; }   ///< of the scenarios up to next()
-  std::uint64_t n_unsolved_rows() const;                     ///< of n_rows()
+  std::uint64_t n_unsolved() const { return n_unsolved_; }   ///< number of unsolved scenarios up to next()
+  std::uint64_t n_unsolved_rows() const;                     ///< number of unsolved scenarios among n_rows()
 
   /// Value `i` of these scenarios, all of which must be there.
   void read_values(std::size_t i, const study::ScenarioRange& range, double* to) const;
@@ -95,9 +97,9 @@ class ShardReader {
   /// Appends the rows that are not solved, all or those among some scenarios.
   void append_unsolved(std::vector<Unsolved>& all) const;
   void append_unsolved(const study::ScenarioRange& range, std::vector<Unsolved>& all) const;
-  std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< of all reasons together
-  /// Appends the notes of some scenarios, block by block and base by base: a topic may come several times. Of a base
-  /// and block the message of the scenario that study::ScenarioNote::comes_before all others is among them.
+  std::uint64_t reason_bytes() const { return reason_bytes_; }  ///< size of all reasons together [byte]
+  /// Appends the notes of some scenarios, block by block and base by base: a topic may come several times. The
+  /// messages of a base and block include that of the scenario that study::ScenarioNote::comes_before all others.
   void append_notes(const study::ScenarioRange& range, std::vector<SharedNote>& all) const;
 
   /// Hands over the bytes of all intact blocks, piece by piece.
@@ -116,8 +118,8 @@ class ShardReader {
   std::uint64_t size_ = 0, header_bytes_ = 0, intact_bytes_ = 0, n_unsolved_ = 0, reason_bytes_ = 0;
   ShardHeader header_;
   std::vector<BlockPlace> blocks_;  ///< in the order of their scenarios
-  std::size_t n_joined_ = 0;        ///< of them follow each other from the first scenario
-  std::uint64_t next_ = 0;          ///< after these
+  std::size_t n_joined_ = 0;        ///< number of blocks that follow each other from the first scenario
+  std::uint64_t next_ = 0;          ///< first scenario after these blocks
 };
 
 /// Throws InputError if a process appends to the file of rows now.
@@ -144,7 +146,7 @@ class ShardWriter {
 
   std::uint64_t next() const { return next_; }              ///< first scenario that is not there
   std::uint64_t n_rows() const { return n_rows_; }          ///< all that are there, also beyond next()
-  std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< of those that are there
+  std::uint64_t n_unsolved() const { return n_unsolved_; }  ///< number of unsolved scenarios among n_rows()
   std::vector<study::ScenarioRange> beyond() const;         ///< the scenarios beyond next() that are there
   /// The block may lie beyond next(). Throws OutputError; the file then ends with the block before.
   void append(const study::ScenarioBlock& block);

@@ -19,7 +19,7 @@ class DocumentReader {
  protected:
   explicit DocumentReader(const std::string& path);
 
-  /// The file itself as a tree; throws InputError for a file of another kind. @param role of cycle::InputFile
+  /// The file itself as a tree; throws InputError for a file of another kind. @param role role of the cycle::InputFile
   TomlValue read_document(DocumentKind kind, const std::string& role);
 
   void record(const cycle::InputFile& file);  ///< once
@@ -32,7 +32,7 @@ class DocumentReader {
   bool is_one_ring(const cycle::Case& input, const std::string& path, const std::string& document,
                    const SourceMark& mark);
 
-  std::string path_, folder_;  ///< of the file; names of files in it count from the folder
+  std::string path_, folder_;  ///< path and folder of the file; file names in it are relative to the folder
   Units units_;
   std::vector<Fault> faults_;
   std::vector<cycle::InputFile> files_;

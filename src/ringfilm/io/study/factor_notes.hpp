@@ -23,7 +23,7 @@ class FactorNotes {
   /// The values that add() takes from now on, of Plan::values().quantities; they become fewer.
   std::vector<std::size_t> columns();
 
-  /// One scenario. @param values of the columns that were asked for last, NaN where it was not solved
+  /// One scenario. @param values values of the columns that were asked for last, NaN where it was not solved
   void add(std::uint64_t scenario, std::span<const double> values);
 
   std::vector<std::string> notes() const;

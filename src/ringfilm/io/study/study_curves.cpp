@@ -9,7 +9,7 @@
 namespace ringfilm::io {
 namespace {
 
-/// Of curves that are read at once [bytes].
+/// Size of the curves that are read at once [byte].
 constexpr std::size_t kBytesAtATime = std::size_t{1} << 27;
 
 /// Quantiles of numbers whose order is of no more use. @param shares increasing
@@ -69,7 +69,7 @@ class BandReader {
   }
 
  private:
-  /// @param numbers of all scenarios at one angle
+  /// @param numbers numbers of all scenarios at one angle
   void put(const float* numbers, std::size_t angle, CurveBand& band) {
     of_base_.clear();
     for (const std::uint64_t i : samples_[band.base]) {

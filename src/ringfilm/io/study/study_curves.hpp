@@ -15,9 +15,9 @@ using study::kept_angles;
 /// How one quantity scatters over the scenarios of one base.
 struct CurveBand {
   std::size_t base = 0;
-  std::size_t curve = 0;  ///< of study::kept_curves()
+  std::size_t curve = 0;  ///< index in study::kept_curves()
   cycle::Quantity quantity;
-  std::vector<double> shares;               ///< of the quantiles, increasing [-]
+  std::vector<double> shares;               ///< shares of the quantiles, increasing [-]
   std::vector<std::vector<double>> values;  ///< [share][angle of kept_angles()] [SI]; NaN where nothing was solved
 };
 

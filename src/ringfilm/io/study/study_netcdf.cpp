@@ -53,7 +53,7 @@ std::uint64_t most_bytes(const StudyRows& rows, const std::vector<StudyRows::Sce
   for (const ShardReader& shard : rows.shards) reasons += 2 * shard.reason_bytes() + 100 * shard.n_unsolved();
   std::uint64_t messages = 0;
   for (const auto& note : notes) messages += 2 * note.shown().message.size() + 1000;
-  // Of each compressed piece its place is kept, in blocks of some kB that are half empty at worst.
+  // The file keeps the place of each compressed piece, in blocks of some kB that are half empty at worst.
   constexpr std::uint64_t kPlace = 256, kVariable = 16'384, kHead = 1 << 20;
   const std::uint64_t places =
       (n / kRowsAtATime * n_columns + (is_full ? n_of_curves / kCurvesAtATime * n_curves : 0)) * kPlace;

@@ -26,7 +26,7 @@ namespace {
 using study::Factor;
 
 /// Combinations of one section that are read: each takes some milliseconds and keeps the numbers of its files, 10 kB
-/// of a trace with a sample per degree.
+/// for a trace with a sample per degree.
 constexpr std::size_t kMostCombinations = 10'000;
 
 /// The sections of a case that files can define.
@@ -41,7 +41,7 @@ bool is_among(const cycle::InputFile& file, const std::vector<cycle::InputFile>&
 }
 
 /// Copies one section into a case, with the files that define it; other sections may have been read otherwise.
-/// @param base the case as the base has it  @param from the same with the section read anew
+/// @param base the case as the base has it  @param from the case with the section read anew
 void put_section(const std::string& section, const cycle::Case& base, const cycle::Case& from, cycle::Case& to) {
   if (section == "lubricant.") to.lubricant = from.lubricant;
   if (section == "gas.") to.gas = from.gas;

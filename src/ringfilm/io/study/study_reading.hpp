@@ -17,7 +17,7 @@ struct StudyReadings {
 /// `run --set` does with these texts. Too many combinations are refused before any is read; of a study whose plan has
 /// faults nothing is read, since study::Plan refuses it. A text that cannot be read
 /// in any combination is refused; a combination that cannot be read refuses its scenarios.
-/// @param study its bases, read from files, its factors and its plan  @param folder of the study's file
+/// @param study its bases, read from files, its factors and its plan  @param folder folder of the study's file
 StudyReadings study_readings(const study::Study& study, const std::string& folder, const Units& units,
                              std::vector<Fault>& faults);
 

@@ -21,10 +21,11 @@ class StudyRows {
   StudyRows(const StudyFile& from, const study::Plan& of, std::vector<ShardReader> with)
       : file(from), plan(of), shards(std::move(with)) {}
 
-  const StudyFile& file;                                    ///< what was asked for
-  const study::Plan& plan;                                  ///< which scenario has which numbers
-  std::vector<ShardReader> shards;                          ///< in the order of their scenarios, without a gap
-  std::optional<study::SampledError> error = std::nullopt;  ///< of its values, where it was estimated
+  const StudyFile& file;            ///< file of the study
+  const study::Plan& plan;          ///< numbers of each scenario
+  std::vector<ShardReader> shards;  ///< files of rows in the order of their scenarios, without a gap
+  /// Discretisation error of the values, where it was estimated.
+  std::optional<study::SampledError> error = std::nullopt;
 
   /// Names of the film::FilmKernels with which they were computed: "avx2", "avx2, avx512".
   std::string kernels() const;
@@ -37,9 +38,11 @@ class StudyRows {
   std::vector<float> curve(std::size_t i, std::size_t first_angle, std::size_t n_angles,
                            const study::ScenarioRange& range) const;
   std::vector<double> row(std::uint64_t scenario) const;  ///< all values of a scenario
-  std::vector<ShardReader::Unsolved> unsolved() const;    ///< of all scenarios, in their order
-  std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;  ///< of a range
-  std::uint64_t n_unsolved() const;                                                      ///< how many
+  std::vector<ShardReader::Unsolved> unsolved() const;    ///< unsolved scenarios of the whole plan, in their order
+  /// Unsolved scenarios of a range.
+  std::vector<ShardReader::Unsolved> unsolved(const study::ScenarioRange& range) const;
+  /// Number of unsolved scenarios.
+  std::uint64_t n_unsolved() const;
 
   /// The notes of one topic on single results. Nothing of a scenario that was not solved.
   struct ScenarioNotes {
@@ -48,10 +51,10 @@ class StudyRows {
       std::uint64_t count = 0;                   ///< scenarios that carry it
       std::optional<study::ScenarioNote> shown;  ///< the one that comes before all others; empty where the count is 0
     };
-    std::string topic;                         ///< of cycle::Note
+    std::string topic;                         ///< topic of the cycle::Note
     std::vector<OfBase> bases;                 ///< in the order of the plan
-    std::uint64_t count() const;               ///< of all bases
-    const study::ScenarioNote& shown() const;  ///< of all bases
+    std::uint64_t count() const;               ///< number of scenarios of all bases that carry the note
+    const study::ScenarioNote& shown() const;  ///< note of all bases that comes before all others
   };
   /// Topic by topic, the most serious first. The first call of this or notes() reads all rows, once.
   const std::vector<ScenarioNotes>& scenario_notes() const { return all_notes().of_scenarios; }
@@ -77,7 +80,7 @@ class StudyRows {
 /// Numbers of the factors over all scenarios, factor by factor; NaN where one leaves its base as it is.
 std::vector<std::vector<double>> factor_columns(const study::Plan& plan);
 
-/// The same of some scenarios.
+/// Numbers of the factors over some scenarios, factor by factor; NaN where one leaves its base as it is.
 std::vector<std::vector<double>> factor_columns(const study::Plan& plan, const study::ScenarioRange& range);
 
 /// The names of the factors in result files: "factor_face_crown", with a number where two would be called alike.
@@ -88,7 +91,7 @@ std::string choice_variable(const std::string& factor_variable);
 /// The texts of a factor that is a choice; empty of one that is a number.
 std::vector<std::string> choice_texts(const study::Factor& factor);
 
-/// The same as a table without curves, SI, block by block. Throws OutputError.
+/// Writes the rows as a CSV table without curves, SI, block by block. Throws OutputError.
 void write_study_csv(const std::string& path, const StudyRows& rows);
 
 }  // namespace ringfilm::io

@@ -7,7 +7,7 @@
 namespace ringfilm::io {
 
 std::string base64(std::string_view bytes) {
-  constexpr std::size_t kBlock = 3 << 20;                  // of whole groups; the library counts in int
+  constexpr std::size_t kBlock = 3 << 20;                  // whole groups of three bytes; the library counts in int
   std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');  // the library ends each block with a zero
   std::size_t length = 0;
   for (std::size_t at = 0; at < bytes.size(); at += kBlock) {

@@ -23,8 +23,8 @@ struct CsvColumn {
 struct CsvFile {
   SourceText source;
   char separator = ',';
-  int header_line = 0;  ///< counts from 1
-  int units_line = 0;   ///< the same of the row of units; 0 if there is none
+  int header_line = 0;  ///< line of the header, counted from 1
+  int units_line = 0;   ///< line of the row of units, counted from 1; 0 if there is none
   std::vector<CsvColumn> columns;
   std::vector<int> row_lines;      ///< line of each row in the file
   std::vector<std::string> notes;  ///< comments in front of the header, byte-order mark, decimal commas

@@ -15,8 +15,8 @@ inline constexpr std::size_t kLargestCsv = std::size_t{64} << 20;  ///< [byte]
 struct SourceText {
   std::string path;                ///< as the messages name it
   std::string text;                ///< UTF-8 without byte-order mark, line ends "\n"
-  std::vector<std::string> lines;  ///< the same, by line
-  std::string sha256;              ///< of the bytes in the file
+  std::vector<std::string> lines;  ///< lines of `text`
+  std::string sha256;              ///< SHA-256 of the bytes in the file
   bool has_byte_order_mark = false;
 
   /// The place in this file; line and column count from 1.

@@ -5,8 +5,8 @@
 namespace ringfilm::io {
 
 /// The word of `known` that `written` most likely means; empty if none is near. Counts exchanged, missing,
-/// superfluous and wrong letters (Damerau-Levenshtein, restricted); a key in the wrong section counts as near. A name
-/// of an earlier version (base/renamed.hpp) means its present name.
+/// superfluous and wrong letters (Damerau-Levenshtein, restricted); a key in the wrong section counts as near.
+/// A name in an earlier version (base/renamed.hpp) means its present name.
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known);
 
 /// The end of the sentence on an unknown word, "; did you mean speed?"; empty if no word of `known` is near.

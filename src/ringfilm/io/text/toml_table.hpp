@@ -16,7 +16,7 @@ namespace ringfilm::io {
 /// @param example the right-hand side as one would write it
 double quantity_of(const TomlValue& value, const std::string& si_unit, const std::string& example, const Units& units);
 
-/// Refuses the keys of a table that are not in `known`. @param name of the table for messages, e.g. "[[factor]]"
+/// Refuses the keys of a table that are not in `known`. @param name name of the table for messages, e.g. "[[factor]]"
 void refuse_unknown_keys(const TomlValue& table, const std::string& name, const std::vector<std::string>& known,
                          std::vector<Fault>& faults);
 
@@ -35,8 +35,8 @@ class TomlTable {
   const TomlValue* find(const std::string& key);
   /// As `find`, refused where it is absent. @param example the right-hand side as one would write it; may be empty
   const TomlValue* need(const std::string& key, const std::string& example = "");
-  const SourceMark& mark() const { return table_.key_mark; }  ///< of the table
-  const std::string& name() const { return name_; }           ///< of the table in messages
+  const SourceMark& mark() const { return table_.key_mark; }  ///< place of the table in its file
+  const std::string& name() const { return name_; }           ///< name of the table in messages
 
   /// A text that is not empty.
   std::optional<std::string> text(const std::string& key);

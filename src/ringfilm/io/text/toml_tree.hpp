@@ -18,8 +18,8 @@ struct TomlValue {
   double number = 0;                ///< kInteger, kNumber; may be NaN or infinite
   std::vector<TomlValue> items;     ///< kList
   std::vector<TomlMember> members;  ///< kTable, in the order of the file
-  SourceMark key_mark;              ///< of the key in front of it; as `mark` for items of a list
-  SourceMark mark;                  ///< of the value
+  SourceMark key_mark;              ///< place of the key in front of the value; equal to `mark` for items of a list
+  SourceMark mark;                  ///< place of the value
 
   /// Is it a number, whole or not?
   bool is_number() const { return kind == Kind::kInteger || kind == Kind::kNumber; }
@@ -39,14 +39,14 @@ struct TomlMember {
 struct TomlEntry {
   std::string key;
   TomlValue value;
-  std::string folder;  ///< of the file: file names in the value are relative to it
+  std::string folder;  ///< folder of the file: file names in the value are relative to it
 };
 
 /// Which lines to delete so that what two places of files state is stated once; the lines of one file in order.
 std::string deletion_words(const SourceMark& one, const SourceMark& other);
 
-/// The same of several ways to state one thing, each with the places of its keys: which lines to delete so that one way
-/// remains. Empty if a place is not in a line of a file.
+/// Which lines to delete so that one of several ways to state a thing remains; each way has the places of its keys.
+/// Empty if a place is not in a line of a file.
 std::string deletion_words(std::vector<std::vector<SourceMark>> ways);
 
 /// Parses one file. Throws InputError with the place of the first syntax error, or of each key and text that holds a

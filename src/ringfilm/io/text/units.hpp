@@ -22,7 +22,7 @@ class UnitError : public std::runtime_error {
 struct Scale {
   double factor = 1;   ///< [SI unit/unit], with the divisor
   double divisor = 1;  ///< [-]
-  double offset = 0;   ///< of the unit's zero, e.g. 273.15 of degC [SI unit]
+  double offset = 0;   ///< SI value of the zero of the unit, e.g. 273.15 for degC [SI unit]
 
   double to_si(double value) const { return value * factor / divisor + offset; }      ///< value in SI
   double from_si(double value) const { return (value - offset) * divisor / factor; }  ///< value in this unit

@@ -8,7 +8,7 @@ namespace ringfilm::io {
 
 /// A measured curve to be laid over a computed one.
 struct OverlayCurve {
-  std::string name;                     ///< of the file, without folder and ending
+  std::string name;                     ///< name of the file, without folder and extension
   std::string quantity;                 ///< name from cycle::curve_quantities()
   std::string source;                   ///< the file
   std::vector<double> crank_angle_deg;  ///< [degree], 0 = firing TDC

@@ -93,7 +93,7 @@ class CheckTable : public TomlTable {
   /// The unit of the quantity that the table names; 1 where it names none that exists.
   std::string unit_of(const std::string& quantity) { return unit_of(quantity, study::find_measured(quantity)); }
 
-  /// The same of a curve over crank angle.
+  /// The unit of the curve over crank angle that the table names; 1 where it names none that exists.
   std::string unit_of_curve(const std::string& quantity) { return unit_of(quantity, study::find_curve(quantity)); }
 
   study::Probe probe() {
