@@ -285,7 +285,7 @@ void scale_heights(const std::string& path, ChannelValues& values, const io::Sca
 struct Loaded {
   ChannelValues values;  ///< heights in metres
   SurfaceOrigin origin;
-  HeightUnit unit;  ///< of the heights in the file
+  HeightUnit unit;  ///< unit of the heights in the file
   std::vector<Doubt> doubts;
 
   Record record() { return {origin.notes, doubts}; }

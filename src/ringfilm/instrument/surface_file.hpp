@@ -34,11 +34,11 @@ struct SurfaceOptions {
 
 /// Where a map or a trace comes from, for the record.
 struct SurfaceOrigin {
-  std::string path;    ///< as named
-  std::string sha256;  ///< of the file
+  std::string path;    ///< path as named
+  std::string sha256;  ///< SHA-256 of the file
   std::string format;  ///< in words, e.g. "Digital Surf, 16 bit, low byte first"; which program read it, if another did
-  std::string channel;              ///< name of the one that was taken
-  std::size_t channel_number = 1;   ///< counted from 1
+  std::string channel;              ///< name of the channel that was taken
+  std::size_t channel_number = 1;   ///< number of the channel, counted from 1
   std::string instrument;           ///< as the file names it; may be empty
   std::string date;                 ///< as the file writes it; may be empty
   std::vector<Channel> channels;    ///< all of the file
@@ -65,11 +65,11 @@ struct TraceFile {
 /// gwyddion. Throws InputError with file, place, rule and remedy.
 InstrumentFile open_instrument_file(const std::string& path, TableLayout layout = TableLayout::kByContent);
 
-/// Reads one map of heights. Of several channels the chosen one, else the only one whose unit is a length. Rows and
-/// columns are oriented as gwyddion shows them: row 0 is the upper edge of its picture. A map of one column is turned
-/// into a profile. Throws InputError: no such channel or several to choose from, a unit or a step that neither the file
-/// nor the user states, no measured point, heights beyond 1 m or otherwise certainly not those of a surface, and all
-/// faults of the file.
+/// Reads one map of heights. In a file of several channels it is the chosen one, else the only one whose unit is a
+/// length. Rows and columns are oriented as gwyddion shows them: row 0 is the upper edge of its picture. A map of one
+/// column is turned into a profile. Throws InputError: no such channel or several to choose from, a unit or a step that
+/// neither the file nor the user states, no measured point, heights beyond 1 m or otherwise certainly not those of a
+/// surface, and all faults of the file.
 SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units);
 
 /// Reads a profile, whose places need not be even. Throws InputError also for a map of more than one row.

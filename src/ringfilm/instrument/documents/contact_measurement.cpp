@@ -16,8 +16,8 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kMuchLoadNextToMissing = 0.01;  // of the load
-constexpr double kManyMissingOfMaps = 0.05;      // of the points
+constexpr double kMuchLoadNextToMissing = 0.01;  // share of the load
+constexpr double kManyMissingOfMaps = 0.05;      // share of the points of the maps
 constexpr double kSteepSlope = 0.2;              // rms slope from which on small slopes are doubtful
 
 /// Form and filters; of a mirrored map the size that transforms quickly.
@@ -61,7 +61,7 @@ constexpr Column kColumns[] = {
      [](const Point& of) { return of.mean.residual; }},
 };
 
-/// Of two relative positions and more.
+/// Columns for two relative positions and more.
 constexpr Column kShiftColumns[] = {
     {"contact_pressure_deviation", "standard deviation of the pressure over relative positions", "s(p)", "Pa", "MPa",
      [](const Point& of) { return of.pressure_deviation; }},
@@ -114,7 +114,7 @@ std::vector<Point> rising_points(const surface::ContactLaw& law) {
 }
 
 /// A column of the law over the separation, smallest first.
-/// @param deviation of a point, drawn as a band; nullptr: none
+/// @param deviation returns the deviation of a point, drawn as a band; nullptr: none
 io::MeasuredCurve law_curve(const surface::ContactLaw& law, const Column& column, const std::string& name,
                             double (*deviation)(const Point&) = nullptr) {
   const std::vector<Point> points = rising_points(law);
@@ -321,7 +321,8 @@ PreparedPair prepared_pair(const SurfaceFile& first, const SurfaceFile* second, 
   std::optional<SurfaceFile> one, other;
   const bool is_resampled = second != nullptr && analysis.edges == surface::MapEdges::mirrored &&
                             first.map.is_profile() == second->map.is_profile() && steps_differ(first.map, second->map);
-  if (is_resampled) {  // of periodic maps the periods would differ: surface::sum_of_surfaces refuses them
+  // Periodic maps are not resampled: their periods would differ, and surface::sum_of_surfaces refuses them.
+  if (is_resampled) {
     const double step_x = std::min(first.map.step_x_m, second->map.step_x_m);
     const double step_y = std::min(first.map.step_y_m, second->map.step_y_m);
     one = on_steps_of(first, step_x, step_y, notes);

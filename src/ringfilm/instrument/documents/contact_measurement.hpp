@@ -11,7 +11,7 @@ namespace ringfilm::instrument {
 
 /// What is asked of the contact of a pair.
 struct ContactAnalysis {
-  surface::Preparation preparation;  ///< of each map, before both are added
+  surface::Preparation preparation;  ///< form and filters of each map, before both are added
   surface::MapEdges edges = surface::MapEdges::mirrored;
   surface::ContactMaterial material;
   std::vector<double> separations_m;                 ///< in the order of the table; empty: surface::usual_separations

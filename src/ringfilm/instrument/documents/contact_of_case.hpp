@@ -7,7 +7,7 @@
 namespace ringfilm::instrument {
 
 /// The contact law of a case at these lambda ratios: pressure, real area, mean pressure on it, with what its asperities
-/// state of its validity, and other laws of the same surfaces next to it. Of a pack that of the first ring.
+/// state of its validity, and other laws of the same surfaces next to it. A pack has the law of its first ring.
 /// @param lambda in the order of the table; separations are lambda times the composite roughness
 io::Measurement contact_of_case(const cycle::Case& c, const std::vector<double>& lambda);
 

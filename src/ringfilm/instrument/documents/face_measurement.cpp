@@ -19,7 +19,7 @@ using surface::FaceRule;
 using surface::FaceZero;
 using surface::HeightSense;
 
-constexpr double kFlatShare = 0.25;    // of a running surface that is not round
+constexpr double kFlatShare = 0.25;    // least flat share of a running surface that is not round
 constexpr double kManyPores = 0.3;     // a sprayed face of styles2014 has 0.15
 constexpr double kEdgeMoved_m = 1e-7;  // as fine as anyone reads the height of an edge
 
@@ -246,7 +246,7 @@ io::MeasuredCurve residual_curve(const FaceFit& fit) {
   return curve;
 }
 
-constexpr double kManyNoises = 8;  // of a residual that noise hardly reaches
+constexpr double kManyNoises = 8;  // multiple of the noise that a residual hardly reaches by noise alone
 
 std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, const std::optional<OtherTilts>& tilts) {
   std::vector<std::string> notes;

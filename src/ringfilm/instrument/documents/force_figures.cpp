@@ -13,9 +13,9 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostLoops = 3;  // in one figure, so that they can be distinguished
+constexpr std::size_t kMostLoops = 3;  // loops in one figure, so that they can be distinguished
 
-constexpr int kLinePoints = 100;  // of a drawn line, so that its signs lie apart from the measured ones
+constexpr int kLinePoints = 100;  // points of a drawn line, so that its signs lie apart from the measured ones
 
 /// Letters, digits and "_"; at least one letter at the start.
 std::string word_of(const std::string& name) {

@@ -17,11 +17,11 @@ namespace {
 
 using surface::LoadUnit;
 
-constexpr double kTooSmallChance =
-    0.01;  // of chi squared: the stated deviations are too small, or the relation is not linear
-constexpr double kLargeShare = 0.5;         // of the variance of a coefficient
+// Probability of chi squared below which the stated deviations are too small, or the relation is not linear.
+constexpr double kTooSmallChance = 0.01;
+constexpr double kLargeShare = 0.5;         // share of the variance of a coefficient
 constexpr double kNotableReference = 0.05;  // relative deviation; less is harmless
-constexpr double kWideMismatch = 0.1;       // of the widths on two facets
+constexpr double kWideMismatch = 0.1;       // relative mismatch of the widths on two facets
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
 bool stated(const ForceRule& rule) { return rule.deviations == surface::DeviationScale::kStated; }

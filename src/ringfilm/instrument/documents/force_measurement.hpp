@@ -14,13 +14,13 @@ namespace ringfilm::instrument {
 struct ForceCalibration {
   surface::Calibration calibration;
   std::string name;                            ///< for the record: cases that share it are correlated
-  std::optional<ForceSample> silicon;          ///< of CalibrationMethod::kSilicon
-  surface::Uncertain silicon_coefficient;      ///< the value taken over for it
-  std::optional<surface::Lever> lever;         ///< of CalibrationMethod::kGeometry
-  std::vector<ForceSample> facets;             ///< of CalibrationMethod::kWedge: two
-  std::array<surface::Uncertain, 2> angles{};  ///< of the facets [rad]
+  std::optional<ForceSample> silicon;          ///< sample of silicon, for CalibrationMethod::kSilicon
+  surface::Uncertain silicon_coefficient;      ///< assumed coefficient of friction of silicon
+  std::optional<surface::Lever> lever;         ///< data of the lever, for CalibrationMethod::kGeometry
+  std::vector<ForceSample> facets;             ///< samples of the two facets, for CalibrationMethod::kWedge
+  std::array<surface::Uncertain, 2> angles{};  ///< angles of the facets [rad]
   std::optional<surface::WedgeCalibration> wedge;
-  std::vector<std::string> sources;  ///< of lever data; those of loops are stored with them
+  std::vector<std::string> sources;  ///< sources of lever data; those of loops are stored with them
 };
 
 /// Throws InputError where the friction on silicon does not rise with load, or the reference is invalid.

@@ -11,7 +11,7 @@ namespace ringfilm::instrument {
 
 /// How loops become a friction-load line.
 struct ForceRule {
-  double end_share = 0.1;  ///< of the scan length, cut off at each end [-]
+  double end_share = 0.1;  ///< share of the scan length that is cut off at each end [-]
   surface::DeviationScale deviations = surface::DeviationScale::kFromResiduals;
   std::optional<std::string> load_deviation;             ///< standard deviation of each load, e.g. "0.5 nN"
   std::string load_deviation_word = "--load-deviation";  ///< what errors call it: the option, or a function's argument
@@ -20,8 +20,8 @@ struct ForceRule {
 /// Which channels of a scan are the lateral signals, and what the file does not state.
 struct ScanChannels {
   std::string trace, retrace;              ///< number counted from 1, or name
-  std::optional<std::string> step;         ///< of the points along a line, e.g. "20 nm"
-  std::optional<std::string> signal_unit;  ///< of the lateral signals, e.g. "mV"
+  std::optional<std::string> step;         ///< step of the points along a line, e.g. "20 nm"
+  std::optional<std::string> signal_unit;  ///< unit of the lateral signals, e.g. "mV"
 };
 
 /// One sample: its loops, the friction signal of each load and the line through them.

@@ -13,7 +13,7 @@ io::MeasuredCurve spectrum_curve(const PreparedSurface& surface);
 
 /// Parameters of a surface alone against the short cut-off: m4, N and beta have no value without it.
 io::MeasuredTable scale_table(const PreparedSurface& surface, const SurfaceAnalysis& analysis);
-/// The same relative to what was measured without cut-off, with a mark at the cut-off in use.
+/// Parameters against the short cut-off, relative to their values without cut-off, with a mark at the cut-off in use.
 io::MeasuredCurve scale_curve(const io::MeasuredTable& table, const SurfaceAnalysis& analysis);
 
 }  // namespace ringfilm::instrument

@@ -31,14 +31,14 @@ struct SurfaceAnalysis {
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
   surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< is Ra (Sa) or Rq (Sq) used as sigma?
   std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are reported, too
-  std::optional<double> hardness;        ///< of the softer face of a pair, for the law of its case [Pa]
+  std::optional<double> hardness;        ///< hardness of the softer face of a pair, for the law of its case [Pa]
   std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
 /// A surface file after form and filters.
 struct PreparedSurface {
   SurfaceOrigin origin;           ///< file, channel, and what the user stated
-  std::string plausibility_line;  ///< of the map as it was read
+  std::string plausibility_line;  ///< plausibility of the map as it was read
   surface::HeightMap map;         ///< form removed, filtered
   surface::HeightMap middle;      ///< part of it, form removed, not filtered: for what is worked out again and again
   surface::Prepared prepared;     ///< what was removed, and with which filters
@@ -49,7 +49,7 @@ struct PreparedSurface {
 PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& analysis);
 
 /// Measures of each region of a prepared surface, or of the whole map, less the moments of the instrument's noise.
-/// @param noise of a flat prepared likewise; nullptr: none
+/// @param noise moments of a flat that was prepared as the surface; nullptr: none
 std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface& surface,
                                                           const SurfaceAnalysis& analysis,
                                                           const surface::SpectralMoments* noise);

@@ -14,9 +14,9 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kMuchTilt = 0.05;     // of Sq that a plane removes
-constexpr double kManyMissing = 0.05;  // of all points
-constexpr double kSameStep = 1e-6;     // relative
+constexpr double kMuchTilt = 0.05;     // share of Sq that a plane removes
+constexpr double kManyMissing = 0.05;  // share of all points that were not measured
+constexpr double kSameStep = 1e-6;     // relative difference of two steps that are one
 
 /// N, beta and sigma.
 constexpr const char* kParameterNames[] = {"asperity_density", "asperity_radius", "roughness"};

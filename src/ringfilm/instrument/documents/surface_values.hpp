@@ -15,7 +15,7 @@ namespace ringfilm::instrument {
 
 /// A group of values that are added one by one.
 struct Group : io::MeasuredGroup {
-  /// @param usual_remark of all values that have none of their own
+  /// @param usual_remark remark on all values that have none of their own
   explicit Group(std::string heading, std::string usual_remark = "")
       : io::MeasuredGroup{std::move(heading), {}}, remark(std::move(usual_remark)) {}
 
@@ -60,7 +60,7 @@ std::string file_name(const std::string& path);
 
 /// Are two steps one, but for the digits of their files?
 bool same_step(double a_m, double b_m);
-/// Of two maps; a profile has no step along y.
+/// Do the steps of two maps differ? A profile has no step along y.
 bool steps_differ(const surface::HeightMap& a, const surface::HeightMap& b);
 
 /// How slopes and curvatures were made, and along which direction.
@@ -91,8 +91,8 @@ io::MeasuredGroup scatter_group(const surface::ParameterScatter& scatter, const 
 
 /// Adds to N, beta and sigma, the first values of a group, their scatter.
 /// @param words meaning of the relative deviations
-/// @param standard_error of each of the three values
-/// @param covariance_log of their logarithms
+/// @param standard_error standard error of each of the three values
+/// @param covariance_log covariance of their logarithms
 void add_scatter(const std::string& words, const std::array<double, 3>& standard_error,
                  const surface::ParameterScatter::Matrix& covariance_log, Group& group);
 

@@ -15,8 +15,8 @@ namespace ringfilm::instrument {
 /// @param file name for messages
 InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const std::string> bytes);
 
-/// The map as the bytes of a .sur file: 32-bit heights in steps of `resolution_m`, lengths in um. The same map gives
-/// the same bytes. Throws InputError if a height does not fit 32 bit.
+/// The map as the bytes of a .sur file: 32-bit heights in steps of `resolution_m`, lengths in um. Equal maps give
+/// equal bytes. Throws InputError if a height does not fit 32 bit.
 /// @param comment the description that the file contains; cut at 2000 bytes
 std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name,
                                const std::string& comment = "");

@@ -19,8 +19,8 @@ constexpr int kDeepest = 16;
 /// A named value of an object: where its bytes lie.
 struct Component {
   char type = 0;
-  std::size_t offset = 0;  ///< of the value, or of the first element of an array [byte]
-  std::size_t count = 0;   ///< of elements, or bytes of a text or an object
+  std::size_t offset = 0;  ///< offset of the value, or of the first element of an array [byte]
+  std::size_t count = 0;   ///< number of elements, or of bytes of a text or an object
 };
 
 using Object = std::map<std::string, Component>;

@@ -6,7 +6,7 @@ namespace ringfilm::instrument {
 
 /// Bounds on the foreign program.
 struct ConversionLimits {
-  double seconds = 60;                              ///< of wall time
+  double seconds = 60;                              ///< longest wall time [s]
   std::size_t output_bytes = std::size_t{1} << 30;  ///< largest converted file
   std::size_t memory_bytes = std::size_t{8} << 30;  ///< largest address space
 };

@@ -22,9 +22,9 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSniffed = 65536;
-constexpr std::size_t kMostHeadColumns = 3;   // of a matrix whose first values may be counts
-constexpr std::size_t kMostPointColumns = 8;  // of points with normals, colours or numbers
-constexpr std::size_t kMinListedPoints = 12;  // below, small whole numbers fill a grid by chance
+constexpr std::size_t kMostHeadColumns = 3;   // columns of a matrix whose first values may be counts
+constexpr std::size_t kMostPointColumns = 8;  // columns of points with normals, colours or numbers
+constexpr std::size_t kMinListedPoints = 12;  // fewest points of a list: small whole numbers fill a grid by chance
 
 bool names_place_or_height(const std::string& name) {
   return name == "x" || name == "y" || name == "z" || name == "height" || name == "h";
@@ -105,7 +105,7 @@ class TableReader {
       place_ = end + 1;
       ++number_;
       const std::string_view content = without_blanks(line_);
-      // Of values that tabulators part, a line of tabulators is a row of missing heights.
+      // Where tabulators separate the values, a line of tabulators is a row of missing heights.
       const bool row_of_none = content.empty() && separator_ == '\t' && line_.find('\t') != std::string_view::npos;
       if (content.empty() && !row_of_none) {
         blank_line_ = number_;
@@ -435,9 +435,9 @@ class TableReader {
   std::size_t n_columns_ = 0;
   TableComments comments_{""};
   StatedMap stated_;
-  bool has_rows_ = false;     ///< of the table that is read
-  int blank_line_ = 0;        ///< the last one before the line; 0: none
-  int parted_at_ = 0;         ///< the first one between rows; 0: none
+  bool has_rows_ = false;     ///< have the rows of the present table begun?
+  int blank_line_ = 0;        ///< last blank line before the line; 0: none
+  int parted_at_ = 0;         ///< first blank line between rows; 0: none
   std::size_t n_parted_ = 0;  ///< how often blank lines part rows
   std::vector<std::string> notes_;
 };

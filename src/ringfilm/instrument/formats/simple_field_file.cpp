@@ -22,7 +22,7 @@ constexpr std::size_t kLargestHeader = std::size_t{1} << 20;
 
 struct Entry {
   std::string value;
-  std::size_t offset = 0;  ///< of the line [byte]
+  std::size_t offset = 0;  ///< offset of the line [byte]
 };
 
 class SimpleFieldHeader {
@@ -52,7 +52,7 @@ class SimpleFieldHeader {
     return entry == entries_.end() ? "" : entry->second.value;
   }
 
-  /// The length of a side; nothing if the file leaves it out.
+  /// The length of a side; nothing if the file omits it.
   std::optional<double> length(const std::string& key) const {
     const auto entry = entries_.find(key);
     if (entry == entries_.end()) return std::nullopt;

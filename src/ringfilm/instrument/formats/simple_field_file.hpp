@@ -12,7 +12,7 @@ namespace ringfilm::instrument {
 /// InputError. @param file name for messages
 InstrumentFile read_simple_field(const std::string& file, std::shared_ptr<const std::string> bytes);
 
-/// The map as the bytes of a .gsf file, in metres. The same map gives the same bytes.
+/// The map as the bytes of a .gsf file, in metres. Equal maps give equal bytes.
 std::string simple_field_bytes(const surface::HeightMap& map, const std::string& title);
 
 }  // namespace ringfilm::instrument

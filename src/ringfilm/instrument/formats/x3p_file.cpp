@@ -202,8 +202,8 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
   about.layers = layers;
 }
 
-/// Of a single row or column, the step across it has no meaning: instruments write 0 there. A negative increment of the
-/// heights would turn peaks into pits.
+/// Checks the increments of the axes. The step across a single row or column has no meaning: instruments write 0 there.
+/// A negative increment of the heights would turn peaks into pits.
 void check_increments(const Description& about) {
   const auto check = [&about](const X3pAxis& axis, std::size_t points, const char* name) {
     if (axis.increment > 0 || (axis.by_step && points == 1)) return;

@@ -16,8 +16,8 @@ struct X3pOrigin {
   std::string comment;
 };
 
-/// The map as the bytes of an X3P file. With kInt16 the heights are rounded to 1/65000 of their range. The same map
-/// gives the same bytes. Throws InputError if no point is measured.
+/// The map as the bytes of an X3P file. With kInt16 the heights are rounded to 1/65000 of their range. Equal maps
+/// give equal bytes. Throws InputError if no point is measured.
 std::string x3p_bytes(const surface::HeightMap& map, X3pHeights heights, const X3pOrigin& origin);
 
 }  // namespace ringfilm::instrument

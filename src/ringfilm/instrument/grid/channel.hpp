@@ -27,7 +27,7 @@ struct Doubt {
 /// What a file states about one of its maps before the values are read.
 struct Channel {
   std::string name;  ///< as the file writes it; may be empty
-  std::string unit;  ///< of the values, e.g. "um"; empty where the file does not state it
+  std::string unit;  ///< unit of the values, e.g. "um"; empty where the file does not state it
   std::size_t points_x = 0;
   std::size_t points_y = 0;  ///< 1 for a profile
 };
@@ -68,7 +68,7 @@ struct InstrumentFile {
   std::string date;        ///< as the file writes it; may be empty
   std::vector<std::string> notes;
   std::vector<Channel> channels;                           ///< one or more
-  std::function<ChannelValues(std::size_t index)> values;  ///< of channels[index]; throws InputError
+  std::function<ChannelValues(std::size_t index)> values;  ///< values of channels[index]; throws InputError
 };
 
 }  // namespace ringfilm::instrument

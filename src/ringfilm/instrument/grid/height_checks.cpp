@@ -16,9 +16,9 @@ namespace {
 using surface::HeightMap;
 using Weight = Doubt::Weight;
 
-constexpr std::size_t kMinPoints = 8;    // of a map that is judged
-constexpr std::size_t kMinLine = 5;      // points of a row or column that is judged
-constexpr double kUnequal = 1e-3;        // of a step: places stored in single precision are even to that
+constexpr std::size_t kMinPoints = 8;    // fewest points of a map that is judged
+constexpr std::size_t kMinLine = 5;      // fewest points of a row or column that is judged
+constexpr double kUnequal = 1e-3;        // share of a step: places stored in single precision are even to that
 constexpr std::size_t kSample = 65536;   // points from which the bulk of the heights is found
 constexpr std::size_t kFrequent = 10;    // times of a value that may not be by chance
 constexpr std::size_t kNeighbours = 10;  // values above and below with which it is compared

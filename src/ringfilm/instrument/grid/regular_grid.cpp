@@ -44,11 +44,12 @@ double tolerance(const std::vector<double>& places, double step, double steps) {
 }
 
 struct GridAxis {
-  std::vector<double> places;      ///< that occur, rising; the first of those that are one but for their rounding
-  std::vector<std::size_t> index;  ///< of each on the grid
+  /// Places that occur, rising; the first of those that are one but for their rounding.
+  std::vector<double> places;
+  std::vector<std::size_t> index;  ///< index of each place on the grid
   double step = 0;
   double off = 0;       ///< how far a place may lie off the grid
-  double rounding = 0;  ///< of the step, where places were rounded by a large part of it; else 0
+  double rounding = 0;  ///< rounding of the step, where places were rounded by a large part of it; else 0
   std::size_t points = 1;
 };
 
@@ -66,8 +67,9 @@ std::vector<double> distinct(std::vector<double> places) {
 
 /// Are these places an even grid without a hole, each rounded to a digit that may be coarse?
 bool is_rounded_grid(const std::vector<double>& places) {
-  constexpr std::size_t kEnough = 12;   // places; fewer whole numbers with a hole look like rounded ones
-  constexpr double kLeastDigits = 1.2;  // of a step; a grid of whole digits with few holes has hardly more than 1
+  constexpr std::size_t kEnough = 12;  // fewest places; fewer whole numbers with a hole look like rounded ones
+  // Least step in digits; a grid of whole digits with few holes has hardly more than 1.
+  constexpr double kLeastDigits = 1.2;
   if (places.size() < kEnough) return false;
   const auto steps = static_cast<double>(places.size() - 1);
   const double step = (places.back() - places.front()) / steps, digit = digit_of(places, step);

@@ -33,7 +33,7 @@ double rounding_of(std::string_view number) {
   return 0.5 * std::pow(10.0, exponent - decimals);
 }
 
-/// The same in metres; nothing where the unit is not a length.
+/// A stated length in metres; nothing where its unit is not a length.
 std::optional<StatedLength> in_metres(const StatedLength& length, const io::Units& units) {
   if (!units.measures(length.unit, "m")) return std::nullopt;
   const io::Scale scale = units.scale(length.unit, "m");

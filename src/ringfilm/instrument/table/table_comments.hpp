@@ -20,12 +20,12 @@ struct StatedLength {
 
 /// What is stated of one map.
 struct StatedMap {
-  std::string name;                               ///< of the channel; may be empty
-  std::string unit;                               ///< of the heights; may be empty
+  std::string name;                               ///< name of the channel; may be empty
+  std::string unit;                               ///< unit of the heights; may be empty
   double height_factor = 1;                       ///< heights in `unit` are the numbers of the file times it
   std::optional<StatedLength> width, height;      ///< in one unit where both are lengths
-  std::optional<std::size_t> points_x, points_y;  ///< of a row, and rows
-  std::vector<Fault> faults;                      ///< of width and height
+  std::optional<std::size_t> points_x, points_y;  ///< number of points of a row, number of rows
+  std::vector<Fault> faults;                      ///< faults of width and height
   std::vector<std::string> notes;
   std::vector<Doubt> doubts;
 };

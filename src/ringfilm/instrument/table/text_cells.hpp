@@ -39,7 +39,7 @@ class Cells {
   /// @returns false behind the last cell
   bool next(std::string_view& cell);
 
-  /// Of the cell, from 1.
+  /// Column of the line in which the cell begins, from 1.
   int column() const;
 
  private:
