@@ -23,7 +23,7 @@ struct MapPicture {
   double low = 0, high = 0;                    ///< values that 0 and 65534 stand for
   double colour_low = 0, colour_high = 0;      ///< 0.1 % of the picture lie below, 0.1 % above
   std::vector<std::uint16_t> values;           ///< row after row; kMissing where most points of a block are
-  std::size_t points = 0, missing_points = 0;  ///< of the map
+  std::size_t points = 0, missing_points = 0;  ///< points of the map, and those without a value
   MapPoint highest, lowest;                    ///< single points of the map, before any mean
 
   bool empty() const { return missing_points == points; }

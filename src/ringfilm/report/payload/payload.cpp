@@ -212,7 +212,7 @@ std::string payload(const std::vector<io::ResultDocument>& documents, const std:
   root["strip_fields"] = described_all(cycle::strip_fields());
   root["cases"] = ordered_json::array();
   root["packs"] = ordered_json::array();
-  // Of packs beside each other the page draws no fields: those of all their rings take most of 16 MB.
+  // The page draws no fields of packs beside each other: those of all their rings take most of 16 MB.
   const bool compares_packs = std::ranges::count_if(documents, &io::ResultDocument::is_pack) > 1;
   for (const io::ResultDocument& d : documents) {
     if (d.is_pack()) root["packs"].push_back(pack_payload(d, root["cases"].size()));

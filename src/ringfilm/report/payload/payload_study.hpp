@@ -19,13 +19,13 @@ void add_study_values(const io::StudyRows& rows, const io::Units& units, nlohman
 /// base for a Stribeck curve.
 void add_study_points(const io::StudyRows& rows, nlohmann::ordered_json& payload);
 
-/// Bands of the curves that were kept; none where they were not. Of few scenarios that are not a sample their own
+/// Bands of the curves that were kept; none where they were not. Few scenarios that are not a sample have their own
 /// curves in place of the bands.
 void add_study_curves(const io::StudyRows& rows, const io::Units& units, nlohmann::ordered_json& payload);
 
 /// Points of single scenarios in one picture, at the most.
 inline constexpr std::size_t kMostDrawnPoints = 2000;
-/// Of so many scenarios that are not a sample single curves are drawn in place of bands, and of these so many.
+/// Up to kFewScenarios that are not a sample, single curves are drawn in place of bands, at most kMostDrawnCurves.
 inline constexpr std::uint64_t kFewScenarios = 40, kMostDrawnCurves = 8;
 /// Points of a grid that a page carries, at the most.
 inline constexpr std::size_t kMostGridPoints = 20'000;

@@ -20,7 +20,7 @@ const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_fricti
 const cycle::Quantity kBoundaryPowerShare = {
     "boundary_power_share", "1", "%", "share of boundary friction in the friction power", "", "eq-mean"};
 
-/// Of all scenarios; NaN where one was not solved.
+/// Share of boundary friction in the friction power of each scenario; NaN where one was not solved.
 std::vector<double> boundary_power_shares(const io::StudyRows& rows) {
   std::vector<double> shares = rows.values(*rows.plan.values().index("mean_boundary_power"));
   const std::vector<double> power = rows.values(*rows.plan.values().index("mean_power_loss"));
@@ -112,7 +112,8 @@ ordered_json grid_object(const io::StudyRows& rows) {
   return {{"quantities", mapped}, {"bases", std::move(bases)}};
 }
 
-/// Of each base its share of `kMostDrawnPoints`, evenly picked among its scenarios that were solved; by their number.
+/// Scenarios that are drawn, by their number: each base's share of `kMostDrawnPoints`, evenly picked among its
+/// scenarios that were solved.
 std::vector<std::uint64_t> drawn_scenarios(const study::Plan& plan, const std::vector<bool>& is_solved) {
   const std::size_t n_bases = plan.study().bases.size();
   std::vector<std::uint64_t> solved(n_bases), seen(n_bases);

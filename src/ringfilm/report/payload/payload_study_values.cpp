@@ -24,7 +24,7 @@ using nlohmann::ordered_json;
 constexpr int kValueDigits = 6;
 /// Numbers of factors that are held in memory at once, 8 MB.
 constexpr std::uint64_t kMostVariedNumbers = std::uint64_t{1} << 20;
-/// Of the curves of convergence: 5 %, 50 %, 95 %.
+/// Shares of the quantiles in the curves of convergence: 5 %, 50 %, 95 %.
 const std::vector<double> kConvergingShares = {0.05, 0.5, 0.95};
 
 ordered_json number(double value) { return rounded(value, kValueDigits); }
@@ -62,7 +62,7 @@ ordered_json statistics_object(const std::vector<double>& values, const std::vec
   return object;
 }
 
-/// Of operating points.
+/// Adds the weighted mean over operating points; nothing for any other sampling.
 void add_weighted_mean(const study::Plan& plan, const std::vector<double>& all, std::size_t base,
                        ordered_json& statistics) {
   if (plan.study().sampling.method == study::Method::kOperatingPoints)
@@ -252,7 +252,7 @@ class MainValues {
       ordered_json object = statistics_object(values, study::sorted_values(values), study::has_sample(plan_));
       if (!object.is_null() && group.scenarios.size() == plan_.n_points(group.base))
         add_weighted_mean(plan_, all, group.base, object);
-      // The same points in both: their differences are more certain than their levels.
+      // Both groups have the same points: their differences are more certain than their levels.
       if (!object.is_null() && study::has_sample(plan_) && group.pairs_with_first && &group != &groups_.front()) {
         const auto difference = study::relative_difference(first, values);
         if (difference) object["difference"] = mean_object(*difference);

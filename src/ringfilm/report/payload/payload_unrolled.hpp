@@ -7,7 +7,7 @@
 namespace ringfilm::report {
 
 /// Pictures of the unrolled film for the script of the page; null where the result has none.
-/// @param rupture_pressure of a model without a film content, whose cavities have this pressure [Pa]
+/// @param rupture_pressure rupture pressure of a model without a film content, whose cavities have this pressure [Pa]
 nlohmann::ordered_json unrolled_payload(const cycle::UnrolledFields& fields, std::optional<double> rupture_pressure);
 
 /// What the ends of the gap do over a cycle, by name; null without an unrolled film.

@@ -19,7 +19,7 @@ struct PackedField {
 /// The largest picture of one case that a page carries: with three fields about 3 MB.
 struct PictureLimits {
   std::size_t angles = 24, strips = 201, nodes = 81;
-  std::size_t strip_angles = 361;  ///< of fields over (crank_angle, y)
+  std::size_t strip_angles = 361;  ///< crank angles of fields over (crank_angle, y)
 };
 
 /// Fields of the unrolled film as a page carries them: every so many angles, strips and nodes, none of them a mean, the
@@ -27,19 +27,19 @@ struct PictureLimits {
 struct UnrolledPicture {
   std::vector<double> x, y, crank_angle_deg;
   std::vector<PackedField> fields;  ///< [angle][y][x]; film content, film pressure and film thickness
-  /// Of each angle, among all that is stored
+  /// Extremes of each angle, among all that is stored.
   std::vector<MapPoint> highest_pressure, lowest_film_content;
 };
 UnrolledPicture unrolled_picture(const cycle::UnrolledFields& fields, const PictureLimits& limits = {});
 
-/// The same of the sums of strips; all strips.
+/// Sums of strips as a page carries them: every so many angles, all strips.
 struct StripPicture {
   std::vector<double> crank_angle_deg;
   std::vector<PackedField> fields;  ///< [angle][y]
 };
 StripPicture strip_picture(const cycle::UnrolledFields& fields, const PictureLimits& limits = {});
 
-/// Of n things in a row about every `n / most`-th, at most `most`: the first and the last are among them.
+/// About every `n / most`-th of n things in a row, at most `most`: the first and the last are among them.
 std::vector<std::size_t> spread(std::size_t n, std::size_t most);
 
 }  // namespace ringfilm::report

@@ -10,15 +10,15 @@ namespace ringfilm::report {
 class UnsolvedReasons {
  public:
   struct Reason {
-    std::string text;  ///< of the first of them
+    std::string text;  ///< reason of the first scenario
     std::uint64_t count = 0;
-    std::uint64_t first = 0;  ///< scenario
+    std::uint64_t first = 0;  ///< first scenario that has it
     bool numbers_differ = false;
   };
 
   void add(std::uint64_t scenario, const std::string& text);
 
-  std::uint64_t count() const { return count_; }  ///< of all scenarios that were added
+  std::uint64_t count() const { return count_; }  ///< number of scenarios that were added
   /// Those that come after a thousand others are counted together.
   std::vector<Reason> most_frequent_first() const;
 

@@ -153,7 +153,7 @@ export class Model {
       // Sums and extremes of an integration that stopped early are not those of a cycle: they are omitted.
       values: c.complete ? { ...c.values, ...c.unrolled_values } : {},
     }));
-    // Of a pack that stopped early there is no sum, either.
+    // A pack that stopped early has no sum, either.
     this.allPacks = packs.map((pack, p) => ({ ...pack, name: packNames?.[p] ?? pack.title }));
     this.packs = this.allPacks.filter((pack) => pack.complete);
     /** What readers may hide and show: each has a colour of its own. */
@@ -163,7 +163,7 @@ export class Model {
     this.allCases = payload.cases.length === 2 ? 'both cases' : `all ${payload.cases.length} cases`;
   }
 
-  /** The same page with some of its cases. */
+  /** This page with some of its cases. */
   withCases(cases) {
     const { allCases } =
       cases.length === this.cases.length ? this : { allCases: `these ${cases.length} cases` };
@@ -192,7 +192,7 @@ export class Model {
     return display(quantity).convert(oneCase.errors.values[name] ?? null);
   }
 
-  /** The same along a curve, on its axis; null without an estimate or where every error is 0. */
+  /** Discretisation errors along a curve, on its axis; null without an estimate or where every error is 0. */
   curveError(oneCase, name) {
     const errors = oneCase.errors?.curves[name];
     if (!errors?.some((v) => v > 0)) return null;

@@ -105,7 +105,7 @@ export function number(value, digits = 4) {
   return text.replace(/^-/, '−').replace(/(\s|·)-/g, '$1−');
 }
 
-/** The same, but a count in all its digits and no more. */
+/** A number in these digits; a count in all its digits and no more. */
 export function numberOrCount(value, unit, digits = 4) {
   return !unit && Number.isInteger(value) && Math.abs(value) < 1e6
     ? String(value).replace(/^-/, '−')
@@ -175,7 +175,7 @@ export function meaningful(value, error) {
   return number(value, Math.max(1, Math.min(kDigits, digits)));
 }
 
-/** The same far from one with one power of ten for both: "(8.1 ± 0.4) · 10⁻⁸". */
+/** A value with its error, both with one power of ten far from one: "(8.1 ± 0.4) · 10⁻⁸". */
 export function withErrorAndPower(value, error, unit, digits = 4) {
   const size = Math.max(Math.abs(value ?? NaN), error > 0 ? error : 0);
   if (!(error > 0) || !(size > 0) || (size >= 1e-3 && size < 1e6))

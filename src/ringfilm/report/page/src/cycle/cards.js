@@ -61,7 +61,7 @@ const shownValue = (text, unit) => cardValue(text, unit ? ` ${unit}` : '');
 
 const mark = (series) => svgElement(swatchSvg({ caseIndex: series, part: null }));
 
-/** A pack, with what its rings come to where they add up. @param sum of a pack to { value, unit, detail } */
+/** A pack, with what its rings come to where they add up. @param sum maps a pack to { value, unit, detail } */
 function packRow(model, pack, sum) {
   const isAlone = model.packs.length === 1 && pack.ring_numbers.length === model.cases.length;
   const { value, unit, detail } = sum ? sum(pack) : {};

@@ -37,7 +37,7 @@ function touching(model) {
   return model.cases.filter((c) => c.contact);
 }
 
-/** Of one case all laws of its surfaces, of several the law of each. */
+/** Contact pressure by all laws of the surfaces of one case, or by the law of each of several cases. */
 export function contactPressureFigure(model) {
   const cases = touching(model);
   if (cases.length === 0) return null;

@@ -122,7 +122,7 @@ export function forEachCase(model, stated) {
   return model.cases.map((c, i) => `${c.name} ${sentences[i]}`).join('; ');
 }
 
-/** The same for the values of a whole cycle. */
+/** The sentence of each case on values of a whole cycle, which a stopped integration does not have. */
 export function ofEachCycle(model, stated) {
   return forEachCase(model, (c) => (c.complete ? stated(c) : 'none, the integration stopped early'));
 }

@@ -30,7 +30,7 @@ export class FieldMaps {
   /**
    * @param columns, rows axes (unrolled.js); rows go down the page
    * @param maps { title, unit, range, value(column, row), hatched(column, row), hatchLabel }
-   * @param height of a map for the width of its plot [pixel]
+   * @param height height of a map for the width of its plot [pixel]
    */
   constructor({ title, columns, rows, maps, height, above = null, edgeWords = null }) {
     Object.assign(this, { title, columns, rows, maps, height, above, edgeWords });

@@ -100,7 +100,7 @@ export function fmepVerdicts(model) {
   return [...alone, ...packed].filter(({ found }) => found);
 }
 
-/** The same on the boundary friction coefficient that the case states. */
+/** Verdict on the boundary friction coefficient that the case states. */
 export function coefficientVerdict(model, c) {
   const value = model.input(c, 'contact.boundary_shear_strength_coefficient')?.value_si;
   const found = verdict(value, { low: kModifiedCoefficient, high: kUsualCoefficient.high });

@@ -7,7 +7,7 @@ import { FigureView } from './figure_view.js';
 
 export class DrawingView extends FigureView {
   /**
-   * @param figure of the present choice of the reader, beside what FigureView has: caption() and columns(),
+   * @param figure figure of the present choice of the reader, beside what FigureView has: caption(), columns(),
    * draw(width, isFile) to { shapes, height }; at(x, y, width): what lies under the pointer, as nodes; host: class of
    * the drawing; fixedWidth: that of a drawing of one size; savedTitle: that of files; under(width): nodes that lie
    * under it on the screen

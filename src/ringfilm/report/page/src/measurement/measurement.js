@@ -153,7 +153,7 @@ function buildPage(measurement) {
   startViews(views);
 }
 
-/** The same without the folders of the machine on which it was made: a page is sent to others. */
+/** A measurement without the folders of the machine on which it was made: a page is sent to others. */
 function portable(measurement) {
   const texts = (list) => list.map(withoutFolders);
   return {

@@ -51,7 +51,7 @@ function nearest(series, at) {
 export class Chart {
   /**
    * @param visible returns whether a series is shown; @param readOut receives the index of the sample at the
-   * cursor in each series, null when the cursor leaves; @param width of the host, where it is known
+   * cursor in each series, null when the cursor leaves; @param width width of the host, where it is known
    */
   constructor(host, panel, { visible, readOut, group, width = host.clientWidth }) {
     Object.assign(this, { host, visible, readOut, group, width });

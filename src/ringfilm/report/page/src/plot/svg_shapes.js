@@ -6,7 +6,7 @@ export const kFaint = '#5c6470';
 export const kGrid = '#e3e6ea';
 /** A letter is at most about so wide: a drawing cannot measure its text [pixel at a size of 12]. */
 export const kLetter = 6.4;
-/** The same of a bold letter, as a share of its size. */
+/** Width of a bold letter as a share of its size. */
 const kBoldLetter = 0.6;
 
 let made = 0;
@@ -63,7 +63,7 @@ export function rectangle(x, y, width, height, look, tooltip = '') {
 /** Two points of a path are so far apart, or they share a column [pixel]. */
 const kColumn = 0.5;
 
-/** Of the points that share a column the first, the lowest, the highest and the last. */
+/** The first, the lowest, the highest and the last of the points that share a column. */
 function thinned(points) {
   const kept = [];
   let first = 0;

@@ -7,7 +7,7 @@ import { number } from '../units.js';
 /** The values on the first screen. */
 const kCards = ['fmep', 'mean_power_loss', 'min_film_thickness'];
 
-/** Of a study without one of them the values that it has instead. */
+/** These values; a study without one of them has its first main values instead. */
 export function cardValues(model) {
   if (kCards.every((name) => model.quantity.has(name))) return kCards;
   return model.main_values.slice(0, kCards.length);
@@ -18,9 +18,9 @@ export function swatch(base) {
 }
 
 /**
- * What a card has on a value of a base: { value, detail }. Of a sample the median and its range; of operating points
- * their weighted mean, elsewhere the range, each with the scenarios of its ends, since a median of chosen points means
- * nothing.
+ * What a card has on a value of a base: { value, detail }. A sample has the median and its range, operating
+ * points their weighted mean, any other plan the range, each with the scenarios of its ends, since a median of
+ * chosen points means nothing.
  */
 export function cardTexts(model, name, base) {
   const q = model.quantity.get(name);

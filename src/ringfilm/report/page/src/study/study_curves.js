@@ -13,7 +13,7 @@ const kSigned = [
   'oil_flow_crankcase_edge',
 ];
 
-/** Of a ring of a pack, too: ring_2_friction_on_liner. */
+/** Does a curve have signs, also that of a ring of a pack: ring_2_friction_on_liner? */
 const isSigned = (name) => kSigned.includes(name.replace(/^ring_\d+_/, ''));
 
 /** A curve of each drawn scenario; null where bands take their place. */

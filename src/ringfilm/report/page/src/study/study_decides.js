@@ -75,7 +75,7 @@ const interval = (low, high, y) => [
   ...[low, high].map((end) => rule(end, y + 1, end, y + kBar - 1, kInk, 1.2)),
 ];
 
-/** Share of the base in front of what is said on it, where there are several. */
+/** The name of a base in front of a text on it, where there are several. */
 const ofBase = (model, b) => (model.several ? `${model.bases[b].name} ` : '');
 
 export function indicesFigure(model, chosen) {
