@@ -93,7 +93,7 @@ class CommandOptions {
   /// An option whose text `put` takes; what it throws as InputError is kept.
   CLI::Option* read(const std::string& name, const std::string& type, const std::string& help,
                     std::function<void(const std::string& text)> put);
-  /// The same for an option that may be repeated.
+  /// An option that may be repeated, each text of which `put` takes; what it throws as InputError is kept.
   CLI::Option* read_each(const std::string& name, const std::string& type, const std::string& help,
                          std::function<void(const std::string& text)> put);
 

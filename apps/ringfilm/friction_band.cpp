@@ -143,7 +143,7 @@ io::Measurement friction_band(const FrictionBandRequest& request) {
     curve.x.push_back(kEndOfCurve * file.law.composite_roughness * k / (kPlacesOfCurve - 1));
   }
   const std::vector<LawOfMaps> of_maps = laws(file);
-  std::vector<Case> cases;  // of each law those of all coefficients, one after the other
+  std::vector<Case> cases;  // for each law the cases of all coefficients, one after the other
   for (const LawOfMaps& law : of_maps) {
     for (const double coefficient : zeta.all()) cases.push_back(case_of(request, law, coefficient));
   }

@@ -8,9 +8,9 @@ namespace ringfilm::app {
 
 /// Two maps and the case of their ring.
 struct FrictionBandRequest {
-  std::string ring;      ///< in words, for titles
+  std::string ring;      ///< name of the ring, for titles
   cycle::Case input;     ///< with N, beta, sigma of the maps and Greenwood and Tripp as styles2014 feeds it
-  double hardness;       ///< of the softer face [Pa]
+  double hardness;       ///< hardness of the softer face [Pa]
   std::string law_path;  ///< contact law of the maps with flow factors, as `contact` writes it
 };
 

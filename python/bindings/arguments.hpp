@@ -105,15 +105,15 @@ Type& one_of(const char* name, const GivenOne<Type>& given) {
 /// Numbers of any shape and, where an array of numpy.ma has some masked, which.
 struct MaybeMasked {
   Doubles values;
-  std::optional<py::array_t<bool, py::array::c_style | py::array::forcecast>> mask;  ///< of the same shape
+  std::optional<py::array_t<bool, py::array::c_style | py::array::forcecast>> mask;  ///< mask of the shape of `values`
 };
 /// Throws TypeError for what are not real numbers: complex ones, bools, texts, lists of unlike lengths.
 MaybeMasked maybe_masked_of(const char* name, const py::handle& value);
-/// The same where a masked number has no meaning: InputError.
+/// Numbers of any shape, where a masked one has no meaning: InputError.
 Doubles doubles_of(const char* name, const py::handle& value);
-/// The same of one dimension, or InputError.
+/// Numbers of one dimension; InputError for any other shape.
 std::vector<double> row_of(const char* name, const py::handle& value);
-/// The same of the state of a pickle.
+/// Numbers of one dimension from the state of a pickle.
 inline std::vector<double> pickled_row(const py::handle& value) { return row_of("a member of the pickle", value); }
 
 /// Arrays under the names of their arguments.
@@ -139,7 +139,7 @@ py::object mapped(const Named& given, const Function& f) {
   return values;
 }
 
-/// The same of one array, `double f(double)`.
+/// f of each number of one array, `double f(double)`, in the shape of the array.
 template <class Function>
 py::object mapped(const char* name, const GivenNumbers& given, const Function& f) {
   return mapped({{name, &given}}, [&f](const std::vector<double>& at) { return f(at[0]); });

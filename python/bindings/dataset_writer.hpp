@@ -17,7 +17,7 @@ class DatasetWriter {
  public:
   static constexpr bool kReads = false;
 
-  /// @param owner of all that is written; keeps its numbers alive
+  /// @param owner owner of all that is written; keeps its numbers alive
   explicit DatasetWriter(py::object owner) : owner_(std::move(owner)) {}
 
   template <class Value>

@@ -26,7 +26,7 @@ const std::map<std::string, ContactIntegralForm> kIntegralForms{
 struct Oil {
   std::shared_ptr<const OilAtTemperature> oil;
   double temperature;       ///< [K]
-  double ambient_pressure;  ///< that of the air, as its laws count it [Pa]
+  double ambient_pressure;  ///< pressure of the ambient air, as the laws of the oil count it [Pa]
 };
 
 Oil oil_of(const GivenOne<CaseObject>& given) {

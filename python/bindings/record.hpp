@@ -104,7 +104,8 @@ class Record {
                 [member](const Struct& a, const Struct& b) { return is_same(a.*member, b.*member); });
   }
 
-  /// The same of one with its own functions: what goes into a pickle, what comes out of it, when two are the same.
+  /// A member without a name in Python, with functions of its own: its value for a pickle, its value from a pickle, and
+  /// when two are the same.
   Record& keep(std::function<py::object(const Struct&)> get, std::function<void(Struct&, const py::handle&)> set,
                std::function<bool(const Struct&, const Struct&)> is_same) {
     parts_->push_back({std::move(get), std::move(set), std::move(is_same)});

@@ -43,15 +43,16 @@ struct StudyObject {
 
 struct StudyResultObject {
   std::shared_ptr<const Loaded> loaded;
-  std::vector<std::vector<double>> values;  ///< of each cycle quantity over the scenarios
-  std::vector<std::string> reasons;         ///< of each scenario; empty where it was solved
-  std::vector<float> curves;                ///< that the study keeps: [scenario][quantity][angle]
+  std::vector<std::vector<double>> values;  ///< values of each cycle quantity over the scenarios
+  std::vector<std::string> reasons;         ///< reason of each scenario; empty where it was solved
+  std::vector<float> curves;                ///< curves that the study keeps: [scenario][quantity][angle]
   struct Note {
-    study::ScenarioNote shown;             ///< that comes before all others
-    std::vector<std::uint32_t> scenarios;  ///< that carry it
+    study::ScenarioNote shown;             ///< note that comes before all others
+    std::vector<std::uint32_t> scenarios;  ///< scenarios that carry the note
   };
-  std::map<std::pair<std::size_t, std::string>, Note> notes = {};  ///< on single results, by rank and topic
-  std::optional<study::SampledError> error = {};                   ///< of its values, where the study estimates it
+  std::map<std::pair<std::size_t, std::string>, Note> notes = {};  ///< notes on single results, by rank and topic
+  /// Discretisation error of the values, where the study estimates it.
+  std::optional<study::SampledError> error = {};
 };
 
 std::vector<double> of_base(const StudyResultObject& self, std::size_t quantity, std::size_t base, bool sample_only) {

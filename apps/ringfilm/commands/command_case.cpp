@@ -120,7 +120,7 @@ struct FieldsOptions {
 /// Prints the table of case keys.
 void fields(const FieldsOptions& options) { std::cout << io::fields_table(options.words); }
 
-/// Of `oils` and `pairs`.
+/// Options of `oils` and `pairs`.
 struct OilsOptions {
   SummaryForm summary = SummaryForm::kTable;
 };
@@ -168,7 +168,7 @@ void start_case(const NewOptions& options) {
     std::cout << "next: state what is missing in " << path << " (lines with MISSING), then ringfilm check " << path
               << "\n";
   }
-  if (!io::find_shipped_folder()) {  // of which the oil of the case is one
+  if (!io::find_shipped_folder()) {  // the oil of the case is one of the shipped files
     const Fault missing = io::missing_shipped_folder();
     std::cout << "before that: " << missing.remedy << "; " << missing.message << "\n";
   }

@@ -12,7 +12,7 @@ namespace {
 /// What `conform` was asked for.
 struct ConformCommand {
   std::string case_path;
-  std::vector<io::Override> settings;  ///< of its keys
+  std::vector<io::Override> settings;  ///< overrides of keys of the case
   MeasurementOutputs outputs;
 };
 

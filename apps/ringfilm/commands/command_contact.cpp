@@ -15,9 +15,10 @@ namespace {
 
 /// What `contact` was asked for.
 struct ContactCommand {
-  std::optional<std::string> case_path;                           ///< the law of a case instead of that of maps
-  std::vector<io::Override> settings;                             ///< of its keys
-  std::vector<double> lambda = {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4};  ///< at which it is tabulated
+  /// Case whose law is tabulated instead of that of maps.
+  std::optional<std::string> case_path;
+  std::vector<io::Override> settings;                             ///< overrides of keys of the case
+  std::vector<double> lambda = {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4};  ///< lambda ratios at which the law is tabulated
   std::vector<std::string> surfaces;                              ///< one file, or two: ring and liner
   instrument::SurfaceOptions reading;
   instrument::ContactAnalysis analysis;

@@ -18,7 +18,7 @@ struct ForceFiles {
 /// What `lateral-force` was asked for; exactly one of the three ways to calibrate.
 struct LateralForceCommand {
   ForceFiles files;
-  std::optional<std::string> name;  ///< of the sample that scans make
+  std::optional<std::string> name;  ///< name of the sample that scans make
   instrument::ForceRule rule;
   instrument::ScanChannels channels;  ///< empty names: none were stated
   std::optional<ForceFiles> silicon;

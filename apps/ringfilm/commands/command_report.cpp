@@ -24,7 +24,7 @@ struct ReportOptions {
   std::vector<std::string> results;
   std::vector<std::string> overlays;
   std::optional<std::string> output;      ///< web page
-  std::optional<std::string> vts_folder;  ///< of the fields around the ring for ParaView
+  std::optional<std::string> vts_folder;  ///< folder of the fields around the ring for ParaView
   std::optional<io::VtsShape> vts_shape;
 };
 

@@ -50,7 +50,7 @@ struct Loaded {
 
   const std::optional<study::StoppingRule>& until() const { return file.study.sampling.until; }
 
-  /// Of a study with `until` only the rows show how many points it has.
+  /// Takes the number of points from the rows, which alone show it in a study with `until`.
   void take_points_of(const io::ShardReader& rows) {
     if (until()) take_points(rows.next() / rows_of_a_point());
   }
@@ -216,7 +216,7 @@ void compute_rows(const StudyOptions& options, Loaded& study, io::ShardWriter& w
   }
 }
 
-/// How far the rows of a part are. Of rows of another study only the file name shows it.
+/// How far the rows of a part are. Rows of another study show it by the file name alone.
 std::string state_text(const Loaded& study, const PartFile& file, const io::ShardReader& rows) {
   if (!file.is_finished) return "not finished";
   if (!rows.is_intact()) return "corrupted after these: --resume keeps them and computes the others again";

@@ -75,7 +75,7 @@ it was made; the same arguments give the same bytes. Without --seed the seed is 
 )";
 
 constexpr std::uint64_t kFewestPoints = 16;
-constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 26;  // of a map: half a GiB of heights
+constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 26;  // points of a map: half a GiB of heights
 
 void read_points(const std::string& text, surface::SurfaceGrid& grid) {
   const auto size = two_whole_numbers(text);

@@ -56,12 +56,12 @@ enum class FrictionBands { kNone, kComputed };
 struct ReproduceOptions {
   std::string publication;
   std::string folder;
-  FrictionBands bands = FrictionBands::kNone;  ///< of "measured"
+  FrictionBands bands = FrictionBands::kNone;  ///< friction bands of the publication "measured"
   int jobs = 0;                                ///< threads; 0: as many as the machine runs at once
 };
 
-/// The same rings from the synthetic instrument files of cases/measured/: surfaces, faces and friction loops are
-/// measured as by the single commands, what they give becomes cases, and these are run.
+/// Reproduces rings from the synthetic instrument files of cases/measured/: surfaces, faces and friction loops are
+/// measured as by the single commands, the results become cases, and these are run.
 void reproduce_measured(const ReproduceOptions& options);
 
 /// Everything was computed and written, but something in it is not as it should be (exit code 4).

@@ -18,7 +18,7 @@ CommandOutput output_of(const std::string& command_line) {
   if (pipe == nullptr) return {"no process could be started", -1};
   CommandOutput printed;
   std::array<char, 4096> part{};
-  constexpr std::size_t kMost = 1 << 24;  // of 10^5 tasks with their reasons
+  constexpr std::size_t kMost = 1 << 24;  // output of 10^5 tasks with their reasons [byte]
   for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
     if (printed.text.size() < kMost) printed.text.append(part.data(), n);
   }

@@ -19,7 +19,7 @@ CommandOutput output_of(const std::string& command_line);
 /// A word as the shell takes it literally.
 std::string shell_word(const std::string& word);
 
-/// The same for people to copy: in quotes only where the shell would take it for something else.
+/// A word for people to copy: in quotes only where the shell would take it for something else.
 std::string word_to_copy(const std::string& word);
 
 /// Does a word consist of characters that neither the shell nor sbatch takes for anything else?

@@ -119,7 +119,7 @@ class SlurmStudy {
   std::string directives(const std::string& what) const {
     std::string name = fmt::format("{}-{}", fs::path(options_.study.study_path).stem().string(), what);
     for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-    // Of a task that is run again the lines of its first run must not be lost.
+    // A task that is run again must not lose the lines of its first run.
     return fmt::format("#SBATCH --job-name={}\n#SBATCH --requeue\n#SBATCH --open-mode=append\n", name);
   }
 

@@ -14,7 +14,7 @@ class EngineeringText {
   /// Four significant digits and the display unit, e.g. "19.09 kPa"; dimensionless ones bare.
   std::string operator()(const cycle::Quantity& quantity, double value_si) const;
 
-  /// The same for a cycle value by its name.
+  /// A cycle value by its name, in four significant digits and its display unit.
   std::string operator()(const std::string& cycle_quantity, double value_si) const;
 
   /// With its error, e.g. "19.09 +- 0.02 kPa": the error rounded up to one digit (two where the first is 1), the value
@@ -30,15 +30,15 @@ class EngineeringText {
 };
 
 // Values in the units of printed tables.
-constexpr double in_um(double length) { return length * 1e6; }        ///< of a length [m]
-constexpr double in_mm(double length) { return length * 1e3; }        ///< of a length [m]
-constexpr double in_um_mm(double area) { return area * 1e9; }         ///< of a worn area [m2]
-constexpr double in_mg(double mass) { return mass * 1e6; }            ///< of a mass [kg], or of a flow per second
-constexpr double in_bar(double pressure) { return pressure * 1e-5; }  ///< of a pressure [Pa]
-constexpr double in_kpa(double pressure) { return pressure / 1e3; }   ///< of a pressure [Pa]
-constexpr double in_degc(double temperature) { return temperature - 273.15; }        ///< of a temperature [K]
-constexpr double in_rpm(double speed) { return speed * 30 / std::numbers::pi; }      ///< of a speed [rad/s]
-constexpr double in_degree(double angle) { return angle * 180 / std::numbers::pi; }  ///< of an angle [rad]
+constexpr double in_um(double length) { return length * 1e6; }        ///< length [m] in um
+constexpr double in_mm(double length) { return length * 1e3; }        ///< length [m] in mm
+constexpr double in_um_mm(double area) { return area * 1e9; }         ///< worn area [m2] in um mm
+constexpr double in_mg(double mass) { return mass * 1e6; }            ///< mass [kg] in mg, or flow [kg/s] in mg/s
+constexpr double in_bar(double pressure) { return pressure * 1e-5; }  ///< pressure [Pa] in bar
+constexpr double in_kpa(double pressure) { return pressure / 1e3; }   ///< pressure [Pa] in kPa
+constexpr double in_degc(double temperature) { return temperature - 273.15; }        ///< temperature [K] in degC
+constexpr double in_rpm(double speed) { return speed * 30 / std::numbers::pi; }      ///< speed [rad/s] in rpm
+constexpr double in_degree(double angle) { return angle * 180 / std::numbers::pi; }  ///< angle [rad] in degree
 
 /// The entry of cycle::cycle_quantities() of that name; a name that is not there is a bug.
 const cycle::CycleQuantity& cycle_quantity(const std::string& name);

@@ -11,7 +11,7 @@ namespace ringfilm::python {
 
 using GivenStep = Given<kinds::NumberOrPair>;
 
-/// @param heights of shape (y, x), or (x,) for a profile [m]
+/// @param heights heights in the shape (y, x), or (x,) for a profile [m]
 /// @param step between points, one number or (step_x, step_y) [m]
 surface::HeightMap height_map(const GivenNumbers& heights, const GivenStep& step);
 

@@ -5,7 +5,7 @@
 namespace ringfilm::python {
 
 /// What a user states of a file, and the name of the argument for errors.
-/// @param step_name of the argument that has the step along x
+/// @param step_name name of the argument that has the step along x
 inline instrument::SurfaceOptions file_options(const GivenMaybeText& height_unit, const GivenMaybeText& lateral_unit,
                                                const char* step_name, const GivenMaybeText& step) {
   instrument::SurfaceOptions options;
