@@ -363,7 +363,7 @@ py::object pack_item(const py::object& self, const GivenText& given) {
 /// The JSON document of a pack.
 py::dict json_of(const PackObject& pack) { return from_json(io::result_json(pack.document())); }
 
-/// A part of it; None without it.
+/// A part of the document; None where it does not have the part.
 std::optional<py::dict> part_of_json(const PackObject& pack, const char* name) {
   const py::dict document = json_of(pack);
   if (!document.contains(name)) return std::nullopt;
