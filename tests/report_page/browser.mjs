@@ -60,9 +60,9 @@ export async function opened(name, width) {
   return { page, faults };
 }
 
-/** The pixels of the first chart of a figure: { data, width, height }, bytes of red, green, blue and opacity. */
+/** The pixels of the first chart of a figure: { data, width }, bytes of red, green, blue and opacity. */
 async function pixelsOf(page, selector) {
-  const { width, height, data } = await page.$eval(`${selector} .chart svg`, async (svg) => {
+  const { width, data } = await page.$eval(`${selector} .chart svg`, async (svg) => {
     const image = new Image();
     const text = new XMLSerializer().serializeToString(svg);
     image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(text)}`;
@@ -75,14 +75,14 @@ async function pixelsOf(page, selector) {
     let packed = '';
     for (let k = 0; k < bytes.length; k += 8192)
       packed += String.fromCharCode(...bytes.subarray(k, k + 8192));
-    return { width: canvas.width, height: canvas.height, data: btoa(packed) };
+    return { width: canvas.width, data: btoa(packed) };
   });
-  return { width, height, data: Buffer.from(data, 'base64') };
+  return { width, data: Buffer.from(data, 'base64') };
 }
 
-/** Rows of the pixels of a chart with a spread of its colours, and the brightest of them, that fulfil a condition. */
+/** Rows of the pixels of a chart that fulfil a condition on the spread and the brightest of their colours. */
 async function rowsOf(page, selector, holds) {
-  const { width, height, data } = await pixelsOf(page, selector);
+  const { width, data } = await pixelsOf(page, selector);
   const rows = [];
   for (let k = 0; k < data.length; k += 4) {
     const [high, low] = [
@@ -91,26 +91,27 @@ async function rowsOf(page, selector, holds) {
     ];
     if (data[k + 3] > 250 && holds(high - low, high)) rows.push(Math.floor(k / 4 / width));
   }
-  return { rows, height };
+  return rows;
 }
 
 const isCurve = (spread) => spread > 40;
 
 /** Pixels of a chart that are neither white nor grey: the curves. */
 export async function colouredPixels(page, selector) {
-  return (await rowsOf(page, selector, isCurve)).rows.length;
+  return (await rowsOf(page, selector, isCurve)).length;
 }
 
-/** Height that the curves of a chart take, as a share of the drawing. */
+/** Height that the curves of a chart take, as a share of its plotting area. */
 export async function curveHeight(page, selector) {
-  const { rows, height } = await rowsOf(page, selector, isCurve);
-  return (rows[rows.length - 1] - rows[0]) / height;
+  const rows = await rowsOf(page, selector, isCurve);
+  const plot = await page.$eval(`${selector} .over`, (over) => over.clientHeight);
+  return (rows[rows.length - 1] - rows[0]) / plot;
 }
 
 /** Pixels of a chart that are tinted as lightly as the band of an error. */
 export async function bandPixels(page, selector) {
   const isBand = (spread, high) => high > 200 && spread >= 15 && spread < 70;
-  return (await rowsOf(page, selector, isBand)).rows.length;
+  return (await rowsOf(page, selector, isBand)).length;
 }
 
 /** Left edge of the plotting area of every chart over the cycle. */
