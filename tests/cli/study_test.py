@@ -406,7 +406,7 @@ class StudyTest(ProgramTest):
             ('"2 degree"', '"7 degree"', f"study.toml:{line + 3}:14:", "does not divide"),
             ('"2 degree"', '"1.5 degree"', f"study.toml:{line + 3}:14:", "not a multiple of solver.crank_step"),
             ('"2 degree"', '"2"', f"study.toml:{line + 3}:14:", "has no unit"),
-            ('"2 degree"', "2", f"study.toml:{line + 3}:14:", "text"),
+            ('"2 degree"', "2", f"study.toml:{line + 3}:14:", "has no unit"),
             ("crank_step", "crank_steps", f"study.toml:{line + 3}:1:", "did you mean crank_step?"),
         ):
             with self.subTest(new):
