@@ -8,7 +8,7 @@ double CrankSlider::position(double phi) const {
   // Written without differences of nearly equal numbers, so that it stays exact near TDC.
   const double r = crank_radius, l = connecting_rod_length;
   const double sin_half = std::sin(phi / 2);
-  const double offset = r * std::sin(phi);  // of the crank pin from the bore's axis
+  const double offset = r * std::sin(phi);  // offset of the crank pin from the axis of the bore
   return 2 * r * sin_half * sin_half + offset * offset / (l + std::sqrt(l * l - offset * offset));
 }
 

@@ -23,8 +23,8 @@ class PatirCheng {
   template <class Factor>
   double between_rows(const Factor& factor) const;
 
-  int row_;       ///< of the tables
-  double share_;  ///< of the next row; 0: the factors are those of `row_`
+  int row_;       ///< row of the tables for the orientation
+  double share_;  ///< weight of the next row [-]; 0: the factors are those of `row_`
 };
 
 /// phi_f, the mean of h over the local film thickness, which ends at a hundredth of sigma; eq-stress-factors [-].

@@ -7,8 +7,8 @@ namespace ringfilm::models {
 /// Whose temperature an oil film has that is too thin to differ from its walls.
 enum class FilmTemperature {
   kMeanOfWalls,  ///< the mean of ring and liner
-  kLiner,        ///< that of the liner next to the ring
-  kRing          ///< that of the ring
+  kLiner,        ///< temperature of the liner next to the ring
+  kRing          ///< temperature of the ring
 };
 
 /// Temperatures of the ring and along the liner, eq-film-temperature. Distances are those of the ring from its TDC
@@ -21,7 +21,7 @@ class WallTemperatures {
                    std::vector<double> liner);
 
   double liner(double distance) const;  ///< next to the ring at that distance [m] below its TDC position [K]
-  double film(double distance) const;   ///< of the oil film there [K]
+  double film(double distance) const;   ///< temperature of the oil film at that distance [K]
 
   struct Range {
     double low, high;  ///< [K]

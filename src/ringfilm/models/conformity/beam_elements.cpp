@@ -52,7 +52,7 @@ BeamElements::Shapes BeamElements::bending(int e, double s) const {
 }
 
 std::vector<double> BeamElements::force_of_shape(const FourierSeries& deviation) const {
-  constexpr double kPiece = 0.5;  // of the angle of the highest order
+  constexpr double kPiece = 0.5;  // largest length of a piece times the highest order [rad]
   int highest = 1;
   for (const FourierOrder& one : deviation.orders()) highest = std::max(highest, one.order);
   std::vector<double> force(2 * phi_.size(), 0.0);

@@ -16,7 +16,8 @@ class BeamElements {
 
   int n_nodes() const { return static_cast<int>(phi_.size()); }
   const std::vector<double>& phi() const { return phi_; }
-  double slope_length(int node) const { return length_[node]; }  ///< of the unknown that is a slope [rad]
+  /// Angle that scales the slope unknown of a node [rad].
+  double slope_length(int node) const { return length_[node]; }
 
   /// Upper band of the symmetric stiffness, kWidth entries an unknown: the force along one unknown of another [N/m].
   const std::vector<double>& stiffness() const { return stiffness_; }

@@ -121,7 +121,7 @@ class GridContact {
   }
 
   std::size_t n_;
-  std::vector<std::array<double, 3>> diagonals_;  ///< of A: the main one, one and two below it
+  std::vector<std::array<double, 3>> diagonals_;  ///< diagonals of A: the main one, and the first and second below it
   std::vector<double> linear_, c_;
   std::vector<bool> touches_;
   double tolerance_ = 0;

@@ -7,7 +7,7 @@ namespace ringfilm::models {
 struct FourierOrder {
   int order = 0;         ///< n, periods around the circle
   double amplitude = 0;  ///< [unit of the series]
-  double phase = 0;      ///< of a crest [rad]
+  double phase = 0;      ///< phase of a crest [rad]
 };
 
 /// A sum of such terms over the angle theta [rad].
@@ -21,7 +21,7 @@ class FourierSeries {
   /// The derivative of that degree with respect to theta.
   double derivative(double theta, int degree) const;
   double integral(double from, double to) const;
-  /// The same over theta' = theta - angle.
+  /// This series over theta' = theta - angle.
   FourierSeries turned(double angle) const;
   /// The sum of the amplitudes' sizes: no value lies farther from zero.
   double bound() const;

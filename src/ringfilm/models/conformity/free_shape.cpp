@@ -60,7 +60,7 @@ std::vector<double> refined(const std::vector<double>& phi, std::vector<std::siz
 /// What is measured of the shape itself: how long it is up to each point, and which way it looks there.
 struct MeasuredLine {
   std::vector<double> length;     ///< along the running surface [m]
-  std::vector<double> direction;  ///< of the normal, without jumps [rad]
+  std::vector<double> direction;  ///< direction of the normal, without jumps [rad]
 };
 
 MeasuredLine measured_line(const std::vector<ShapePoint>& points) {
@@ -183,7 +183,8 @@ class NearestShape {
   }
 
  private:
-  static constexpr std::size_t kRigid = 3;  ///< of the unknowns: the first point of the centroid, and the direction
+  /// Unknowns of the rigid position: first point of the centroid line (x, y) and direction.
+  static constexpr std::size_t kRigid = 3;
 
   void append_turns(const RingBeam& beam, const std::vector<double>* mean) {
     std::vector<double> turns;
@@ -221,7 +222,8 @@ class NearestShape {
     const std::size_t n = unknowns_.size();
     std::vector<std::vector<double>> rows;
     std::vector<double> missed;
-    std::vector<double> moved_x(n - 2, 0.0), moved_y(n - 2, 0.0);  // of the centroid, by direction and forces
+    // Displacement of the centroid by direction and forces.
+    std::vector<double> moved_x(n - 2, 0.0), moved_y(n - 2, 0.0);
     Section at{unknowns_[0], unknowns_[1], direction_at(0)};
     sum_ = 0;
     for (std::size_t i = 0, next = 0; i < fine_.size(); ++i) {
@@ -257,7 +259,7 @@ class NearestShape {
     sum_up(rows, missed);
   }
 
-  /// Of the direction of all, then of each force.
+  /// Rotation at arc i by the direction of the whole ring (k = 0), then by each force.
   double turn(std::size_t k, std::size_t i) const { return k == 0 ? 1 : turns_[k - 1][i]; }
 
   void sum_up(const std::vector<std::vector<double>>& rows, const std::vector<double>& missed) {
@@ -280,14 +282,14 @@ class NearestShape {
 
   const std::vector<ShapePoint>& points_;
   double r_, half_thickness_;
-  std::vector<double> phi_;                 ///< of the points [rad]
-  std::vector<double> fine_;                ///< of arcs between them, too [rad]
+  std::vector<double> phi_;                 ///< angles of the points [rad]
+  std::vector<double> fine_;                ///< angles of the points and of the arcs between them [rad]
   std::vector<std::size_t> kept_;           ///< which of these the points are
   std::vector<std::vector<double>> turns_;  ///< by each unit of force, at the places of arcs [rad/N]
   std::vector<double> unknowns_, scale_;
-  Eigen::MatrixXd A_;  ///< of the normal equations; its lower half
+  Eigen::MatrixXd A_;  ///< matrix of the normal equations, lower half
   Eigen::VectorXd b_;
-  double sum_ = 0;  ///< of the squares of the distances [m2]
+  double sum_ = 0;  ///< sum of the squared distances [m2]
 };
 
 }  // namespace

@@ -25,7 +25,7 @@ struct FreeShapeFit {
   /// Standard deviation of F_t, and of the orders of the pressure together as their rms around the ring, where the
   /// points scatter about that shape independently of each other; relative to F_t [-].
   double force_deviation = 0;
-  double pressure_deviation = 0;  ///< of the orders
+  double pressure_deviation = 0;  ///< standard deviation of the orders of the pressure, relative to F_t [-]
 };
 
 /// The fewest points that a shape may have for each wave of its highest order: noise is averaged over them.

@@ -128,7 +128,7 @@ double LiftOff::moment(double phi) const {
 }
 
 LiftOff::Extreme LiftOff::extreme(double sign) const {
-  constexpr int kSamples = 12;  // of each panel
+  constexpr int kSamples = 12;  // samples per panel
   Extreme best{from_, sign * first().c};
   const double step = (to_ - from_) / (kSamples * static_cast<double>(ends_.size() - 1));
   const int n = kSamples * static_cast<int>(ends_.size() - 1);

@@ -15,8 +15,8 @@ class RingAtWall {
   const RingBeam& beam() const { return beam_; }
   const FourierSeries& bore() const { return bore_; }
   double gas() const { return gas_; }
-  double start() const { return beam_.half_gap(); }  ///< of the ring [rad]
-  double end() const;                                ///< of the ring [rad]
+  double start() const { return beam_.half_gap(); }  ///< angle of the first end of the ring [rad]
+  double end() const;                                ///< angle of the second end of the ring [rad]
 
   /// Force of the wall where the ring touches all along, eq-closure-complementarity; where it is negative, the ring
   /// cannot touch [N/rad].
@@ -58,7 +58,7 @@ class LiftOff {
   const LiftOffState& first() const { return states_.front(); }  ///< at from()
   const LiftOffState& last() const { return states_.back(); }    ///< at to()
   LiftOffState at(double phi) const;
-  double moment(double phi) const;  ///< of the ring, closing positive [N m]
+  double moment(double phi) const;  ///< bending moment of the ring, closing positive [N m]
 
   struct Extreme {
     double phi;
@@ -74,8 +74,8 @@ class LiftOff {
 
   std::shared_ptr<const RingAtWall> ring_;
   double from_, to_;
-  std::vector<double> ends_;          ///< of panels
-  std::vector<LiftOffState> states_;  ///< at these
+  std::vector<double> ends_;          ///< ends of the panels [rad]
+  std::vector<LiftOffState> states_;  ///< states at the ends of the panels
 };
 
 }  // namespace ringfilm::models

@@ -51,7 +51,7 @@ LiftOff::Extreme RingClosure::largest_clearance() const {
   LiftOff::Extreme best{ring_->start(), 0};
   for (const LiftOff& span : lift_offs_) {
     const LiftOff::Extreme one = span.largest();
-    // Of two that are alike in a symmetric bore the first: rounding must not choose.
+    // In a symmetric bore two clearances may be equal: the first is taken, so that rounding does not decide.
     if (one.clearance > best.clearance * (1 + 1e-9)) best = one;
   }
   return best;

@@ -33,15 +33,15 @@ class RingClosure {
 
   LiftOff::Extreme largest_clearance() const;  ///< [m]; zero at the start of the ring where all of it touches
   double clearance_integral() const;           ///< over phi [m rad]
-  double contact_angle() const;                ///< of all arcs [rad]
+  double contact_angle() const;                ///< sum of the angles of all contact arcs [rad]
 
   double clearance(double phi) const;   ///< [m]
-  double line_force(double phi) const;  ///< of the wall without the point forces [N/rad]
+  double line_force(double phi) const;  ///< force of the wall without the point forces [N/rad]
   double moment(double phi) const;      ///< closing positive [N m]
   /// Force of the wall from the start of the ring up to phi, a point force at phi counted [N].
   double force_up_to(double phi) const;
   double force_in_points() const;  ///< [N]
-  double force() const;            ///< of the wall, all of it [N]
+  double force() const;            ///< total force of the wall [N]
   /// Resultant of wall and gas over the tangential force: zero but for rounding [-].
   double unbalanced_share() const;
 

@@ -175,7 +175,8 @@ GreenwoodTripp::Contact GreenwoodTripp::contact(double h) const {
 }
 
 std::optional<SummitStatistics> summit_statistics(const GreenwoodTripp::Parameters& pair) {
-  constexpr double kSmallestBandwidth = 1.5;  // of any isotropic Gaussian surface (Nayak 1971)
+  // Least bandwidth parameter of any isotropic Gaussian surface (Nayak 1971).
+  constexpr double kSmallestBandwidth = 1.5;
   const double root_m4 = 3 * std::sqrt(pi) / (8 * pair.beta);
   const double m4 = root_m4 * root_m4;
   const double m2 = m4 / (6 * pi * std::numbers::sqrt3 * pair.N);

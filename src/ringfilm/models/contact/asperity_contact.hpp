@@ -12,7 +12,7 @@ namespace ringfilm::models {
 enum class ContactIntegralForm {
   kExact,               ///< quadrature, to rounding
   kPolynomial4Digit,    ///< a fit of the literature, zero from its first root on
-  kPolynomialAsPrinted  ///< the same as styles2014 has it, digits cut off: rises again beyond 1.911
+  kPolynomialAsPrinted  ///< the fit as styles2014 prints it, digits cut off: rises again beyond 1.911
 };
 
 /// Exact Gaussian integral F_n(lambda) = 1/sqrt(2 pi) int_lambda^inf (s - lambda)^n exp(-s^2/2) ds,
@@ -36,7 +36,7 @@ class GreenwoodTripp final : public AsperityContact {
     double beta;                                             ///< mean radius of asperity summits [m]
     double sigma;                                            ///< composite roughness [m]
     double E_prime;                                          ///< E' of 2/E' = sum (1 - nu^2)/E [Pa]
-    ContactIntegralForm form = ContactIntegralForm::kExact;  ///< of the height integrals F_2 and F_5/2
+    ContactIntegralForm form = ContactIntegralForm::kExact;  ///< form of the height integrals F_2 and F_5/2
   };
 
   explicit GreenwoodTripp(const Parameters& parameters);  ///< all of them above zero
@@ -88,7 +88,7 @@ class GreenwoodTripp final : public AsperityContact {
 struct SummitStatistics {
   double bandwidth;      ///< alpha = m0 m4/m2^2 [-]
   double rms_slope;      ///< h' = sqrt(2 m2) [-]
-  double summit_offset;  ///< of the mean plane of the summits above that of the surface [m]
+  double summit_offset;  ///< height of the mean plane of the summits above that of the surface [m]
   double summit_spread;  ///< sigma_s, standard deviation of the summit heights [m]
 };
 /// Nothing where no such surface exists: alpha below 1.5.

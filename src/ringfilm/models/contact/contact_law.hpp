@@ -21,7 +21,7 @@ struct FittedContact {
 /// scales, by powers of the place within the piece, 0 to 1.
 struct ContactPieces {
   using Cubics = std::vector<std::array<double, 4>>;
-  Cubics pressure, area;      ///< of each piece
+  Cubics pressure, area;      ///< coefficients of the cubic of each piece
   double reach = 0;           ///< [m]
   double pressure_scale = 0;  ///< [Pa]
   double area_scale = 0;      ///< [-]

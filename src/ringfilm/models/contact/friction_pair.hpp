@@ -12,12 +12,12 @@ enum class FrictionState {
 
 /// A coating against a liner, as the library data/pairs has it.
 struct FrictionPair {
-  std::string name;  ///< of contact.friction_pair
+  std::string name;  ///< name of the pair, a value of contact.friction_pair
   std::string coating, liner;
   FrictionState state = FrictionState::kLubricated;
   double friction = 0;              ///< coefficient of boundary friction, zeta [-]
   std::optional<double> low, high;  ///< its band [-]
-  std::optional<double> hardness;   ///< of the softer face [Pa]
+  std::optional<double> hardness;   ///< hardness of the softer face [Pa]
   std::string roughness_class;      ///< rms of both surfaces together, as text with its unit
   std::string source;               ///< or "typical, assumed"
 };

@@ -13,7 +13,8 @@ namespace {
 constexpr double kSmallestLength = 1e-13, kLengthsPerDecade = 8;  // [m]
 constexpr int kLengths = 81;
 constexpr double kRoundingOfShares = 1e-6;
-constexpr double kLeastFlow = 1e-4;  // of phi where the spots shut the map: a film passes some oil around them
+// Lower bound of phi where the spots close the map: a film passes some oil around them.
+constexpr double kLeastFlow = 1e-4;
 
 double length_at(int k) { return kSmallestLength * std::pow(10.0, k / kLengthsPerDecade); }
 

@@ -29,8 +29,8 @@ class MeasuredFlow {
   /// not of an area.
   explicit MeasuredFlow(FlowTable table);
 
-  /// The same gaps at separations that are larger by `shift`: what a row lets through it lets through there. Rows that
-  /// move to 0 or below are omitted. Throws InputError where fewer than 2 remain. @param shift [m]
+  /// Factors at separations that are larger by `shift`: the mean gap and the flow of each row are those before the
+  /// shift. Rows that move to 0 or below are omitted. Throws InputError where fewer than 2 remain. @param shift [m]
   MeasuredFlow shifted(double shift) const;
 
   double pressure_flow(double h) const;         ///< phi_x [-]

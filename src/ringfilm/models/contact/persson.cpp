@@ -9,7 +9,7 @@ namespace ringfilm::models {
 double persson_area(double p, double E_star_slope) { return std::erf(std::numbers::sqrt2 * p / E_star_slope); }
 
 PerssonArea persson_area(double p, double E_star_slope, double hardness) {
-  constexpr double kNegligible = 45;  // of the exponent
+  constexpr double kNegligible = 45;  // exponent beyond which terms of the series are negligible
   const double x = p / hardness, spread = E_star_slope * E_star_slope / (8 * hardness * hardness);
   if (!(x > 0)) return {0, 0};
   const double decay = std::numbers::pi * std::numbers::pi * spread;

@@ -117,7 +117,7 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
   const SummitStatistics summits = summits_of(pair);
   const double m0 = pair.sigma * pair.sigma, m2 = 0.5 * summits.rms_slope * summits.rms_slope;
   const double m4 = summits.bandwidth * m2 * m2 / m0;
-  const double spread_u = std::sqrt(2 * m4 / 3);  // of the mean curvature u
+  const double spread_u = std::sqrt(2 * m4 / 3);  // standard deviation of the mean curvature u
   const double height_of_u = 1.5 * m2 / m4;       // mean height of summits with this curvature over it
   const double s = std::sqrt(m0 - 1.5 * m2 * m2 / m4);
   constexpr int kTau = 48, kU = 40;
@@ -135,7 +135,7 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
     const double u = (i + 0.5) / kU * kLargestU * spread_u;
     double load = 0, area = 0;
     for (int k = 0; k < kTau; ++k) {
-      const double tau = (k + 0.5) / kTau, product = u * u * (1 - tau * tau);  // of both curvatures
+      const double tau = (k + 0.5) / kTau, product = u * u * (1 - tau * tau);  // product of both principal curvatures
       const double weight = u / kTau * (3 * u * tau / m4) * std::exp(-1.5 * u * u * tau * tau / m4) * product;
       load += weight * std::pow(product, -0.25) * factors[k].load;
       area += weight * std::pow(product, -0.5) * factors[k].area;
@@ -174,7 +174,7 @@ std::function<PressureAndArea(double)> summit_contact(const GreenwoodTripp::Para
 }
 
 ContactTable tabulated(const std::function<PressureAndArea(double)>& law, double sigma) {
-  constexpr double kStep = 0.1, kLeft = 1e-12;  // of sigma; of the pressure at 0
+  constexpr double kStep = 0.1, kLeft = 1e-12;  // step over sigma; share of the pressure at 0 where the table ends
   ContactTable table;
   for (int k = 0; k < 400; ++k) {
     const double h = k * kStep * sigma;

@@ -11,20 +11,21 @@ namespace ringfilm::models {
 enum class ContactModel {
   kGreenwoodTripp,       ///< two rough surfaces, pairs of summits
   kGreenwoodWilliamson,  ///< one rough surface against a flat
-  kBushGibsonThomas,     ///< the same with the joint distribution of summit heights and curvatures
-  kPlastic,              ///< hardness times the material ratio
+  /// One rough surface against a flat, with the joint distribution of summit heights and curvatures.
+  kBushGibsonThomas,
+  kPlastic,  ///< hardness times the material ratio
 };
 
 /// From which plane the separation is measured.
 enum class SummitPlane {
-  kSurface,  ///< that of the surfaces, as if it were that of the summits
-  kNayak,    ///< that of the summits, by their bandwidth parameter
+  kSurface,  ///< mean plane of the surfaces, used as if it were the mean plane of the summits
+  kNayak,    ///< mean plane of the summits, from their bandwidth parameter
 };
 
 /// Whose density and radius a law of pairs takes.
 enum class ContactMoments {
-  kPair,        ///< of the sum of both surfaces
-  kOneSurface,  ///< of one of two like surfaces
+  kPair,        ///< density and radius of the sum of both surfaces
+  kOneSurface,  ///< density and radius of one of two like surfaces
 };
 
 /// Which law of the contact of a pair, and what it needs.
@@ -33,7 +34,7 @@ struct SummitContactChoice {
   AsperityLaw asperity = AsperityLaw::kElastic;
   SummitPlane plane = SummitPlane::kSurface;
   ContactMoments moments = ContactMoments::kPair;
-  double hardness = 0;  ///< of the softer face; 0 where nothing uses it [Pa]
+  double hardness = 0;  ///< hardness of the softer face; 0 where nothing uses it [Pa]
   double nu = 0.3;      ///< Poisson's ratio of the softer face [-]
 };
 
@@ -47,7 +48,7 @@ struct PressureAndArea {
 std::function<PressureAndArea(double)> summit_contact(const GreenwoodTripp::Parameters& pair,
                                                       const SummitContactChoice& choice);
 
-/// The same as a table from 0 to where nothing is left.
+/// Table of a contact law from separation 0 to where its pressure is negligible.
 ContactTable tabulated(const std::function<PressureAndArea(double)>& law, double sigma);
 
 }  // namespace ringfilm::models

@@ -10,7 +10,7 @@
 namespace ringfilm::models {
 namespace {
 
-constexpr double kLeftAtReach = 1e-11;  // of the value at 0
+constexpr double kLeftAtReach = 1e-11;  // pressure at the reach over that at separation 0
 constexpr std::size_t kFewestRows = TabulatedContact::kFewestRows;
 constexpr int kBefore = 8, kBeyond = 24;  // places before the first row and beyond the last one
 constexpr int kCubics = 256;

@@ -19,7 +19,7 @@ struct ContactTable {
 class TabulatedContact final : public AsperityContact {
  public:
   static constexpr std::size_t kFewestRows = 4;
-  static constexpr double kMostError = 1e-3;  ///< of the pressure at a row
+  static constexpr double kMostError = 1e-3;  ///< largest permitted row_error(), relative to the pressure at a row [-]
 
   /// @param trusted_up_to_m last separation whose rows are used [m]
   /// Throws InputError for fewer than 4 such rows, and rows that do not fall.

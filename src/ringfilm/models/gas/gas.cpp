@@ -27,8 +27,8 @@ struct Extent {
   double sum;             // finite only if all are
 };
 
-/// Of value(0) .. value(n-1), n > 0. A measured trace has thousands of samples: eight running results side by side run
-/// in vector registers, where a single one would wait for itself.
+/// Smallest, largest and sum of value(0) .. value(n-1), n > 0. A measured trace has thousands of samples: eight running
+/// results side by side run in vector registers, where a single one would wait for itself.
 template <class Value>
 Extent extent(std::size_t n, const Value& value) {
   constexpr std::size_t kLanes = 8;
@@ -52,7 +52,7 @@ Extent extent(std::size_t n, const Value& value) {
   return all;
 }
 
-/// Of the steps between neighbours; of one angle: 1, as if there were a step.
+/// Smallest, largest and sum of the steps between neighbouring angles; all 1 for a single angle.
 Extent steps(const std::vector<double>& angle) {
   if (angle.size() < 2) return {1, 1, 1};
   return extent(angle.size() - 1, [&](std::size_t k) { return angle[k + 1] - angle[k]; });

@@ -19,7 +19,7 @@ class CyclePressure {
   double pressure(double crank_angle_deg) const;  ///< [Pa], absolute
   /// Largest sample and its angle in [0, 720).
   double peak() const;
-  double peak_angle_deg() const;  ///< of the highest pressure [degree]
+  double peak_angle_deg() const;  ///< angle of the highest pressure [degree]
 
  private:
   std::vector<double> angle_, pressure_;
@@ -42,7 +42,7 @@ struct WiebeCycle {
   CrankSlider crank;                 ///< gives the volume of the cylinder
   double compression_ratio;          ///< largest over smallest volume [-]
   double peak_pressure;              ///< highest of the cycle, absolute [Pa]
-  double peak_angle_deg;             ///< of the highest pressure, after firing TDC [degree]
+  double peak_angle_deg;             ///< angle of the highest pressure, after firing TDC [degree]
   double burn_duration_deg;          ///< length of the heat release [degree]
   double intake_pressure;            ///< during intake, absolute [Pa]
   double exhaust_pressure;           ///< during exhaust, absolute [Pa]

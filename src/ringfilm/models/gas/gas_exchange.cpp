@@ -36,7 +36,7 @@ CyclePressure closed_cycle(std::vector<double> crank_angle_deg, std::vector<doub
   const auto append = [&](const MonotoneBlend::End& from, const MonotoneBlend::End& to) {
     if (!(to.x > from.x)) return;
     const MonotoneBlend blend(from, to);
-    const int steps = static_cast<int>(std::ceil(to.x - from.x));  // of one degree or less
+    const int steps = static_cast<int>(std::ceil(to.x - from.x));  // number of steps of at most one degree
     for (int k = 1; k < steps; ++k) {
       const double x = from.x + (to.x - from.x) * k / steps;
       crank_angle_deg.push_back(x);

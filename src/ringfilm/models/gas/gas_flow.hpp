@@ -18,7 +18,8 @@ class OrificeLaw {
   /// Flow function psi(p_d/p_u), eq-flow-function [-]. @param ratio of the pressures downstream and upstream, 0 to 1
   double flow_function(double ratio) const;
 
-  double critical_ratio() const { return critical_; }  ///< of the pressures [-]
+  /// Critical ratio of the downstream to the upstream pressure [-].
+  double critical_ratio() const { return critical_; }
 
  private:
   double unsmoothed(double ratio) const;
@@ -40,9 +41,9 @@ double orifice_flow(const OrificeLaw& law, double area, double gas_constant, con
 struct GasChannel {
   double length = 0;        ///< across the flow, around the ring [m]
   double width = 0;         ///< along the flow [m]
-  double viscosity = 0;     ///< of the gas [Pa s]
-  double gas_constant = 0;  ///< of the gas [J/(kg K)]
-  double temperature = 0;   ///< of the gas [K]
+  double viscosity = 0;     ///< viscosity of the gas [Pa s]
+  double gas_constant = 0;  ///< specific gas constant [J/(kg K)]
+  double temperature = 0;   ///< temperature of the gas [K]
 
   /// Mass flow from a to b [kg/s]. @param clearance between the flanks [m] @param p_a @param p_b absolute [Pa]
   double flow(double clearance, double p_a, double p_b) const;

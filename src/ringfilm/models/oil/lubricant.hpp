@@ -93,7 +93,7 @@ struct OilLaws {
   /// Walther through the values above, or Houpert's term from theta_0 on.
   ViscosityTemperatureLaw viscosity_temperature_law = ViscosityTemperatureLaw::kWalther;
   ViscosityPressureLaw viscosity_pressure_law = ViscosityPressureLaw::kRoelands;  ///< takes `parameters`
-  LawParameters parameters = usual_law_parameters();  ///< of the laws of viscosity against pressure [SI]
+  LawParameters parameters = usual_law_parameters();  ///< parameters of the laws of viscosity against pressure [SI]
   double beta_0 = 0;                                  ///< temperature-viscosity coefficient, Houpert [1/K]
   double theta_0 = 0;                                 ///< reference temperature, Houpert [K]
   std::optional<DowsonHigginson> compression;         ///< absent: density does not depend on pressure
@@ -115,11 +115,12 @@ OilState oil_state(const OilLaws& laws, double T);
 /// @param Z Roelands' index [-]; 0 switches the pressure dependence of eta off
 std::shared_ptr<const OilAtTemperature> closed_form_oil(double eta_T, double rho_T, double Z, DowsonHigginson law);
 
-/// The same with any law of viscosity. Throws InputError where it has no value for the oil.
+/// Closed-form oil at one temperature with any law of viscosity. Throws InputError where the law has no value for the
+/// oil.
 std::shared_ptr<const OilAtTemperature> closed_form_oil(const ViscosityLaw& law, const LawInputs& oil, double rho_T,
                                                         DowsonHigginson compression);
 
-/// The same from its laws.
+/// Closed-form oil at the temperature T [K] from its laws.
 std::shared_ptr<const OilAtTemperature> closed_form_oil(const OilLaws& laws, double T);
 
 /// Oil from a measured table, already interpolated to one temperature: monotone cubic in pressure (ln eta, rho),

@@ -17,13 +17,13 @@ struct OilFit {
   static constexpr int kFluidityDegree = 10, kFluiditySlopeDegree = 5, kDensityDegree = 6, kDensitySlopeDegree = 3;
 
   double low, high;                                     ///< range of absolute pressure served [Pa]
-  double centre, half_width;                            ///< of that range [Pa]
+  double centre, half_width;                            ///< centre and half width of that range [Pa]
   std::array<double, kFluidityDegree + 1> K;            ///< rho/eta [s/m2]
   std::array<double, kFluiditySlopeDegree + 1> dK_dp;   ///< [s/(m2 Pa)]
   std::array<double, kDensityDegree + 1> rho;           ///< [kg/m3]
   std::array<double, kDensitySlopeDegree + 1> drho_dp;  ///< [kg/(m3 Pa)]
   double error;        ///< largest relative difference of rho/eta and rho from the laws at the check points [-]
-  double slope_error;  ///< the same of the slopes, each relative to its largest value [-]
+  double slope_error;  ///< largest difference of the slopes at the check points, each relative to its largest value [-]
 
   template <class Value>
   struct Values {
@@ -46,12 +46,12 @@ inline constexpr double kFitSlopeError = 1e-4;  ///< largest `slope_error` [-]
 /// monotone cubics leave, or a law without a finite positive value within the range.
 std::optional<OilFit> fit_oil(const OilAtTemperature& exact, double low, double high);
 
-/// The same oil with `fit()` from low to high [Pa]; its `properties` remain those of the laws themselves.
+/// Oil `exact` with `fit()` from low to high [Pa]; its `properties` remain those of the laws themselves.
 /// @returns `exact` where the fit is not certified
 std::shared_ptr<const OilAtTemperature> fitted_oil(std::shared_ptr<const OilAtTemperature> exact, double low,
                                                    double high);
 
-/// The same oil with that fit.
+/// Oil `exact` with the given fit.
 std::shared_ptr<const OilAtTemperature> with_fit(std::shared_ptr<const OilAtTemperature> exact, const OilFit& fit);
 
 /// Largest differences of a fit from the laws at the check points, as in OilFit.

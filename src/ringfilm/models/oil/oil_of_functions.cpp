@@ -54,7 +54,8 @@ void check_values(const AtPlaces& value, const AtPlaces& p, const char* property
 /// @param after the same property a little further on, at p + step
 void check_slopes(const AtPlaces& value, const AtPlaces& after, const AtPlaces& slope, const AtPlaces& p, double step,
                   const char* property) {
-  constexpr double kSteepness = 0.01;  // of the largest slope: a table's corners pass, a wrong sign or unit does not
+  // Tolerance over the largest slope: a table's corners pass, a wrong sign or unit does not.
+  constexpr double kSteepness = 0.01;
   // What rounding leaves in a difference of the values.
   constexpr double kRounding = 1e-12;
   double largest = 0;

@@ -43,7 +43,7 @@ class OilOverTemperature {
 
   std::shared_ptr<const OilAtTemperature> only_;
   Laws laws_;
-  double centre_ = 0, half_width_ = 0;  ///< of the range of temperature [K]
+  double centre_ = 0, half_width_ = 0;  ///< centre and half width of the range of temperature [K]
   Nodes nodes_;                         ///< empty: no fits
 };
 

@@ -17,7 +17,7 @@ struct ValueAndSlope {
   Value value, slope;
 };
 
-/// The same with its slope in t; at least three coefficients.
+/// Value of the polynomial and its slope in t; at least three coefficients.
 template <class Value, std::size_t n>
 ValueAndSlope<Value> polynomial_and_slope(const std::array<double, n>& c, const Value& t) {
   Value value = t * c[n - 1] + c[n - 2];

@@ -64,7 +64,7 @@ class RoelandsCurve final : public ViscosityCurve {
 
   double eta_T_, Z_, logarithm_;
   std::array<double, kTerms> series_{};  // [Pa s]
-  double half_width_;                    // of the range of pressures around kCentre that the series serves [Pa]
+  double half_width_;  // half width of the range of pressures around kCentre in which the series is used [Pa]
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ struct ShearThinning {
 
   /// @param rate g/g_c: the shear rate over the critical one [-]
   double ratio(double rate) const;
-  /// The same of an oil under a shear stress: g^2 = slide^2 + (stress/eta)^2 with its own viscosity eta.
+  /// Ratio of an oil under a shear stress: g^2 = slide^2 + (stress/eta)^2 with its own viscosity eta.
   /// @param slide part of g that is known, over g_c [-] @param stress over g_c and the viscosity without shear [-]
   double ratio(double slide, double stress) const;
   /// g/g_c at which the ratio is `ratio`, above R and below 1 [-].

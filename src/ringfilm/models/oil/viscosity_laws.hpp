@@ -20,8 +20,8 @@ struct LawParameter {
   std::string unit;          ///< SI unit in UDUNITS spelling; "1" dimensionless
   std::string display_unit;  ///< the unit in which people write and read it
   double low, high;          ///< range, both ends included [SI]
-  double usual;              ///< of an engine oil [SI]: the default, and what the tests of the laws take
-  Statement statement;       ///< may a case leave it out?
+  double usual;              ///< usual value of an engine oil [SI]: the default, and the value in the tests of the laws
+  Statement statement;       ///< may a case omit it?
   std::string meaning;       ///< one line: what it is, symbol
   std::string example;       ///< the right-hand side as one would write it in TOML
 };
@@ -43,7 +43,7 @@ class ViscosityCurve {
 struct LawInputs {
   double eta_T;                     ///< viscosity at the temperature of the film and p = 0 [Pa s]
   double eta_0;                     ///< viscosity to which the stated coefficients belong [Pa s]
-  const LawParameters& parameters;  ///< of all laws [SI]
+  const LawParameters& parameters;  ///< parameters of all laws [SI]
 
   /// The parameter of that key [SI]. Throws std::out_of_range where no law lists it.
   double operator[](std::string_view key) const;
