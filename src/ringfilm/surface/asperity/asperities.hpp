@@ -16,7 +16,7 @@ enum class SigmaRule {
 struct SurfaceMeasures {
   double Sa_m = 0.0;        ///< mean absolute deviation of the heights (Ra of a profile) [m]
   double Sq_m = 0.0;        ///< rms of the heights about their mean (Rq of a profile) [m]
-  SpectralMoments moments;  ///< of profiles, in the direction that was asked for
+  SpectralMoments moments;  ///< spectral moments of profiles in the direction that was asked for
 };
 
 /// Density of asperity peaks, mean radius of their summits, roughness: what a contact model takes.
@@ -43,7 +43,7 @@ AsperityParameters asperity_parameters(const SpectralMoments& moments, double si
 /// docs/theory/surface.md: m2 and m4 add up, sigma is the root of the sum of squares, eq-asperity-pair.
 AsperityParameters pair_parameters(const SurfaceMeasures& first, const SurfaceMeasures& second, SigmaRule rule);
 
-/// The same for one surface against a smooth flat.
+/// N, beta, sigma of one surface against a smooth flat.
 AsperityParameters single_parameters(const SurfaceMeasures& surface, SigmaRule rule);
 
 /// One line for tables and files, for example "root of the sum of squares of Ra (Sa)".

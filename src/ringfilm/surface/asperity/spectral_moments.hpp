@@ -30,7 +30,7 @@ struct SpectralMoments {
 /// Sums from which the moments in every direction follow.
 struct MomentTable {
   DifferenceScheme scheme = DifferenceScheme::neighbours;  ///< with which they were formed
-  bool profile = false;                                    ///< of one row: what has a y stays 0
+  bool profile = false;         ///< is the map a profile, of one row? Moments with a y then stay 0
   double m0_m2 = 0.0;           ///< variance of the heights about the mean of all measured points [m^2]
   double m2_x = 0.0;            ///< mean square slope along x [-]
   double m2_y = 0.0;            ///< mean square slope along y [-]

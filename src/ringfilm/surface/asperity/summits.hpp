@@ -13,7 +13,7 @@ struct Summits {
   double mean_curvature_per_m = 0.0;  ///< mean of -(zxx + zyy)/2 of the summits [1/m]
   double mean_radius_m = 0.0;         ///< 1/mean curvature [m]
   double mean_height_m = 0.0;         ///< above the mean of the map [m]
-  double rms_height_m = 0.0;          ///< of the summit heights about their own mean [m]; 0 for a single summit
+  double rms_height_m = 0.0;          ///< rms of the summit heights about their own mean [m]; 0 for a single summit
 };
 
 /// All zero where there is no summit, as on a map of long waves.

@@ -14,12 +14,13 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr std::size_t kUsualSeparations = 16;
-constexpr double kSmallestUsual = 0.4;                   // Sq
-constexpr double kLargestUsual = 0.97;                   // of the highest point
-constexpr double kMostUsualArea = 1.0 / 3.0;             // rings remain below it
-constexpr double kUsualOfFlow[] = {2.0, 1.6, 1.3, 1.1};  // of the highest point: separations without contact
-constexpr double kSmallestGap = 1e-4;                    // Sq: first place of the distribution of the gap
-constexpr double kGapsPerDecade = 16, kMostGap = 100;    // places, and the last one over Sq or the largest separation
+constexpr double kSmallestUsual = 0.4;        // Sq
+constexpr double kLargestUsual = 0.97;        // share of the height of the highest point
+constexpr double kMostUsualArea = 1.0 / 3.0;  // rings remain below it
+// Separations without contact over the height of the highest point.
+constexpr double kUsualOfFlow[] = {2.0, 1.6, 1.3, 1.1};
+constexpr double kSmallestGap = 1e-4;                  // Sq: first place of the distribution of the gap
+constexpr double kGapsPerDecade = 16, kMostGap = 100;  // places, and the last one over Sq or the largest separation
 
 HeightMap sum_at(const SurfacePair& pair, std::size_t position) {
   if (!pair.second) return pair.first;
@@ -181,7 +182,7 @@ struct Samples {
   }
 };
 
-/// Of the samples that have a value there.
+/// Standard deviation over the samples that have a value at separation k; 0 for fewer than two.
 double deviation_of(const std::vector<std::vector<double>>& samples, std::size_t k) {
   double n = 0, sum = 0, squares = 0;
   for (const auto& sample : samples) {
@@ -215,7 +216,7 @@ Samples laws_of_regions(const SurfacePair& pair, std::span<const double> separat
   return samples;
 }
 
-/// Of the pressures at separations that several spots support and where each sample has one.
+/// Scatter of the laws by the pressures at separations that several spots support and where each sample has one.
 LawScatter scatter_of(const Samples& samples, const ContactLaw& law) {
   std::vector<double> at, spots;
   std::vector<std::vector<double>> pressure(samples.pressure.size());

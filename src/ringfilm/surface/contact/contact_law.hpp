@@ -25,18 +25,19 @@ struct FlowFactorsOfLaw {
   double phi_x = 0.0, phi_y = 0.0;  ///< pressure flow along and across the rows, K/h^3, eq-flow-cell [-]
   /// Shear flow along the rows, (<H> - 2 Q/U)/Sq with the first surface at rest, eq-shear-cell [-].
   double phi_s = 0.0;
-  double phi_fp = 0.0;            ///< of the stress by pressure along the rows, eq-stress-cell [-]
-  std::vector<double> gap_share;  ///< of the measured area at each of ContactLaw::gap_places_m; the rest is contact [-]
-  double residual = 0.0;          ///< of the cell problems, relative
+  double phi_fp = 0.0;  ///< factor of the shear stress that pressure drives along the rows, eq-stress-cell [-]
+  /// Share of the measured area at each of ContactLaw::gap_places_m; the rest is contact [-].
+  std::vector<double> gap_share;
+  double residual = 0.0;  ///< relative residual of the cell problems [-]
 };
 
 /// Contact at one separation, the mean over relative positions.
 struct ContactLawPoint {
   ContactAtSeparation mean;                    ///< the largest residual of all, and all iterations
   double pressure_deviation = 0.0;             ///< standard deviation over relative positions [Pa]; 0 of one
-  double area_deviation = 0.0;                 ///< likewise [-]
-  double pressure_deviation_of_regions = 0.0;  ///< likewise over regions [Pa]
-  double area_deviation_of_regions = 0.0;      ///< likewise [-]
+  double area_deviation = 0.0;                 ///< standard deviation of the area share over relative positions [-]
+  double pressure_deviation_of_regions = 0.0;  ///< standard deviation of the pressure over regions [Pa]
+  double area_deviation_of_regions = 0.0;      ///< standard deviation of the area share over regions [-]
   FlowFactorsOfLaw flow;                       ///< where it was asked for
 };
 
@@ -45,14 +46,14 @@ struct ContactLaw {
   std::vector<ContactLawPoint> points;  ///< in the order asked for
   double Sq_m = 0.0;                    ///< rms of the sum of both, of the first position [m]
   double highest_m = 0.0;               ///< largest separation with contact, of all positions [m]
-  double missing_share = 0.0;           ///< of the points of the first position
+  double missing_share = 0.0;           ///< share of the points of the first position that have no height [-]
   double last_supported_m = 0.0;        ///< largest separation with five spots on all maps, or the smallest of all [m]
-  LawScatter scatter;                   ///< of one relative position and one region, up to last_supported_m
-  std::vector<double> first_pressure;   ///< mean pressure of the first position, in the order of `points` [Pa]
-  std::vector<double> pressure;         ///< of the first position at the smallest separation, point by point [Pa]
-  std::vector<double> gap_m;            ///< likewise the true gap, 0 in contact [m]
-  std::vector<double> gap_places_m;     ///< of the distribution of the gap, rising; empty without the flow [m]
-  ContactGrid grid;                     ///< of both
+  LawScatter scatter;  ///< scatter of the law for one relative position and one region, up to last_supported_m
+  std::vector<double> first_pressure;  ///< mean pressure of the first position, in the order of `points` [Pa]
+  std::vector<double> pressure;      ///< pressure of the first position at the smallest separation, point by point [Pa]
+  std::vector<double> gap_m;         ///< true gap of the first position at the smallest separation, 0 in contact [m]
+  std::vector<double> gap_places_m;  ///< places of the distribution of the true gap, rising; empty without the flow [m]
+  ContactGrid grid;                  ///< common grid of both surfaces
 };
 
 /// Relative position k of the second surface: the first is where the map lies, the others fill the map evenly.

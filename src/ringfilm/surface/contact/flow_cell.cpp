@@ -6,10 +6,10 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kFlowTolerance = 1e-7;  // of the residual; conductances err by its square
+constexpr double kFlowTolerance = 1e-7;  // residual over that at the start; conductances err by its square
 constexpr int kMostFlowIterations = 400;
 constexpr std::size_t kCoarsest = 4;  // points along an axis
-constexpr int kCoarseVisits = 2;      // of a level from the one above, but of the first
+constexpr int kCoarseVisits = 2;      // visits of a level per visit of the next finer one; one from the finest
 
 /// Axis along which the flow is driven.
 enum class Axis { x, y };

@@ -26,7 +26,8 @@ MeanLaw mean_law(std::span<const double> h, const std::vector<std::vector<double
     law.row.push_back(k);
     law.value.push_back(std::log(sum / static_cast<double>(pressure.size())));
   }
-  // Of the parabola through three rows, at the ends those next to them.
+  // Slopes of the parabola through a row and its neighbours; the first and the last row use that of the row next to
+  // them.
   const std::size_t n = law.row.size();
   for (std::size_t i = 0; i < n && n > 2; ++i) {
     const std::size_t middle = std::clamp<std::size_t>(i, 1, n - 2);

@@ -19,14 +19,14 @@ struct ContactAtSeparation {
   double separation_m = 0.0;   ///< distance of the mean planes of the undeformed surfaces [m]
   double pressure = 0.0;       ///< mean over the nominal area [Pa]
   double area_share = 0.0;     ///< real contact area over the nominal one, corrected for the pixels, eq-real-area [-]
-  double pixel_share = 0.0;    ///< the same before the correction [-]
-  double share_at_cap = 0.0;   ///< of the points in contact, those at the hardness [-]
+  double pixel_share = 0.0;    ///< real contact area over the nominal one before the correction for the pixels [-]
+  double share_at_cap = 0.0;   ///< share of the points in contact at which the pressure is the hardness [-]
   double mean_gap_m = 0.0;     ///< mean of the true gap, which is 0 in contact, over all measured points [m]
   double spots_per_m2 = 0.0;   ///< contact spots, which touch along sides of pixels [1/m2]
-  double spot_radius_m = 0.0;  ///< of the circle of the mean area of a spot; 0 without contact [m]
-  double residual = 0.0;       ///< of the complementarity, eq-contact-residual [-]
+  double spot_radius_m = 0.0;  ///< radius of a circle with the mean area of a spot; 0 without contact [m]
+  double residual = 0.0;       ///< residual of the complementarity, eq-contact-residual [-]
   double load_next_to_missing = 0.0;  ///< share of the load on neighbours of points without a height [-]
-  int iterations = 0;                 ///< of the conjugate gradients
+  int iterations = 0;                 ///< iterations of the conjugate gradients
 };
 
 /// Contact of one rough surface, the sum of two, with a smooth one: elastic half-space, perfectly plastic cap. At each
@@ -43,9 +43,8 @@ class RoughContact {
 
   double highest_m() const { return highest_m_; }  ///< highest point above the mean plane [m]
   double rms_m() const { return Sq_m_; }           ///< rms of the heights [m]
-  double missing_share() const {
-    return 1 - measured_points_ / static_cast<double>(grid_.points());
-  }                                                        ///< of all points
+  /// Share of all points that have no height [-].
+  double missing_share() const { return 1 - measured_points_ / static_cast<double>(grid_.points()); }
   const ContactGrid& grid() const { return grid_; }        ///< where the pressures are
   std::span<const double> pressure() const { return p_; }  ///< at each point, of the last separation [Pa]
   std::span<const double> gap() const { return gap_; }     ///< true gap, below 0 where pressed away [m]

@@ -38,17 +38,17 @@ enum class FaceZero {
 /// What a trace does not show, and what may be stated about its fit.
 struct FaceRule {
   HeightSense sense{};            ///< which way the heights of the trace count
-  double width_m = 0;             ///< of the face, b [m]
+  double width_m = 0;             ///< width of the face, b [m]
   std::optional<double> start_m;  ///< where the face begins in the trace [m]; absent: where its mean gap is least
   FaceDirection direction = FaceDirection::kAsMeasured;      ///< which end of the trace becomes x = 0
   FaceLevelling levelling = FaceLevelling::kRunningSurface;  ///< how the tilt of the holder is removed
   double tilt = 0;                                           ///< slope of the gap to remove, of kStated [-]
-  FaceZero zero = FaceZero::kLowestPoint;                    ///< of the heights; the film does not depend on it
+  FaceZero zero = FaceZero::kLowestPoint;                    ///< zero of the heights; the film does not depend on it
   double running_surface_height_m = 1e-6;  ///< the running surface is where the gap is at most this above its least [m]
   /// Points that lie deeper than the spline by more than this are pores and omitted [m]; absent: none is.
   std::optional<double> pore_depth_m;
   std::optional<double> spline_cutoff_m;  ///< stiffness of the spline [m]; absent: a tenth of the width
-  int degree = 6;                         ///< of the polynomial
+  int degree = 6;                         ///< degree of the polynomial
 };
 
 /// Residuals of a fit: trace less fit.
@@ -72,18 +72,18 @@ struct FitArtifact {
   InventionReason reason{};  ///< what gives it away
   double size_m = 0;         ///< largest distance, or fall [m]
 
-  std::string words() const;  ///< the same as a sentence
+  std::string words() const;  ///< description of the artifact as a sentence
 };
 
 /// A face: polynomial and spline through a trace, and how far they are from it.
 struct FaceFit {
   std::vector<double> x_m;              ///< from 0 to the width [m]
-  std::vector<double> gap_m;            ///< of the trace, levelled and aligned [m]
+  std::vector<double> gap_m;            ///< face profile of the trace, levelled and aligned [m]
   double start_m = 0;                   ///< place in the trace that became x = 0, or x = b where turned
   double tilt = 0;                      ///< removed [-]
   double running_surface_from_m = 0;    ///< x where the running surface begins [m]
   double running_surface_to_m = 0;      ///< x where it ends [m]
-  FacePolynomial polynomial;            ///< of `gap_m` over `x_m`, least squares
+  FacePolynomial polynomial;            ///< least-squares polynomial of `gap_m` over `x_m`
   std::vector<double> spline_m;         ///< smoothed gap at x_m [m]
   double spline_cutoff_m = 0;           ///< wavelength of which the spline lets half the amplitude through [m]
   FaceResidual polynomial_residual;     ///< trace less polynomial
@@ -96,7 +96,7 @@ struct FaceFit {
   double spline_end_m[2] = {0, 0};      ///< spline at x = 0 and b, above its minimum [m]
   double noise_m = 0;                   ///< rms of what neither polynomial nor spline follows [m]
   std::vector<FitArtifact> invented;    ///< from x = 0 on; empty: the polynomial has nothing that the trace has not
-  double pore_share = 0;                ///< of the points, omitted as pores [-]
+  double pore_share = 0;                ///< share of the points that are omitted as pores [-]
   int averaged = 1;                     ///< neighbouring points of the trace that were averaged into one
 };
 

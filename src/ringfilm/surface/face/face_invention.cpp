@@ -30,7 +30,8 @@ Departure::Departure(const Trace& gap, const FacePolynomial& polynomial, double 
     squares += noise[i] * noise[i];
   }
   const double n = static_cast<double>(noise.size());
-  // Of white noise the spline leaves n - (2 tr S - tr S^2) squares, for its transmission 2.8 a wavelength.
+  // The spline leaves n - (2 tr S - tr S^2) squares of white noise; with its transmission 2 tr S - tr S^2 is 2.8 per
+  // cut-off.
   const double width = gap.x_m.back() - gap.x_m.front();
   noise_m_ = std::sqrt(squares / std::max(1.0, n - 2.8 * width / cutoff_m));
   memory_ = n / independent_points(noise);

@@ -11,7 +11,7 @@ namespace ringfilm::surface {
 struct FrictionSample {
   std::string name;      ///< for tables and messages
   LineFit line;          ///< friction signal [V] against load [load_unit]
-  LoadUnit load_unit{};  ///< of the loads; must be that of the calibration
+  LoadUnit load_unit{};  ///< unit of the loads; must be that of the calibration
 };
 
 /// zeta = psi m of one sample, eq-zeta, and what makes it uncertain, eq-zeta-shares.
@@ -30,10 +30,10 @@ struct ShearStrength {
 /// Coefficients of several samples and what their errors have in common.
 struct ShearStrengths {
   std::vector<ShearStrength> samples;  ///< in the order in which they were given
-  /// Of zeta of all samples, row after row: those of one calibration rise and fall together, eq-zeta-covariance.
+  /// Covariance of zeta of all samples, row after row: samples of one calibration are correlated, eq-zeta-covariance.
   std::vector<double> covariance;
 
-  double correlation(std::size_t i, std::size_t j) const;  ///< of the errors of two samples [-]
+  double correlation(std::size_t i, std::size_t j) const;  ///< correlation of the errors of two samples [-]
 };
 
 /// Throws InputError where loads of samples and calibration differ in kind, a slope is not positive, or the line of a

@@ -15,7 +15,7 @@ struct Uncertain {
 
 /// Coefficient of friction of silicon after Ahimou et al. @cite ahimou2007. Its 0.1 is taken as a standard deviation.
 inline constexpr Uncertain kSiliconAhimou{0.19, 0.1};
-/// The same after Warmack et al. @cite warmack1994.
+/// Coefficient of friction of silicon after Warmack et al. @cite warmack1994.
 inline constexpr Uncertain kSiliconWarmack{0.18, 0.03};
 
 /// What the loads of loops are counted in; calibration and sample must agree.
@@ -30,11 +30,13 @@ std::string name_of(CalibrationMethod method);
 struct Calibration {
   CalibrationMethod method{};
   LoadUnit load_unit{};
-  double psi = 0;                    ///< [1] for loads in volts, [N/V] for loads in newtons
-  double measurement_deviation = 0;  ///< of psi, from the calibration's own lines and lever data [as psi]
-  double reference_deviation = 0;    ///< of psi, from what was taken over: coefficient of silicon, angles [as psi]
-  double degrees_of_freedom = 0;     ///< of the measurement; infinite where it is stated
-  std::vector<LineFit> lines{};      ///< friction signal against load that psi follows from; none of a lever
+  double psi = 0;  ///< [1] for loads in volts, [N/V] for loads in newtons
+  /// Standard deviation of psi by the calibration's own lines and lever data [as psi].
+  double measurement_deviation = 0;
+  /// Standard deviation of psi by adopted values: coefficient of silicon, angles [as psi].
+  double reference_deviation = 0;
+  double degrees_of_freedom = 0;  ///< degrees of freedom of the measurement; infinite where it is stated
+  std::vector<LineFit> lines{};   ///< friction signal against load that psi follows from; none of a lever
 
   double deviation() const;
 };
@@ -74,15 +76,15 @@ struct WedgeFacet {
 
 struct WedgeCalibration {
   Calibration calibration;
-  Uncertain friction_coefficient;  ///< of tip and grating
+  Uncertain friction_coefficient;  ///< coefficient of friction between tip and grating
   double width_mismatch = 0;       ///< measured ratio of the facets' widths over the one that theory gives, less 1 [-]
 };
 
 /// Two facets of one material at unlike angles @cite ogletree1996, eq-wedge-width to eq-wedge-ratio; one may be flat
 /// @cite varenberg2003. Only slopes over load enter, so that adhesion, as long as it does not change with load, and the
 /// zero of the lateral signal drop out; cross-talk of the normal signal drops out in the difference of the offsets.
-/// The angles' share is contained in reference_deviation. Throws InputError where the angles are one, or no coefficient
-/// of friction below 1 explains the lines.
+/// The angles' share is contained in reference_deviation. Throws InputError where the angles are one, or no
+/// coefficient of friction below 1 explains the lines.
 WedgeCalibration calibrate_on_wedge(const WedgeFacet& first, const WedgeFacet& second, LoadUnit load_unit);
 
 }  // namespace ringfilm::surface

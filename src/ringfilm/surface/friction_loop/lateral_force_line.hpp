@@ -21,14 +21,14 @@ enum class DeviationScale {
 struct LineFit {
   double slope = 0, offset = 0;
   double slope_deviation = 0, offset_deviation = 0;  ///< standard errors
-  double covariance = 0;                             ///< of slope and offset
+  double covariance = 0;                             ///< covariance of slope and offset
   double chi_squared = 0;                            ///< weighted squares about the line, deviations as stated
   double chi_squared_probability = 0;  ///< that stated deviations alone give as much or more [-]; below 0.01 they are
                                        ///< too small, or the relation is not linear
   int points = 0;
   DeviationScale scale = DeviationScale::kFromResiduals;
 
-  /// Of the standard errors; infinite where the deviations are stated.
+  /// Degrees of freedom of the standard errors; infinite where the deviations are stated.
   double degrees_of_freedom() const;
   /// Half the width of the interval that holds the true slope with this probability.
   double slope_half_width(double confidence) const;

@@ -16,8 +16,8 @@ struct FrictionLoop {
   bool operator==(const FrictionLoop&) const = default;
 };
 
-/// One loop a line of a scan at one load, from the two lateral channels of an instrument: row after row, both ways at
-/// the same places. Lines with a value that is not a number are omitted.
+/// One loop a line of a scan at one load, from the two lateral channels of an instrument: row after row, both ways
+/// at the same places. Lines with a value that is not a number are omitted.
 /// Throws InputError for sizes that do not fit, a step that is not a length, and where no line is left.
 std::vector<FrictionLoop> loops_of_scan(double load, std::size_t points_x, double step_m,
                                         const std::vector<double>& trace_V, const std::vector<double>& retrace_V);

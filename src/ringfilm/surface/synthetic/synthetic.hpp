@@ -29,8 +29,8 @@ PowerSpectrum self_affine(double hurst, double roll_off_m, double short_m);
 
 /// How the rms of a synthetic surface is meant.
 enum class RmsDefinition {
-  expected,  ///< over many seeds
-  exact      ///< of this surface, to round-off
+  expected,  ///< rms expected over many seeds
+  exact      ///< rms of this surface, to round-off
 };
 
 /// A Gaussian surface of mean 0 with the given spectrum and rms; eq-synthetic. Sums of random waves: every seed gives
@@ -58,7 +58,7 @@ HeightMap honed_surface(const SurfaceGrid& grid, const HonedSurface& of, std::ui
 struct PorousSurface {
   double fine_Sq_m = 0.3e-6;     ///< rms of the face between the pores [m]
   double fine_length_m = 3e-6;   ///< correlation length of the face between the pores [m]
-  double pore_share = 0.15;      ///< of the area, 0 to 0.9 [-]
+  double pore_share = 0.15;      ///< share of the area that is pores, 0 to 0.9 [-]
   double pore_length_m = 15e-6;  ///< correlation length of the pores [m]
   double pore_depth_m = 4e-6;    ///< mean [m]
 };

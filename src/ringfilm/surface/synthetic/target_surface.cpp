@@ -13,7 +13,7 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr double kHurst = 0.8;
-constexpr double kSmallChange = 1e-5;  // of a logarithm, for the slopes of Newton's method
+constexpr double kSmallChange = 1e-5;  // change of a logarithm for the slopes of Newton's method
 constexpr double kLargestStep = 0.5;
 constexpr double kClose = 1e-12;
 constexpr int kMostSearchSteps = 60;
@@ -38,7 +38,7 @@ Pair ratios(double roughness_m, double m2, double m4) {
   return {std::log(m2 / square), std::log(m4 / square)};
 }
 
-/// Of the spectrum itself, on an endless surface.
+/// Logarithms of m2 and m4 over the squared roughness, by the spectrum itself on an unbounded surface.
 Pair expected_ratios(const Pair& lengths, double roughness_per_rms) {
   const PowerSpectrum spectrum = spectrum_of(lengths);
   double m0 = 0, m2 = 0, m4 = 0;

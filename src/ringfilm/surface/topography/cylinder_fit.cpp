@@ -190,7 +190,8 @@ Cylinder CylinderForm::cylinder() const {
   found.axis_tilt_rad = std::atan(at_.tilt);
   found.ridge_offset_m = at_.offset_m;
   double angle = std::remainder(at_.angle_rad, 2 * std::numbers::pi);
-  if (angle > std::numbers::pi / 2 || angle <= -std::numbers::pi / 2) {  // the same axis, seen the other way
+  // The opposite direction describes an identical axis.
+  if (angle > std::numbers::pi / 2 || angle <= -std::numbers::pi / 2) {
     angle += angle > 0 ? -std::numbers::pi : std::numbers::pi;
     if (points_y_ > 1) {
       found.axis_tilt_rad = -found.axis_tilt_rad;

@@ -11,7 +11,7 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr double kLeastSteps = 2;
-constexpr double kLeastSupport = 1e-9;  // of the weights that a whole neighbourhood has
+constexpr double kLeastSupport = 1e-9;  // least sum of weights over that of a complete neighbourhood
 // Tukey's biweight with 3 standard deviations, taken from the median of the deviations of a Gaussian: 3/0.6745.
 constexpr double kOutlier = 4.4478;
 constexpr double kSettled = 1e-3;

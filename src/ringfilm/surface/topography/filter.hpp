@@ -23,7 +23,7 @@ struct FilterChoice {
 struct FilterApplied {
   FilterChoice choice;
   double cutoff_steps = 0.0;               ///< cut-off in steps, the smaller of both directions
-  int iterations = 0;                      ///< of the robust filter
+  int iterations = 0;                      ///< iterations of the robust filter
   std::size_t points_without_support = 0;  ///< robust: all near points were outliers, the linear filter is used there
   std::string text;                        ///< one line: side, kind, standard, cut-off
 };

@@ -12,15 +12,15 @@ enum class FormKind { none, mean, tilt, cylinder, polynomial };
 
 struct FormChoice {
   FormKind kind = FormKind::tilt;
-  int degree = 2;  ///< of a polynomial: largest sum of the powers of x and y, 0 to 12
+  int degree = 2;  ///< degree of a polynomial: largest sum of the powers of x and y, 0 to 12
 };
 
 /// A cylinder as found: its axis may lie at any angle in the plane of the map and be tilted out of it. A profile gives
 /// a circle and no angle.
 struct Cylinder {
-  double radius_m = 0.0;        ///< of curvature [m], positive for a convex surface (a ring face, seen from outside)
-  double axis_angle_rad = 0.0;  ///< of the axis from the x axis, in (-pi/2, pi/2]
-  double axis_tilt_rad = 0.0;   ///< of the axis out of the plane of the map
+  double radius_m = 0.0;  ///< radius of curvature [m], positive for a convex surface (a ring face, seen from outside)
+  double axis_angle_rad = 0.0;  ///< angle of the axis from the x axis, in (-pi/2, pi/2]
+  double axis_tilt_rad = 0.0;   ///< tilt of the axis out of the plane of the map
   double ridge_offset_m = 0.0;  ///< distance of the ridge from the centre of the map, across the axis
 };
 
@@ -29,7 +29,7 @@ struct FormRemoved {
   FormKind kind = FormKind::none;
   int degree = 0;
   double mean_m = 0.0;   ///< height of the form at the centre of the map [m]
-  double slope_x = 0.0;  ///< of the form at the centre [-]
+  double slope_x = 0.0;  ///< slope of the form along x at the centre [-]
   double slope_y = 0.0;
   double rms_m = 0.0;  ///< rms of what was removed about its own mean [m]
   std::optional<Cylinder> cylinder;

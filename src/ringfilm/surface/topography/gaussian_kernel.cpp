@@ -61,7 +61,7 @@ std::size_t transform_length(std::size_t n) {
 struct LineConvolution::Transform {
   Eigen::FFT<double> fft;
   std::vector<std::complex<double>> lines, waves;
-  std::vector<double> passing;  // of each wave, with the 1/n of the way back
+  std::vector<double> passing;  // transmission of each wave, with the factor 1/n of the inverse transform
 };
 
 LineConvolution::LineConvolution(std::span<const double> kernel, std::size_t points)

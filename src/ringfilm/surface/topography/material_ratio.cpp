@@ -14,8 +14,9 @@ constexpr std::size_t kLeastPointsOfTwoLines = 100;
 constexpr double kCoreShare = 0.4;
 constexpr double kProbabilityRange = 3;  // standard deviations to both sides
 constexpr int kProbabilityPoints = 601;
-constexpr int kLeastPointsOfALine = 30;    // 0.3 standard deviations
-constexpr double kWorthASecondLine = 0.5;  // of the squares that one line leaves
+constexpr int kLeastPointsOfALine = 30;  // 0.3 standard deviations
+// Largest ratio of the squares that two lines leave to those that one line leaves.
+constexpr double kWorthASecondLine = 0.5;
 
 void check_curve(std::span<const double> z, std::size_t least) {
   if (z.size() < least) {

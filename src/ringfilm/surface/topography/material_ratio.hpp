@@ -45,9 +45,9 @@ enum class CavityRule {
 
 /// Cavities of a surface: what lies below a threshold.
 struct Cavities {
-  double area_share = 0.0;    ///< of the measured points, 0 to 1
+  double area_share = 0.0;    ///< share of the measured points that are cavities, 0 to 1
   double threshold_m = 0.0;   ///< height below which a point counts [m]
-  double mean_depth_m = 0.0;  ///< of the cavities below the median height [m]
+  double mean_depth_m = 0.0;  ///< mean depth of the cavities below the median height [m]
   double volume_m = 0.0;      ///< below the threshold, per nominal area [m]
 };
 

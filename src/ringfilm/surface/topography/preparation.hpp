@@ -14,7 +14,7 @@ struct Preparation {
   FormChoice form{FormKind::none};           ///< what shape is removed
   std::optional<double> short_cutoff_m;      ///< S-filter [m]
   std::optional<double> long_cutoff_m;       ///< L-filter [m]
-  FilterKind filter = FilterKind::gaussian;  ///< of both cut-offs
+  FilterKind filter = FilterKind::gaussian;  ///< filter at both cut-offs
 };
 
 /// What happened.

@@ -45,7 +45,7 @@ Region region_in_metres(const HeightMap& map, double x_m, double y_m, double wid
   const double step_y_m = map.is_profile() ? 1.0 : map.step_y_m;
   const double end_x = (x_m + width_m) / map.step_x_m, end_y = map.is_profile() ? 0.0 : (y_m + height_m) / step_y_m;
   const double begin_x = x_m / map.step_x_m, begin_y = map.is_profile() ? 0.0 : y_m / step_y_m;
-  const double slack = 1e-6;  // of a step: lengths come from text
+  const double slack = 1e-6;  // tolerance in steps: lengths come from text
   const bool inside = std::isfinite(begin_x + end_x + begin_y + end_y) && begin_x >= -slack && begin_y >= -slack &&
                       end_x <= static_cast<double>(map.points_x) + slack &&
                       end_y <= static_cast<double>(map.points_y) + slack && width_m > 0 &&

@@ -8,7 +8,7 @@ namespace ringfilm::surface {
 
 /// A rectangle of a map, in points.
 struct Region {
-  std::size_t column = 0, row = 0;  ///< of its first point
+  std::size_t column = 0, row = 0;  ///< column and row of its first point
   std::size_t columns = 0, rows = 0;
   double prominence_m = 0.0;  ///< where it was proposed for its heights: eq-surface-prominence, else 0 [m]
 };

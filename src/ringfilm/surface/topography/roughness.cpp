@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLeastPointsOfRoughness = 4;
 constexpr std::size_t kLeastPointsOfARow = 8;
-constexpr std::size_t kUsualSamplingLengths = 5;  // of an evaluation length, ISO 21920-2 and ISO 4287
+constexpr std::size_t kUsualSamplingLengths = 5;  // sampling lengths per evaluation length, ISO 21920-2 and ISO 4287
 
 /// Calls visit(heights of the measured points) row by row.
 template <class Visit>
@@ -39,7 +39,7 @@ struct Extent {
   double mean_m, lowest_m, highest_m;
 };
 
-/// Of the measured points; the mean is summed row by row about the first of them.
+/// Mean, lowest and highest of the measured points; the mean is summed row by row about the first of them.
 Extent extent(const HeightMap& map, std::size_t measured) {
   double reference = 0, sum = 0;
   bool first = true;

@@ -30,8 +30,8 @@ struct SampledHeights {
   double Rp_m = 0.0;               ///< mean of the highest peaks above the mean of the whole profile [m]
   double Rv_m = 0.0;               ///< mean of the deepest pits below it, positive [m]
   double Rz_m = 0.0;               ///< mean of the heights from pit to peak, Rp + Rv [m]
-  double sampling_length_m = 0.0;  ///< of each [m]
-  std::size_t count = 0;           ///< of sampling lengths, side by side in the middle of the profile
+  double sampling_length_m = 0.0;  ///< sampling length [m]
+  std::size_t count = 0;           ///< number of sampling lengths, side by side in the middle of the profile
 };
 
 /// @param sampling_length_m the long cut-off of the profile; nothing: a fifth of its length [m]

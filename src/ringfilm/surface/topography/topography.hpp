@@ -19,7 +19,7 @@ struct HeightMap {
   std::vector<std::uint8_t> missing;  ///< 1 where there is no height; empty when every point was measured
 
   std::size_t points() const { return points_x * points_y; }  ///< measured or not
-  /// Of a point, row after row.
+  /// Index of a point, row after row.
   std::size_t index(std::size_t column, std::size_t row) const { return row * points_x + column; }
   bool measured(std::size_t point) const { return missing.empty() || missing[point] == 0; }  ///< is there a height?
   bool is_profile() const { return points_y == 1; }                                          ///< one row
