@@ -28,7 +28,7 @@ const std::vector<cycle::Quantity> kOfWholeRun = {
      "eq-discrete-balance"},
 };
 
-/// Of the gas between the rings.
+/// Quantities of the gas between the rings.
 const std::vector<cycle::Quantity> kOfGas = {
     cycle::gas_sum_quantity("blow_by_per_cycle"),
     {"gas_mass_defect", "1", "1", "balance of the gas over a cycle, relative to what passes", "d_m", "eq-blow-by"},

@@ -14,13 +14,14 @@ namespace ringfilm::study {
 struct Measurement {
   std::vector<double> instants;                       ///< times [s] of a pad, crank angles [degree] of a ring
   std::map<std::string, std::vector<double>> values;  ///< [SI]
-  std::map<std::string, std::vector<double>> curves;  ///< of a ring, over crank angle [SI]
+  std::map<std::string, std::vector<double>> curves;  ///< curves of a ring over crank angle [SI]
 };
 
 /// Which number of a run.
 struct Probe {
-  std::string quantity;  ///< one of measured_quantities(), or "<list>.1", ".2", ... of fronts from x = 0 on, of regions
-                         ///< of gas from the chamber on, of events by crank angle
+  /// One of measured_quantities(), or "<list>.1", ".2", ...: fronts from x = 0 on, regions of gas from the chamber on,
+  /// events by crank angle.
+  std::string quantity;
   std::optional<double> time;  ///< [s]; nothing: the last instant
 };
 

@@ -19,7 +19,7 @@ using Rows = std::vector<std::vector<double>>;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// 2^p / (2^p - 1) of the lowest order of the schemes, p = 1; eq-sampled-error.
 constexpr double kBeyondFiner = 2;
-/// Of the largest value of a sample, below which a value is nothing: that of boundary friction where films are full.
+/// Share of the largest value of a sample below which a value counts as zero, as boundary friction in full films.
 constexpr double kLeastShare = 1e-6;
 /// Keeps the draw apart from those of the plan, which have the same seed.
 constexpr std::uint64_t kStream = 0x5a;

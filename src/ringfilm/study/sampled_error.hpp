@@ -15,8 +15,8 @@ namespace ringfilm::study {
 inline constexpr double kErrorShare = 0.95;
 
 struct SampledError {
-  std::vector<std::uint64_t> scenarios;  ///< that were compared, in the order of the plan
-  std::uint64_t n_unsolved = 0;          ///< of the sample, not solved themselves or on the finer grid
+  std::vector<std::uint64_t> scenarios;  ///< scenarios that were compared, in the order of the plan
+  std::uint64_t n_unsolved = 0;  ///< scenarios of the sample that were not solved themselves or on the finer grid
   /// 95 % quantile over the sample of the relative error of each value of the plan, eq-sampled-error [-]; nothing of
   /// crank angles and of values that the finer grid does not change in any scenario, such as inputs.
   std::vector<std::optional<double>> quantiles;
@@ -41,7 +41,7 @@ std::optional<SampledError> sampled_error(const Plan& plan,
                                           const std::function<std::vector<double>(std::uint64_t scenario)>& own,
                                           const Progress& progress = {}, const BatchOptions& options = {});
 
-/// The same from the values on the finer grid. @param own, finer values of `scenarios`, of those not solved NaN
+/// Error of the sample from the values on both grids. @param own, finer values of `scenarios`, NaN where not solved
 /// @param asked accuracy of each scenario [%]
 SampledError compared(const StudyValues& values, const std::vector<std::uint64_t>& scenarios,
                       const std::vector<std::vector<double>>& own, const std::vector<std::vector<double>>& finer,

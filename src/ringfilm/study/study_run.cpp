@@ -79,7 +79,7 @@ class Collector {
     hand_over_ready();
   }
 
-  /// Of a run that was stopped: hands over the rows that wait for others, too.
+  /// Hands over the rows of a stopped run, including those that wait for others.
   void keep_waiting() {
     clock_ = {};
     hand_over_waiting();
@@ -155,7 +155,7 @@ class Collector {
   }
 
   std::uint64_t next_;         ///< first that is not handed over
-  bool has_cycle_;             ///< of the blocks
+  bool has_cycle_;             ///< ScenarioBlock::has_cycle of the blocks
   bool is_enough_ = false;     ///< no more rows are requested
   std::uint64_t n_ready_ = 0;  ///< from there on without a gap
   std::map<std::uint64_t, ScenarioRow> rows_;
@@ -219,7 +219,7 @@ void run_one_by_one(const Plan& plan, const Cases& cases, const Put& put, const 
 /// Single films, in the lanes of a batch.
 void run_in_lanes(const Plan& plan, const Cases& cases, const OutputSelection& keep, const Put& put,
                   const BatchOptions& options) {
-  std::map<std::size_t, std::uint64_t> number_of;  // of the cases on their way, by their place in the batch
+  std::map<std::size_t, std::uint64_t> number_of;  // numbers of the cases in progress, by their place in the batch
   std::size_t n_given = 0;
   std::uint64_t next = cases.range.first;
   const auto source = [&]() -> std::optional<cycle::Case> {

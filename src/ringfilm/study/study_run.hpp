@@ -19,7 +19,7 @@ struct ScenarioRow {
   std::vector<double> values;           ///< in the order of Plan::values(); all NaN if not solved
   std::string reason;                   ///< why it was not solved; empty if it was
   std::vector<float> curves = {};       ///< kept_numbers(): quantity by quantity over the angles; all NaN if not solved
-  std::vector<cycle::Note> notes = {};  ///< of its result, each topic once; none if not solved
+  std::vector<cycle::Note> notes = {};  ///< notes on the result, each topic once; none if not solved
   std::size_t base = 0;                 ///< base case of the scenario
 };
 
@@ -30,7 +30,7 @@ void add_topics(std::vector<cycle::Note> notes, ScenarioRow& row);
 struct ScenarioBlock {
   std::uint64_t first = 0;        ///< number of the first of them in the plan
   std::vector<ScenarioRow> rows;  ///< in the order of the plan
-  bool has_cycle = true;          ///< of StudyValues
+  bool has_cycle = true;          ///< StudyValues::has_cycle of the study
 };
 
 /// Scenarios from `first` to before `end`.

@@ -53,7 +53,7 @@ std::vector<double> correlation_matrix(const Study& study, const FactorGroup& gr
 
 Triangle triangle(std::size_t n, const std::vector<double>& matrix) {
   // A dozen lines of our own, because a message must name the factor at which it fails, and libraries do not.
-  constexpr double kRounding = 1e-10;  // of the diagonal, which is 1
+  constexpr double kRounding = 1e-10;  // tolerance relative to the diagonal, which is 1
   Triangle result{n, std::vector<double>(n * n, 0.0), std::nullopt};
   auto& L = result.entries;
   for (std::size_t i = 0; i < n; ++i) {

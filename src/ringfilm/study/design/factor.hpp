@@ -26,9 +26,10 @@ struct Target {
 
 /// One of the values of a key that is not a number.
 struct Choice {
-  std::string text;              ///< as one would write it in TOML, without quotes
-  SourceMark mark = {};          ///< where it is written in the study's file
-  std::string file_sha256 = {};  ///< of the bytes of the file that it names; empty: it names none that can be read
+  std::string text;      ///< as one would write it in TOML, without quotes
+  SourceMark mark = {};  ///< where it is written in the study's file
+  /// SHA-256 of the bytes of the file that it names; empty: it names none that can be read
+  std::string file_sha256 = {};
 };
 
 enum class Spacing { kLinear, kLogarithmic };

@@ -13,7 +13,7 @@ namespace ringfilm::study {
 bool has_pairs(const Sampling& sampling);
 /// A hash of a point without the number of one of its factors: the same for points that differ in it alone.
 std::uint64_t hash_without(const Point& point, std::size_t factor);
-/// Of so many sets of other numbers one is looked at, so that the memory stays small.
+/// Thinning of pairs: one in this many sets of values of the other factors is examined, to limit the memory.
 std::uint64_t thinning_of_pairs(const Plan& plan);
 
 /// Looks for factors that change no value of the cycle at all, as scenarios come.
@@ -40,7 +40,7 @@ class IdleFactors {
 
  private:
   struct Seen {
-    double number;         ///< of the factor
+    double number;         ///< number of the factor in the first scenario of a set
     std::uint64_t values;  ///< hash of the values of the cycle
   };
   struct Watched {
@@ -56,7 +56,7 @@ class IdleFactors {
 
   const Plan& plan_;
   bool has_pairs_;          ///< are there scenarios that differ in one factor alone?
-  std::uint64_t thinning_;  ///< of so many sets of other numbers one is looked at
+  std::uint64_t thinning_;  ///< one in this many sets of values of the other factors is examined
   std::vector<Watched> factors_;
   std::vector<BaseValues> bases_;
 };

@@ -15,8 +15,8 @@ inline constexpr std::size_t kMostCurveNumbers = std::size_t{1} << 15;
 /// A curve that a study keeps: of one ring, or of a pack.
 struct KeptCurve {
   cycle::Quantity quantity;                      ///< under its name in the study, "ring_2_total_friction" of a pack
-  const cycle::CurveQuantity* source = nullptr;  ///< of cycle::curve_quantities()
-  std::size_t ring = 0;                          ///< of a pack, from 1; 0: all rings added up, or the only one
+  const cycle::CurveQuantity* source = nullptr;  ///< entry of cycle::curve_quantities()
+  std::size_t ring = 0;                          ///< ring of a pack, from 1; 0: all rings added up, or the only one
 };
 
 /// In the order in which the study names its quantities, of a pack that of all rings, where they add up, and then each
@@ -39,7 +39,7 @@ std::vector<float> kept_numbers(const OutputSelection& keep, const std::vector<c
 std::vector<float> kept_numbers_of_pack(const Study& study, const std::vector<cycle::CycleResult>& faces,
                                         const std::vector<std::size_t>& numbers);
 
-/// The same of a scenario that was not solved: all NaN.
+/// Kept numbers of a scenario that was not solved: all NaN.
 std::vector<float> no_kept_numbers(const Study& study);
 
 /// What is wrong with what is to be kept: no quantity, unknown ones, a step that does not divide the cycle or that

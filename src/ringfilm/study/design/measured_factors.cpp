@@ -30,7 +30,7 @@ bool varies(const Deviation& deviation) { return deviation && *deviation != 0; }
 /// A pair of surfaces of a base: that of its ring, or of rings of a pack that state the same.
 struct Pair {
   std::size_t base = 0;
-  std::string owner;               ///< of its scatter, in words
+  std::string owner;               ///< words for the owner of the scatter, in names of factors
   cycle::Contact contact;          ///< a copy, because factors are added to the study that holds it
   std::vector<std::string> rings;  ///< what its keys begin with: "ring.1.", or nothing
 };
@@ -131,7 +131,7 @@ class MeasuredFactors {
     correlate(shift, factor, law.shift_factor_correlation);
   }
 
-  /// Of either sign.
+  /// Adds the shift of a contact law, which may have either sign.
   std::optional<std::size_t> add_shift(const Pair& pair, double mean, const Deviation& deviation) {
     const auto added = add_normal(pair, "contact.law_shift", mean, deviation, "m", "nm");
     if (added) study_.factors[*added].variation = normal(mean, *deviation);

@@ -10,8 +10,8 @@ namespace ringfilm::study {
 enum class Shared { kApart, kCommon };
 
 struct MeasuredSharing {
-  Shared calibration = Shared::kCommon;  ///< of the lateral signal
-  Shared reference = Shared::kCommon;    ///< of what was known about the calibration's specimen
+  Shared calibration = Shared::kCommon;  ///< sharing of the error in the calibration of the lateral signal
+  Shared reference = Shared::kCommon;    ///< sharing of the error in the reference values of the calibration's specimen
 };
 
 /// Adds the scatter that bases state in [contact.measured] as factors; eqs eq-measured-contact, eq-measured-zeta.

@@ -37,7 +37,7 @@ class Plan {
   explicit Plan(Study study);
 
   const Study& study() const { return study_; }
-  const StudyValues& values() const { return values_; }  ///< of every scenario
+  const StudyValues& values() const { return values_; }  ///< values that the study has of every scenario
 
   std::uint64_t size() const;  ///< scenarios of all bases
   std::uint64_t most() const;  ///< up to which the study may be extended; size() where it may not
@@ -89,7 +89,7 @@ class Plan {
   Study study_;
   StudyValues values_;
   std::vector<FactorGroup> groups_;
-  std::vector<std::uint64_t> n_points_;  ///< of each base
+  std::vector<std::uint64_t> n_points_;  ///< number of points of each base
   Copula copula_;
   SobolPoints sobol_;
   LatinHypercube hypercube_;

@@ -245,7 +245,8 @@ void check_one_file_a_table(const Study& study, Faults& faults) {
         if (target.base && *target.base != b) continue;
         const std::string table = target.key.substr(0, target.key.rfind('.'));
         const auto [found, is_first] = by.try_emplace({b, table}, &factor, target.key);
-        if (is_first || found->second.second == target.key) continue;  // of one key check_set_once reports
+        // check_set_once reports repeated choices of one key
+        if (is_first || found->second.second == target.key) continue;
         faults.push_back({factor.mark,
                           called(factor) + " chooses files for " + target.key + ", as " + called(*found->second.first) +
                               " does for " + found->second.second,

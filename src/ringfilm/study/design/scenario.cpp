@@ -163,7 +163,7 @@ void put_readings(const Study& study, const Point& point, Case& c) {
 
 constexpr int kTurns = 5;
 
-/// Of all keys that name files this one alone is kept as text: the case remembers the name alone.
+/// The only key of a file that is kept as text: the case contains just the name of that file.
 constexpr const char* kOilFile = "lubricant.file";
 
 /// When it is the turn of a factor: conditions must not undo a choice, no choice a number, and no number that is set

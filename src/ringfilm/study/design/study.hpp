@@ -24,7 +24,7 @@ struct Base {
 /// Factors whose texts decide what is read from files: the file itself, its columns, their units. They act together,
 /// since a column is one of the file's: a scenario takes what was read with the texts of all of them.
 struct FileReading {
-  std::vector<std::size_t> factors;  ///< of Study::factors
+  std::vector<std::size_t> factors;  ///< indices of the factors in Study::factors
   /// Puts into a scenario of a base what the files gave with a choice of each of `factors`; nothing where the scenario
   /// leaves the base's own. Throws InputError where they cannot be read so.
   std::function<void(cycle::Case&, std::size_t base, const std::vector<std::optional<std::size_t>>& choices)> put;
@@ -32,7 +32,7 @@ struct FileReading {
 
 /// Correlation of the normal scores of two factors, that is of normal factors themselves; eq-copula.
 struct Correlation {
-  std::size_t first = 0, second = 0;  ///< of Study::factors
+  std::size_t first = 0, second = 0;  ///< indices of the factors in Study::factors
   double value = 0;                   ///< between -1 and 1, without the ends [-]
   SourceMark mark;
 };
@@ -47,7 +47,7 @@ enum class Indices { kNone, kFirstAndTotal };
 struct StoppingRule {
   std::string value;               ///< one of cycle_quantities()
   std::optional<double> quantile;  ///< its share; absent: the mean
-  double width = 0;                ///< of the interval [unit of the value]
+  double width = 0;                ///< width of the interval at which the study ends [unit of the value]
   std::uint64_t most = 0;          ///< never more points than these
   SourceMark mark = {};
 };
@@ -65,10 +65,10 @@ struct Sampling {
   std::uint64_t scenarios = 1024;
   Indices indices = Indices::kNone;
   std::optional<StoppingRule> until;
-  std::vector<WeightedPoint> points;      ///< of kOperatingPoints, whose numbers are in `list`
+  std::vector<WeightedPoint> points;      ///< points and weights of kOperatingPoints, whose numbers are in `list`
   std::vector<std::vector<double>> list;  ///< values of all factors, point by point [SI]; the index of a choice
-  std::uint64_t trajectories = 20;        ///< of Morris
-  std::size_t levels = 4;                 ///< of Morris, even
+  std::uint64_t trajectories = 20;        ///< number of trajectories of Morris' method
+  std::size_t levels = 4;                 ///< number of levels of Morris' method, even
 };
 
 enum class Curves { kNone, kAll, kQuantiles };
@@ -78,13 +78,13 @@ struct OutputSelection {
   Curves curves = Curves::kNone;
   /// Names of cycle::curve_quantities(), without the crank angle.
   std::vector<std::string> quantities = {"min_film_thickness", "total_friction", "friction_on_liner", "power_loss"};
-  double crank_step_deg = 2;  ///< of the axis that all scenarios have in common [degree]
+  double crank_step_deg = 2;  ///< step of the crank angle axis that all scenarios have in common [degree]
   SourceMark quantities_mark, crank_step_mark;
 };
 
 /// How accurate the values of a study are, and on how many of its scenarios that is estimated.
 struct Accuracy {
-  /// Of films across the face with flooded inlets in bases that state neither an accuracy nor cells and steps;
+  /// Accuracy of films across the face with flooded inlets in bases that state neither an accuracy nor cells and steps;
   /// nothing: they are computed with the cells and steps that a case has without these keys [%].
   std::optional<double> asked = 0.5;
   /// Scenarios that are integrated again on a finer grid; nothing: kUsualSample where an accuracy is asked for.
@@ -100,7 +100,7 @@ struct Study {
   std::uint64_t seed = 1;
   std::vector<Base> bases;
   std::vector<Factor> factors;
-  std::vector<FileReading> readings;  ///< of all factors that decide what is read from files
+  std::vector<FileReading> readings;  ///< readings by all factors that decide what is read from files
   std::vector<Correlation> correlations;
   Sampling sampling;
   OutputSelection keep;

@@ -22,13 +22,13 @@ struct StudyValues {
 /// Is a scenario of that base one ring at given pressures, which the lanes of a batch take?
 bool is_one_film(const Study& study, const cycle::Case& base);
 
-/// Of the scenarios of a base. Throws InputError where its gas path cannot be set up.
+/// Values that a study has of each scenario of a base. Throws InputError where its gas path cannot be set up.
 StudyValues study_values(const Study& study, const cycle::Case& base);
 
 /// A value of one ring of a pack, of all rails of an oil ring together.
 struct RingValue {
   enum class Rails { kSum, kLowest, kHighest };
-  const char* name;  ///< of cycle::cycle_quantities()
+  const char* name;  ///< name of the value in cycle::cycle_quantities()
   Rails rails;
 };
 const std::vector<RingValue>& ring_values();

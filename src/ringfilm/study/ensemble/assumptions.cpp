@@ -285,8 +285,8 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
       others);
 }
 
-/// Of a film across the face it is lifted by a case of its own, not here: the unrolled film costs more than all other
-/// choices of a ledger together.
+/// Assumption about the ends of the ring. The ledger does not lift it for a film across the face, which requires a
+/// separate case: the unrolled film costs more than all other choices of a ledger together.
 Assumption ring_gap(const Case& c) {
   const char* topic = "ring-gap";
   if (!c.is_unrolled()) {
@@ -459,7 +459,7 @@ std::vector<Assumption> always_open(const cycle::Setup& setup) {
 /// Is the face its own mirror image, to rounding, so that its orientation has no effect?
 bool is_symmetric(const models::RingFace& face) {
   constexpr int kPlaces = 200;
-  constexpr double kRounding = 1e-9;  // of the deepest place compared
+  constexpr double kRounding = 1e-9;  // tolerance over the deepest place compared
   double difference = 0, deepest = 0;
   for (int i = 0; i <= kPlaces; ++i) {
     const double x = face.face_width() * i / kPlaces, height = face.height(x);

@@ -109,7 +109,7 @@ class WorkQueue {
   const CaseSource& next_;
   const std::function<void(Ending)>& ended_;
   std::mutex mutex_;
-  std::vector<std::deque<Numbered>> shares_;  ///< of the threads, if the batch is a small one
+  std::vector<std::deque<Numbered>> shares_;  ///< cases of each thread, if the batch is a small one
   std::deque<Numbered> waiting_;
   std::size_t n_read_ = 0;
   bool is_dry_ = false;

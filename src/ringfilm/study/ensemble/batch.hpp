@@ -48,8 +48,8 @@ using CaseSource = std::function<std::optional<cycle::Case>()>;
 
 /// What a batch took.
 struct BatchEffort {
-  int threads = 0;          ///< that had something to do
-  cycle::LaneEffort lanes;  ///< of all threads
+  int threads = 0;          ///< threads that had cases to integrate
+  cycle::LaneEffort lanes;  ///< effort of the lanes of all threads
 };
 
 /// Adds what another thread took.

@@ -16,8 +16,8 @@ namespace ringfilm::study {
 /// One integration of the same case, on its own grid or on another.
 struct GridRun {
   long cells = 0;             ///< across the face
-  double crank_step_deg = 0;  ///< of the integration [degree]
-  double step_error = 0;      ///< of adaptive control [-]
+  double crank_step_deg = 0;  ///< crank step of the integration [degree]
+  double step_error = 0;      ///< error that one step may make under adaptive control [-]
   bool solved = true;         ///< did its integration reach its end?
   std::string reason;         ///< why not, if not solved
   long cells_y = 0;           ///< around the ring; 0: a film across the face
@@ -41,7 +41,7 @@ struct ErrorEstimate {
   std::vector<cycle::Sample> samples;  ///< error of each curve at each crank angle of the result
   /// Observed orders in the cells (eq-observed-order) [-]; NaN where the three grids do not converge monotonically.
   cycle::CycleValues order_in_cells;
-  cycle::CycleValues order_in_step;  ///< the same in the crank step [-]
+  cycle::CycleValues order_in_step;  ///< observed orders in the crank step, eq-observed-order [-]
 };
 
 /// Is there an error of any value? Not where both integrations of one pair of grids, in cells or in steps, cannot be
@@ -52,8 +52,8 @@ bool has_values(const ErrorEstimate& estimate);
 bool has_error(const cycle::CurveQuantity& quantity);
 
 /// The case on the four other grids from which its errors follow: cells doubled and halved, steps halved and doubled.
-/// Of an unrolled film the cells around the ring go with those across the face, and so does the length of those at its
-/// ends.
+/// In an unrolled film the number of cells around the ring and the length of those at its ends change with the
+/// number of cells across the face.
 std::vector<cycle::Case> other_grids(const cycle::Case& c);
 
 /// The case on twice the cells with half the steps, both at once; four times the work, of an unrolled film eight times.
@@ -64,7 +64,8 @@ cycle::Case finer_grid(const cycle::Case& c);
 /// go by, and both no estimate. Throws std::logic_error if there are not as many endings as grids.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, std::span<const Ending> others);
 
-/// The same, integrating them; for the cost see docs/theory/error-estimate.md.
+/// Integrates the `other_grids` of `c` and estimates the errors of `result`; for the cost see
+/// docs/theory/error-estimate.md.
 ErrorEstimate error_estimate(const cycle::Case& c, const cycle::CycleResult& result, const Progress& progress = {},
                              const BatchOptions& options = {});
 

@@ -15,7 +15,7 @@ namespace ringfilm::study {
 /// One other choice for an assumption, run through the same solver.
 struct LedgerVariant {
   std::string setting;        ///< as one would write it, e.g. "film.cavitation = \"mass-conserving\""
-  cycle::CycleValues values;  ///< of the run with this setting alone changed; NaN if not solved
+  cycle::CycleValues values;  ///< values of the run with this setting alone changed; NaN if not solved
   bool solved = true;         ///< did its integration reach its end?
   std::string reason;         ///< why not, if not solved
 };

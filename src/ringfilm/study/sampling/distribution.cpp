@@ -13,8 +13,8 @@
 namespace ringfilm::study {
 namespace {
 
-// No long double inside: it is wider on some machines than on others. What overflows is infinite and then complained
-// of.
+// No long double inside: it is wider on some machines than on others. An overflow gives infinity, which is then
+// reported.
 using QuantileRules =
     boost::math::policies::policy<boost::math::policies::promote_double<false>,
                                   boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
@@ -25,7 +25,7 @@ using Triangular = boost::math::triangular_distribution<double, QuantileRules>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of the whole distribution, before it is cut off.
+/// Ends of the whole distribution, before it is cut off.
 struct Ends {
   double low, high;
 };

@@ -12,13 +12,13 @@ enum class Shape { kNormal, kLognormal, kUniform, kTriangular };
 /// Made by `normal`, `lognormal`, ... below, or member by member.
 struct Distribution {
   Shape shape = Shape::kNormal;
-  double mean = 0;           ///< of a normal [unit]
-  double deviation = 0;      ///< standard deviation of a normal [unit]
-  double median = 0;         ///< of a lognormal, above 0 [unit]
+  double mean = 0;           ///< mean of a normal distribution [unit]
+  double deviation = 0;      ///< standard deviation of a normal distribution [unit]
+  double median = 0;         ///< median of a lognormal distribution, above 0 [unit]
   double log_deviation = 0;  ///< standard deviation of its natural logarithm [-]
-  double lower = 0;          ///< of uniform and triangular [unit]
-  double mode = 0;           ///< of triangular, within lower to upper [unit]
-  double upper = 0;          ///< [unit]
+  double lower = 0;          ///< lower end of a uniform or triangular distribution [unit]
+  double mode = 0;           ///< mode of a triangular distribution, within lower to upper [unit]
+  double upper = 0;          ///< upper end of a uniform or triangular distribution [unit]
   /// Where the distribution is cut off: what is outside never happens, what is inside keeps its proportions;
   /// eq-truncated.
   std::optional<double> lowest, highest;  ///< [unit]

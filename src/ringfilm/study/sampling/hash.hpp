@@ -5,8 +5,8 @@
 /// can be computed anywhere. Whole numbers alone: the same bits on every machine.
 namespace ringfilm::study {
 
-/// Mixes the bits of a word one to one; the finisher of splitmix64, as written by @cite steele2014 with the constants
-/// of its 13th variant.
+/// Mixes the bits of a word one to one; the finisher of splitmix64, as written by @cite steele2014 with the
+/// constants of its 13th variant.
 constexpr std::uint64_t mixed(std::uint64_t word) {
   word = (word ^ (word >> 30)) * 0xbf58476d1ce4e5b9u;
   word = (word ^ (word >> 27)) * 0x94d049bb133111ebu;

@@ -18,7 +18,7 @@ SobolPoints::SobolPoints(std::size_t n_dimensions, std::uint64_t seed)
   if (n_dimensions > kMostDimensions) throw std::invalid_argument("more dimensions than direction numbers");
   boost::random::sobol_engine<std::uint64_t, 64u> engine(n_dimensions);
   for (unsigned k = 0; k < kDigits; ++k) {
-    // Point 2^(k+1) - 1 has the Gray code 2^k: it is the k-th direction number alone. The engine leaves the origin out.
+    // Point 2^(k+1) - 1 has the Gray code 2^k: it is the k-th direction number alone. The engine omits the origin.
     engine.seed((std::uint64_t{1} << (k + 1)) - 2);
     for (std::size_t j = 0; j < n_dimensions; ++j)
       directions_[j * kDigits + k] = static_cast<std::uint32_t>(engine() >> 32);

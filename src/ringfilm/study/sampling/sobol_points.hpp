@@ -23,7 +23,7 @@ class SobolPoints {
 
   /// Coordinate of a point, in (0, 1). @param point below kMostPoints
   double share(std::uint64_t point, std::size_t dimension) const;
-  /// The same before it is scrambled: 32 binary digits, the first the uppermost.
+  /// Coordinate before it is scrambled: 32 binary digits, the first the uppermost.
   std::uint32_t digits(std::uint64_t point, std::size_t dimension) const;
 
  private:

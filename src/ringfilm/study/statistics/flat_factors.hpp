@@ -16,8 +16,8 @@ inline constexpr double kNotMeasured = 0.02;
 /// Numbers of a factor over which a value of the scenarios hardly changes while the other factors stay: a fit of the
 /// factor to a measured value is not determined there.
 struct FlatRange {
-  std::size_t factor = 0;    ///< of Study::factors
-  std::size_t value = 0;     ///< of Plan::values().quantities
+  std::size_t factor = 0;    ///< index of the factor in Study::factors
+  std::size_t value = 0;     ///< index of the value in Plan::values().quantities
   bool is_whole = true;      ///< are these all numbers of the factor?
   double low = 0, high = 0;  ///< smallest and largest of them [SI]
 };
@@ -44,7 +44,7 @@ class FlatFactors {
  private:
   /// Values by the number of the factor.
   using Curve = std::map<double, std::vector<double>>;
-  /// Of one factor, by the hash of base and other numbers.
+  /// Curves of one factor, by the hash of base and other numbers.
   using Curves = std::map<std::uint64_t, Curve>;
 
   bool is_flat(const Curves& curves, std::size_t value, double low, double high) const;
@@ -52,9 +52,9 @@ class FlatFactors {
 
   const Plan& plan_;
   double tolerance_;
-  std::uint64_t thinning_;  ///< of so many sets of other numbers one is looked at
+  std::uint64_t thinning_;  ///< one in this many sets of values of the other factors is examined
   std::vector<std::size_t> watched_;
-  std::vector<Curves> curves_;  ///< of each factor
+  std::vector<Curves> curves_;  ///< curves of each factor
 };
 
 }  // namespace ringfilm::study

@@ -28,7 +28,7 @@ double work(const cycle::Case& c) {
 /// Cases that integrate side by side on one thread.
 struct Pack {
   std::vector<std::size_t> members;
-  double time = 0;  ///< that of the longest, and of each what is done lane by lane
+  double time = 0;  ///< work of the longest member, plus the part of each member that is done lane by lane
 };
 
 }  // namespace

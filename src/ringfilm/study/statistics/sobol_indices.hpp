@@ -20,9 +20,9 @@ struct SobolIndices {
 };
 
 struct IndexOptions {
-  double confidence = 0.95;        ///< of the intervals [-]
-  std::uint64_t resamples = 1000;  ///< of the bootstrap
-  std::uint64_t seed = 1;          ///< of the bootstrap
+  double confidence = 0.95;        ///< confidence level of the intervals [-]
+  std::uint64_t resamples = 1000;  ///< number of resamples of the bootstrap
+  std::uint64_t seed = 1;          ///< seed of the bootstrap
 };
 
 /// First index by the estimator of @cite saltelli2010 on centred values, total index by that of @cite jansen1999, with

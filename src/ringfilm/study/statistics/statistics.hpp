@@ -5,15 +5,15 @@
 #include <vector>
 
 /// Statistics of a value over the scenarios of a sample. A value that is not finite belongs to a scenario that was not
-/// solved; it is omitted and counted. Confidence intervals presume scenarios that are independent of each other; those
-/// of Sobol points and Latin hypercubes are spread more evenly, and intervals are then wider than they need be.
+/// solved; it is omitted and counted. Confidence intervals presume scenarios that are independent of each other.
+/// Sobol points and Latin hypercubes are spread more evenly, and intervals are then wider than they need be.
 namespace ringfilm::study {
 
-inline constexpr double kConfidence = 0.95;  ///< of all intervals, where nothing else is asked for [-]
+inline constexpr double kConfidence = 0.95;  ///< confidence level of all intervals, where nothing else is asked for [-]
 
 struct Mean {
   double value = 0;
-  double standard_error = 0;  ///< of the mean; eq-standard-error
+  double standard_error = 0;  ///< standard error of the mean; eq-standard-error
   double deviation = 0;       ///< standard deviation of the values, n - 1 below
   std::uint64_t count = 0, omitted = 0;
 };
@@ -63,7 +63,7 @@ std::optional<Mean> relative_difference(std::span<const double> first, std::span
 struct Stage {
   std::uint64_t n = 0;
   std::optional<Mean> mean;
-  std::vector<Quantile> quantiles;  ///< of the shares asked for; empty without a value
+  std::vector<Quantile> quantiles;  ///< quantiles of the shares asked for; empty without a value
 };
 
 /// How the statistics converge: after 16, 32, 64, ... values and after all of them.

@@ -21,7 +21,8 @@ bool is_look(const Study& study, std::uint64_t points);
 /// Width of the confidence interval of a statistic for one base.
 struct IntervalWidth {
   std::size_t base = 0;
-  std::optional<double> width;  ///< of its confidence interval [unit of the value]; nothing while there are too few
+  /// Width of the confidence interval [unit of the value]; nothing while there are too few.
+  std::optional<double> width;
 };
 
 /// @param value of a scenario by its number; NaN where it was not solved
@@ -30,7 +31,7 @@ std::vector<IntervalWidth> interval_widths(const Plan& plan, const std::vector<d
 /// Is the interval narrow enough for every base?
 bool is_sure(const StoppingRule& until, const std::vector<IntervalWidth>& bases);
 
-/// The same study with so many points.
+/// Study with another number of points.
 Study with_points(Study study, std::uint64_t points);
 
 /// "the mean of fmep", "the 95 % quantile of fmep"

@@ -122,8 +122,8 @@ double rms_slope(const HeightMap& map) {
 
 /// Real area at which the flow stops, the mean of both directions, while the surfaces come closer.
 double percolation_area(RoughContact& contact) {
-  constexpr double kFirst = 0.5, kStep = 0.03;  // of the rms height
-  constexpr double kShut = 1e-6;                // of h^3: what flows through a shut gap
+  constexpr double kFirst = 0.5, kStep = 0.03;  // first separation and step over the rms height
+  constexpr double kShut = 1e-6;                // largest conductance of a closed gap over h^3
   double area = 0, shut_x = 0, shut_y = 0;
   for (double h = kFirst; h > 0 && (shut_x == 0 || shut_y == 0); h -= kStep) {
     const double separation = h * contact.rms_m(), smallest = kShut * std::pow(separation, 3), former = area;

@@ -18,7 +18,7 @@ struct DryWear {
   double coefficient = 0;    ///< k [m2/N]
   double sliding = 0;        ///< length [m]
   double shape = 0;          ///< parabola: radius [m]; roof: slope [-]; wave: amplitude, of four waves [m]
-  double largest_depth = 0;  ///< of a jump [m]
+  double largest_depth = 0;  ///< largest depth worn in a jump [m]
 };
 
 /// "flat", "parabola", "roof", "wave".

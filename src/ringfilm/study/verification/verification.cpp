@@ -194,7 +194,7 @@ class Runner {
     return measurement == nullptr ? kNothing : value(*measurement, probe);
   }
 
-  /// Of the face or the pad [m].
+  /// Width of the face, or length of the pad [m].
   static double width_of(const cycle::Case& c) {
     return c.problem == cycle::Problem::kPad ? c.pad.length : c.ring.face_width;
   }

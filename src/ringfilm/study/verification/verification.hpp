@@ -20,7 +20,7 @@ struct Tolerance {
 
 /// What every check carries.
 struct Check {
-  std::string label;    ///< of its own within the verification, e.g. "load at K = 1"
+  std::string label;    ///< label, unique within the verification, e.g. "load at K = 1"
   std::string source;   ///< where the known number is from: page, equation, or the derivation in the README
   std::string because;  ///< why the tolerance is what it is
 };
@@ -45,14 +45,14 @@ struct OrderCheck : Check {
   std::vector<double> levels;  ///< numbers of cells, or time steps [s] (steps of the integration, if manufactured)
   std::optional<int> cells;    ///< held while time is refined; nothing: as in the run, and a must if manufactured
   double order = 0;            ///< expected slope of the error [-]
-  double tolerance = 0;        ///< of the order [-]
+  double tolerance = 0;        ///< tolerance of the order [-]
 };
 
 /// How far a place may be off on any of many grids, counted in their cells. The error of a front scatters with where in
 /// its cell it lies, so that a slope through some levels would depend on the choice of levels.
 struct BoundCheck : Check {
   std::string run;
-  Probe probe;                           ///< of a length
+  Probe probe;                           ///< number to compare, a length
   double exact = 0;                      ///< [m]
   int fewest_cells = 0, most_cells = 0;  ///< every number from the one to the other is run
   double most = 0;                       ///< largest error allowed [cells]
@@ -86,7 +86,7 @@ struct ContactCheck : Check {
   ContactForm form;
   std::string quantity;        ///< one of contact_form_quantities()
   double expected = 0;         ///< [-]
-  Tolerance tolerance;         ///< of the number, or of the order
+  Tolerance tolerance;         ///< tolerance of the number, or of the order
   std::vector<double> levels;  ///< numbers of points; empty: the number itself
   double order = 0;            ///< expected slope of the error; with levels [-]
 };
@@ -94,7 +94,7 @@ struct ContactCheck : Check {
 /// A curve of a ring over crank angle.
 struct CurveCheck : Check {
   std::string run;
-  std::string quantity;                 ///< of find_curve()
+  std::string quantity;                 ///< name of a curve that find_curve() returns
   std::vector<double> crank_angle_deg;  ///< [degree]
   std::vector<double> expected;         ///< [SI]
   Tolerance tolerance;                  ///< relative to the value at each angle, or absolute
@@ -103,7 +103,7 @@ struct CurveCheck : Check {
 
 /// One folder of verification/.
 struct Verification {
-  std::string name;   ///< of the folder
+  std::string name;   ///< name of the folder
   std::string title;  ///< heading of its README
   std::string claim;  ///< first paragraph of its README
   std::map<std::string, cycle::Case> runs;
