@@ -19,7 +19,7 @@ constexpr double kFlat = 0.1;
 /// What a measured face requires of a scenario: an area, or to be as close as possible.
 struct Target {
   FittedCoefficient row;
-  std::vector<double> face;  ///< of FitBasis::kClosestFace, at the nodes [m]
+  std::vector<double> face;  ///< measured face at the nodes, for FitBasis::kClosestFace [m]
 };
 
 /// The face after some wear, on the way to all targets.
@@ -31,7 +31,7 @@ struct PathPoint {
 
 /// Where a path between two faces is closest to a third: its squared distance is a parabola of the share of the way.
 struct Closest {
-  double share = 0, square = 0;  ///< of the way; of the rms distance [m2]
+  double share = 0, square = 0;  ///< share of the way [-]; square of the rms distance [m2]
 };
 Closest closest_between(double at_start, double halfway, double at_end) {
   const double bend = 2 * (at_start - 2 * halfway + at_end), slope = 4 * halfway - 3 * at_start - at_end;

@@ -90,7 +90,7 @@ double DutyWear::area(const std::vector<double>& worn) const {
 double DutyWear::tilt_spacing() const { return tilts_.size() < 2 ? 0 : tilts_[1] - tilts_[0]; }
 
 std::size_t DutyWear::n_liner() const {
-  constexpr std::size_t kOfACycle = 100;  // of CycleResult::stroke
+  constexpr std::size_t kOfACycle = 100;  // bins of CycleResult::stroke along the stroke
   return life_.wear.liner_coefficient ? kOfACycle : 0;
 }
 

@@ -25,7 +25,7 @@ class DutyWear {
   bool surface_changes_much(double from, double to) const;
 
   const WornFace& face() const { return face_; }
-  double area(const std::vector<double>& worn) const;  ///< of the cross-section that is lost [m2]
+  double area(const std::vector<double>& worn) const;  ///< area of the cross-section that is lost [m2]
   double tilt_spacing() const;                         ///< between neighbouring samples; 0: a level ring [rad]
 
   std::size_t n_liner() const;  ///< places along the stroke; 0: the liner is not followed

@@ -56,7 +56,7 @@ enum class Datum {
 struct MeasuredState {
   double time = 0;    ///< running time [s]
   cycle::Case input;  ///< whose face, N, beta, sigma and zeta are those of the state
-  SourceMark mark;    ///< of its running time
+  SourceMark mark;    ///< place in the file of its running time
 };
 
 /// A running time that is reported.
@@ -68,7 +68,7 @@ struct ReportedTime {
 /// Speed, gas and oil at which the ring runs for a share of the time.
 struct OperatingPoint {
   std::string name;
-  double share = 1;   ///< of the running time; 0: reported, not part of the duty [-]
+  double share = 1;   ///< share of the running time; 0: reported, not part of the duty [-]
   cycle::Case input;  ///< with the ring of the base case
 };
 
@@ -106,15 +106,15 @@ struct Wear {
   WornOrientations orientations = WornOrientations::kGiven;
   WearScheme scheme = WearScheme::kHeun;
   std::optional<int> jumps;        ///< equal ones over the time to the last reported one; absent: as the two below ask
-  double largest_depth = 0.15e-6;  ///< of a jump [m]
+  double largest_depth = 0.15e-6;  ///< largest depth worn in a jump [m]
   double jump_error = 0.02e-6;     ///< by which the two stages of a jump may differ [m]; Heun
   double tilt_spread = 0;          ///< a: the ring is tilted by -a to a, all alike often [rad]
   int tilt_samples = 12;           ///< tilts that stand for the spread
-  double edge_factor = 1;          ///< of the coefficient in the edge zones [-]
+  double edge_factor = 1;          ///< factor of the coefficient in the edge zones [-]
   double edge_distance = 0.3e-3;   ///< from the middle of the face to the edge zones [m]
   std::optional<double> liner_coefficient;  ///< k of the liner along the stroke; absent: it does not wear [m2/N]
   std::optional<double> coating_thickness;  ///< at whose depth it ends; absent: not known [m]
-  SourceMark mark = {};                     ///< of the table
+  SourceMark mark = {};                     ///< place of the table in the file
 };
 
 /// Gas pressures next to and behind a ring whose pack is given.
@@ -128,7 +128,7 @@ struct RingPack {
   cycle::Case input;     ///< a pack or a single ring whose gas path is computed; speed and gas are those of the points
   std::size_t ring = 1;  ///< which of its rings wears, from the chamber
   RingPressures pressures = RingPressures::kGiven;
-  SourceMark mark;  ///< of its case
+  SourceMark mark;  ///< place of its case in the file
 };
 
 /// A limit that ends a life as its user states it; from whichever side its value starts.
@@ -141,14 +141,15 @@ struct EndRule {
 struct Life {
   std::string title;
   Mode mode = Mode::kMeasuredPath;
-  std::vector<ReportedTime> times;     ///< increasing
-  std::vector<MeasuredState> states;   ///< anchors of the path, in the order of their running times
-  Interpolation path;                  ///< between them
-  Datum datum = Datum::kOwn;           ///< of their faces
-  std::vector<EndRule> end_rules;      ///< when the life ends; empty: no rule
-  Wear wear;                           ///< of Mode::kArchard
-  std::optional<RingPack> pack;        ///< absent: gas pressures as the cases have them, blow-by not known
-  std::vector<OperatingPoint> points;  ///< of the duty, with shares of 1 in all, then those only reported
+  std::vector<ReportedTime> times;    ///< increasing
+  std::vector<MeasuredState> states;  ///< anchors of the path, in the order of their running times
+  Interpolation path;                 ///< between them
+  Datum datum = Datum::kOwn;          ///< datum of the faces of these states
+  std::vector<EndRule> end_rules;     ///< when the life ends; empty: no rule
+  Wear wear;                          ///< wear of Mode::kArchard
+  std::optional<RingPack> pack;       ///< absent: gas pressures as the cases have them, blow-by not known
+  /// Operating points of the duty, with shares of 1 in all, then those only reported.
+  std::vector<OperatingPoint> points;
   /// With what its cycles are computed where cases ask for an accuracy, as sentences.
   std::string accuracy;
 };

@@ -29,9 +29,9 @@ LifeValues life_values(const cycle::CycleValues& values);  ///< those of one cyc
 
 /// A cycle that is one of several.
 struct WeightedValues {
-  double time_share;   ///< of the running time [-]
-  double cycle_share;  ///< of the cycles [-]
-  LifeValues values;   ///< of its cycle
+  double time_share;   ///< share of the running time [-]
+  double cycle_share;  ///< share of the number of cycles [-]
+  LifeValues values;   ///< values of this cycle
 };
 LifeValues combined(const std::vector<WeightedValues>& points);  ///< eq-life-duty
 

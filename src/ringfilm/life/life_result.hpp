@@ -18,18 +18,18 @@ namespace ringfilm::life {
 /// Material that the ring has lost since the start of the life.
 struct WornProfile {
   std::vector<double> depth;  ///< at LifeState::x [m]
-  double worn_area = 0;       ///< of the cross-section: per length of the circumference [m2]
+  double worn_area = 0;       ///< worn area of the cross-section: volume per length of the circumference [m2]
   double largest_depth = 0;   ///< [m]
   double end_gap_growth = 0;  ///< 2 pi times the largest depth: by how much the ends of the ring move apart [m]
   std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
   std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
-  /// Of the pack with its end gap as worn, mean over the duty [m3/s]; nothing without a pack.
+  /// Blow-by of the pack with its end gap as worn, mean over the duty [m3/s]; nothing without a pack.
   std::optional<double> blow_by;
 };
 
 /// A value of a WornProfile; a life without a pack has none of its gas.
 struct WornQuantity : cycle::Quantity {
-  std::string heading;  ///< of its column in a table
+  std::string heading;  ///< heading of its column in a table
   std::variant<double WornProfile::*, std::optional<double> WornProfile::*> value;
 };
 
@@ -64,15 +64,15 @@ struct LifeState {
   std::optional<WornProfile> worn;  ///< nothing where the mode does not determine it
   /// From the measured state of this running time, of a scenario that has one.
   std::vector<FaceDistance> from_measured;
-  LifeValues values;                         ///< of the whole duty
-  std::vector<LifeValues> points;            ///< of each operating point
-  std::vector<gas_path::GasSums> point_gas;  ///< of the pack at each of them; empty without a pack
-  /// Of a measured state: the least wear since the first one, by how much of the edges is trusted. Lower bounds.
+  LifeValues values;                         ///< values of the whole duty
+  std::vector<LifeValues> points;            ///< values of each operating point
+  std::vector<gas_path::GasSums> point_gas;  ///< gas of the pack at each operating point; empty without a pack
+  /// Least wear of a measured state since the first one, by how much of the edges is trusted. Lower bounds.
   std::vector<WearBound> least_wear;
   std::vector<LifeValues> other_paths;                 ///< on each of LifeResult::other_paths; empty: it ended before
   std::vector<std::optional<WornProfile>> other_worn;  ///< on each of them, where `worn` is known
-  LifeValues turned;                                   ///< of the duty, with the ring turned over; empty: not computed
-  std::optional<WornProfile> turned_worn;              ///< of a scenario: what the ring turned over has lost
+  LifeValues turned;                       ///< values of the duty with the ring turned over; empty: not computed
+  std::optional<WornProfile> turned_worn;  ///< material that the ring turned over has lost, in a scenario
   /// With only the face, only the roughness or only the shear strength of this state in the first one; empty: none.
   std::array<LifeValues, 3> parts;
 };
@@ -104,19 +104,20 @@ enum class FitBasis {
 
 /// A mean coefficient from the start to a measured state.
 struct FittedCoefficient {
-  double time = 0;  ///< of the state [s]
+  double time = 0;  ///< running time of the state [s]
   FitBasis basis{};
   double trusted = 0;                 ///< margin at each edge that is not trusted, or half width compared [m]
-  double worn_area = 0;               ///< that it gives [m2]
-  std::optional<double> rms;          ///< of kClosestFace: the distance that is left [m]
+  double worn_area = 0;               ///< worn area that the scenario gives [m2]
+  std::optional<double> rms;          ///< remaining rms distance, for kClosestFace [m]
   std::optional<double> coefficient;  ///< nothing: no wear, none that this duty gives, or a flat face [m2/N]
-  bool is_flat = false;  ///< of kClosestFace: the scenario's face is flat there, and its distance no longer changes
+  /// For kClosestFace: is the scenario's face flat there, so that its distance no longer changes?
+  bool is_flat = false;
 };
 
 /// Coefficients that the measured faces allow.
 struct CoefficientFit {
   std::vector<FittedCoefficient> rows;
-  CoefficientRange range;   ///< of those up to the last state
+  CoefficientRange range;   ///< range of the coefficients up to the last state
   double largest_area = 0;  ///< to which the scenario was followed [m2]
   long cycles = 0;          ///< integrated for it
 };
@@ -143,11 +144,11 @@ struct WearSummary {
 struct LifeResult {
   std::vector<LifeState> states;       ///< in the order of Life::times; fewer where the coating was worn through
   std::vector<NamedPath> other_paths;  ///< whose values make the band
-  std::vector<EndOfLife> ends;         ///< of each of Life::end_rules
-  std::optional<WearSummary> wear;     ///< of a scenario of wear
+  std::vector<EndOfLife> ends;         ///< end of life by each of Life::end_rules
+  std::optional<WearSummary> wear;     ///< summary of the wear, in a scenario of wear
   WornProfile unworn;                  ///< before anything is worn: coating and gas; no depths
   std::vector<double> liner_position;  ///< below the TDC position of the ring [m]; empty: the liner is not followed
-  std::vector<cycle::Note> notes;      ///< of the cycles and of the life; their counts are cycles
+  std::vector<cycle::Note> notes;      ///< notes on the cycles and on the life; their counts are cycles
   long cycles = 0;                     ///< integrated until they repeat themselves
 };
 
@@ -157,7 +158,7 @@ struct Band {
 };
 Band band_of(const LifeState& state, std::size_t quantity);
 
-/// The same of a value of `worn`, which must be there.
+/// Band of a value of `worn`, which must be there.
 Band band_of(const LifeState& state, const WornQuantity& quantity);
 
 }  // namespace ringfilm::life

@@ -35,8 +35,8 @@ void append_orientation_note(const Life& life, LifeResult& result) {
                           "used, as their faces are"});
 }
 
-/// Depths that faces of one datum have lost since the first of them, at a running time by an interpolation; `x` of all
-/// of them.
+/// Depths that faces of one datum have lost since the first of them, at a running time by an interpolation; `x` of
+/// all of them.
 std::vector<double> lost_since_first(const Life& life, const Interpolation& path, double time,
                                      const std::vector<double>& x) {
   const auto at = [&](std::size_t i) {

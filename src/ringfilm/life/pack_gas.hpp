@@ -47,7 +47,7 @@ class PackGas {
   const Life& life_;
   std::map<std::pair<std::size_t, double>, PointGas> computed_;  ///< by operating point and growth of the gap [m]
   long n_not_periodic_ = 0;                                      ///< cycles of gas that do not repeat
-  std::vector<std::vector<double>> liner_weights_;  ///< of each operating point: shares of the gas along the stroke
+  std::vector<std::vector<double>> liner_weights_;  ///< shares of the gas along the stroke at each operating point
 };
 
 /// By how much wear of the radius opens the end gap of a ring [m]. @param depth of ring and liner together [m]

@@ -45,7 +45,7 @@ enum class StateOrigin {
   kScenario       ///< its face follows from an assumed or tuned wear coefficient
 };
 
-RingState ring_state_of(const cycle::Case& c);  ///< that of a case
+RingState ring_state_of(const cycle::Case& c);  ///< state of the ring of a case
 
 /// The case with another ring in it.
 cycle::Case with_ring_state(cycle::Case c, const RingState& state);

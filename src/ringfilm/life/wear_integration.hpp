@@ -12,7 +12,7 @@ namespace ringfilm::life {
 struct WearLoad {
   std::vector<double> face;   ///< at each place of the face, weighted with the edge zones [Pa m/s]
   std::vector<double> liner;  ///< along the stroke, per length of circumference [Pa m/s]; empty: not followed
-  double balance_error = 0;   ///< of its integral over the face against asperity load times speed, relative [-]
+  double balance_error = 0;   ///< difference of its integral over the face from asperity load times speed, relative [-]
 };
 
 /// Depths at a running time.
@@ -30,7 +30,7 @@ struct WearEffort {
   int jumps = 0;                  ///< taken
   int rejected_jumps = 0;         ///< taken again, shorter
   double stage_difference = 0;    ///< largest of the two stages of a jump that was taken [m]; 0 for Euler
-  bool lacks_last_stage = false;  ///< of Heun: the jump through the coating has its first stage alone
+  bool lacks_last_stage = false;  ///< Heun: the jump through the coating has its first stage alone
   double balance_error = 0;       ///< largest WearLoad::balance_error [-]
   /// Depth of the jumps to the end of the coating, where it lasts to no later time that is reported [m].
   std::optional<double> coarse_depth;

@@ -40,11 +40,11 @@ inline constexpr double kNegligibleArea = 1e-15;
 
 /// The least wear between two faces of which no place gained material, eq-life-bound.
 struct WearBound {
-  double margin = 0;           ///< of the face at each edge that is not trusted [m]
-  double depth_at_middle = 0;  ///< of the face [m]
-  double largest_depth = 0;    ///< of the trusted part [m]
-  double area = 0;             ///< over the trusted part [m2]
-  double tilt = 0;             ///< of the later face, about the middle [rad]
+  double margin = 0;           ///< margin at each edge of the face that is not trusted [m]
+  double depth_at_middle = 0;  ///< least worn depth at the middle of the face [m]
+  double largest_depth = 0;    ///< largest worn depth of the trusted part [m]
+  double area = 0;             ///< worn area over the trusted part [m2]
+  double tilt = 0;             ///< tilt of the later face, about the middle [rad]
 };
 
 /// The members of a bound, as all outputs have them.

@@ -14,7 +14,7 @@ class WornFace {
   explicit WornFace(const cycle::Case& c);
 
   std::size_t n_nodes() const { return grid_.x.size(); }
-  const std::vector<double>& x() const { return grid_.x; }  ///< of the nodes, from the chamber edge [m]
+  const std::vector<double>& x() const { return grid_.x; }  ///< places of the nodes, from the chamber edge [m]
   const std::vector<double>& share() const {
     return grid_.share;
   }  ///< length of the face that belongs to each node [m]
