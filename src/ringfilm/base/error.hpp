@@ -11,13 +11,13 @@ namespace ringfilm {
 struct SourceMark {
   std::string file;       ///< as the user named it; "--set" for the command line
   int line = 0;           ///< from 1; 0: the file as a whole
-  int column = 0;         ///< of the first character at fault, from 1; 0: the whole line
+  int column = 0;         ///< column of the first character at fault, from 1; 0: the whole line
   std::string line_text;  ///< the line itself, without its end; empty if not known
 };
 
 /// One thing that is wrong with the input: where, what rule was broken with which value, what to write instead.
 struct Fault {
-  SourceMark mark;      ///< of an empty file name where it lies at no place of a file
+  SourceMark mark;      ///< place of the fault; its file name is empty where the fault lies at no place of a file
   std::string message;  ///< value and rule, e.g. "ring.tangential_force = 12.5 has no unit"
   std::string remedy;   ///< next step, e.g. "a force is required here, for example \"12.5 N\""; may be empty
 };

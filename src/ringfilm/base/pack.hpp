@@ -9,7 +9,7 @@ namespace ringfilm::base {
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
 #define RINGFILM_INLINE [[gnu::always_inline]] inline
-/// The same behind the parameters of a lambda.
+/// RINGFILM_INLINE for a lambda, placed after its parameters.
 #define RINGFILM_INLINE_BODY __attribute__((always_inline))
 
 template <int kWidth>
@@ -116,7 +116,7 @@ struct Pack {
 
   /// a where the mask holds, else b.
   RINGFILM_INLINE friend Pack select(Mask mask, Pack a, Pack b) { return of(mask ? a.v : b.v); }
-  /// Of a and b where one is not a number: b.
+  /// Larger of a and b; b where one of them is not a number.
   RINGFILM_INLINE friend Pack max(Pack a, Pack b) { return of(a.v > b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack min(Pack a, Pack b) { return of(a.v < b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack abs(Pack a) { return max(a, -a); }

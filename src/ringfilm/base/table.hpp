@@ -8,8 +8,8 @@ namespace ringfilm {
 /// One sample alone is a constant; throws InputError unless there are as many x as y. The unit is that of y.
 double interpolate_linear(std::span<const double> x, std::span<const double> y, double at);
 
-/// Cubic through all samples that stays monotone wherever they are, after Fritsch and Carlson; continued with the slope
-/// of its end points. Continuous with its first derivative.
+/// Piecewise cubic through all samples that is monotone wherever they are, after Fritsch and Carlson. Beyond its end
+/// points it continues with the slope there. Continuous with its first derivative.
 class MonotoneCubic {
  public:
   /// @param x increasing, two samples or more; @param y as many, or InputError

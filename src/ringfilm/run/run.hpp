@@ -56,7 +56,7 @@ struct Request {
 struct CycleOutcome {
   io::ResultDocument document;
   std::optional<ConvergenceError> stopped;
-  std::optional<cycle::Case> input;  ///< of one ring that the document does not describe, with its gas
+  std::optional<cycle::Case> input;  ///< case of one ring with its gas, where the document does not describe it
 };
 
 /// Integrates each case, then all that ledgers and error estimates require in one batch. A pack is computed with its

@@ -53,7 +53,7 @@ void add_errors(const Request& requested, std::span<const study::Ending> ended, 
 
 /// A request among the rings of all.
 struct RequestedRings {
-  std::size_t n_rings = 0;           ///< of the pack, each rail of an oil ring by itself; 0: one ring
+  std::size_t n_rings = 0;           ///< number of rings of the pack, each rail of an oil ring by itself; 0: one ring
   std::vector<std::size_t> rails;    ///< cycle::rail_number of each ring of the pack
   std::vector<std::string> labels;   ///< cycle::ring_label likewise
   std::optional<io::PackGas> gas{};  ///< where it is computed
