@@ -19,8 +19,8 @@ using cycle::Case;
 
 constexpr const char* kOfOil = "any-in-engine-oil";
 constexpr int kPlacesOfCurve = 101;
-constexpr double kEndOfCurve = 4;    // sigma
-constexpr double kLeastDrawn = 1e5;  // [Pa]
+constexpr double kEndOfCurve = 4;  // sigma
+constexpr double kMinDrawn = 1e5;  // [Pa]
 
 /// A law of the same two maps.
 struct LawOfMaps {
@@ -163,7 +163,7 @@ io::Measurement friction_band(const FrictionBandRequest& request) {
     const auto contact = cycle::asperity_contact(cases[first]);
     for (const double h : curve.x) {
       const double p = contact->contact(h).pressure;
-      series.y.push_back(p > kLeastDrawn ? p : std::numeric_limits<double>::quiet_NaN());
+      series.y.push_back(p > kMinDrawn ? p : std::numeric_limits<double>::quiet_NaN());
     }
     curve.series.push_back(std::move(series));
   }

@@ -13,9 +13,9 @@ using Mask = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 std::string shown_value(const py::handle& value) {
   if (value.is_none()) return "None";
   if (!PyUnicode_Check(value.ptr())) return "of type " + py::cast<std::string>(py::type::of(value).attr("__name__"));
-  constexpr std::size_t kLongest = 40;
+  constexpr std::size_t kMax = 40;
   const auto text = py::cast<std::string>(py::reinterpret_steal<py::object>(PyObject_ASCII(value.ptr())));
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  return text.size() <= kMax ? text : text.substr(0, kMax) + "...";
 }
 
 [[noreturn]] void refuse(const char* name, const std::string& required, const py::handle& value) {

@@ -38,9 +38,9 @@ class Coordinates {
   std::size_t i_prime_ = 0;
 };
 
-constexpr double kNewRingPeak = 62e5;    // of the trace that is scaled [Pa]
-constexpr double kSuction = 0.9e5;       // where that trace is lowest, about [Pa]
-constexpr double kLowestPressure = 3e4;  // a closed throttle [Pa]
+constexpr double kNewRingPeak = 62e5;  // of the trace that is scaled [Pa]
+constexpr double kSuction = 0.9e5;     // where that trace is lowest, about [Pa]
+constexpr double kMinPressure = 3e4;   // a closed throttle [Pa]
 constexpr double kTraceStepDeg = 0.25;
 constexpr double kFewCells = 1.6;  // skews the cells towards few, where costs are low
 
@@ -91,7 +91,7 @@ void draw_trace(Coordinates& at, RepeatableNumbers& noise, EngineScenario& scena
     }
     if (steps && angle >= step.start_deg && angle < step.start_deg + step.length_deg) p *= step.factor;
     trace.crank_angle_deg.push_back(angle);
-    trace.value.push_back(std::max(p, kLowestPressure));
+    trace.value.push_back(std::max(p, kMinPressure));
   }
   scenario.peak_pressure = *std::max_element(trace.value.begin(), trace.value.end());
   c.gas.cylinder_pressure = std::move(trace);

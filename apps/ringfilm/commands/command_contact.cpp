@@ -71,10 +71,10 @@ E' = 2 E*, with 1/E* = sum (1 - nu^2)/E. Without --hardness contact is elastic. 
 )";
 
 void read_lambda(CommandOptions& add, const std::string& list, std::vector<double>& lambda) {
-  constexpr double kHighest = 100;
+  constexpr double kMax = 100;
   lambda.clear();
   for (const std::string& word : comma_separated(list)) {
-    add.collect([&] { lambda.push_back(add.number_of("--lambda", word, 0, kHighest, "1,1.286,2,3")); });
+    add.collect([&] { lambda.push_back(add.number_of("--lambda", word, 0, kMax, "1,1.286,2,3")); });
   }
 }
 

@@ -74,7 +74,7 @@ void declare_face(CommandOptions& add, FaceCommand& command) {
                                          "a tilt to remove instead, by which the profile rises along the trace");
   add.length("--running-surface-height", rule.running_surface_height_m, "1 um",
              "the running surface is where the gap is at most this above its least (default 1 um)");
-  add.choice("--zero", rule.zero, {{"lowest-point", FaceZero::kLowestPoint}, {"as-measured", FaceZero::kAsMeasured}},
+  add.choice("--zero", rule.zero, {{"lowest-point", FaceZero::kMinPoint}, {"as-measured", FaceZero::kAsMeasured}},
              "of the gap: lowest-point or as-measured")
       ->capture_default_str();
   add.length("--pore-depth", rule.pore_depth_m, "1 um",

@@ -115,20 +115,20 @@ std::string resume_command(StudyOptions options, std::uint64_t part, std::uint64
 }
 
 void check_grid(const StudyOptions& options, const study::Plan& plan) {
-  if (options.yes || plan.study().sampling.method != study::Method::kGrid || plan.size() <= study::kLargestGrid) return;
-  throw InputError(fmt::format("the full grid has {} points, more than {}", plan.size(), study::kLargestGrid),
+  if (options.yes || plan.study().sampling.method != study::Method::kGrid || plan.size() <= study::kMaxGrid) return;
+  throw InputError(fmt::format("the full grid has {} points, more than {}", plan.size(), study::kMaxGrid),
                    "add --yes if that is meant, or sample: method = \"sobol\"");
 }
 
 /// Curves of so many bytes are only kept where the user allows it.
-constexpr double kLargestCurves = 2e9;
+constexpr double kMaxCurves = 2e9;
 
 void check_curves(const StudyOptions& options, const study::Plan& plan) {
   const study::OutputSelection& keep = plan.study().keep;
   const double row = static_cast<double>(sizeof(float) * study::kept_curves(plan.study()).size()) *
                      static_cast<double>(study::kept_angles(keep).size());
   const double bytes = row * static_cast<double>(plan.most());
-  if (options.yes || bytes <= kLargestCurves) return;
+  if (options.yes || bytes <= kMaxCurves) return;
   throw InputError(
       fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
                   plan.most(), bytes / 1e9),

@@ -74,13 +74,13 @@ The ending of the name selects the format: .x3p, .sur, .gsf or .csv. The file is
 it was made; the same arguments give the same bytes. Without --seed the seed is 1.
 )";
 
-constexpr std::uint64_t kFewestPoints = 16;
-constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 26;  // points of a map: half a GiB of heights
+constexpr std::uint64_t kMinPoints = 16;
+constexpr std::uint64_t kMaxPoints = std::uint64_t{1} << 26;  // points of a map: half a GiB of heights
 
 void read_points(const std::string& text, surface::SurfaceGrid& grid) {
   const auto size = two_whole_numbers(text);
   const auto [x, y] = size.value_or(std::pair<std::uint64_t, std::uint64_t>());  // 0 x 0: refused
-  if (x < kFewestPoints || (y != 1 && y < kFewestPoints) || x > kMostPoints || y > kMostPoints / x) {
+  if (x < kMinPoints || (y != 1 && y < kMinPoints) || x > kMaxPoints || y > kMaxPoints / x) {
     throw InputError("--points " + text + ": this is not a size of a map",
                      "16 or more points in each direction, 2^26 in all, for example --points 512x512");
   }

@@ -20,7 +20,7 @@ namespace ringfilm::app {
 namespace {
 
 /// More would be a study of hours.
-constexpr std::size_t kMostCombinations = 10000;
+constexpr std::size_t kMaxCombinations = 10000;
 
 /// The settings of a combination, by its number.
 std::vector<io::Override> combination(const std::vector<Variation>& varied, std::size_t number) {
@@ -177,8 +177,8 @@ std::string gas_variations_csv(const std::string& case_path, const std::vector<i
   check_varied(varied, overrides);
   std::size_t n = 1;
   for (const Variation& one : varied) n *= one.values.size();
-  if (n > kMostCombinations) {
-    throw InputError(fmt::format("--vary makes {} combinations, {} at the most are computed", n, kMostCombinations),
+  if (n > kMaxCombinations) {
+    throw InputError(fmt::format("--vary makes {} combinations, {} at the most are computed", n, kMaxCombinations),
                      "vary fewer values");
   }
   const std::vector<cycle::Case> cases = cases_of(case_path, overrides, varied, n);

@@ -76,7 +76,7 @@ constexpr const char* kLifeFooter =
     "  ringfilm life faces new.toml run-in.toml embedded.toml\n"
     "What a life file holds: docs/manual/guide/life.md";
 
-constexpr int kMostWords = 64;
+constexpr int kMaxWords = 64;
 
 /// The command with the words that are alone: a life, or faces and cases.
 struct LifeRequest : LifeOptions {
@@ -87,7 +87,7 @@ struct LifeRequest : LifeOptions {
 void declare_life(CommandOptions& add, LifeRequest& request) {
   add.text("LIFE.toml", request.alone, "", "the life's file; or faces, and cases whose faces are compared")
       ->required()
-      ->expected(1, kMostWords);
+      ->expected(1, kMaxWords);
   const CLI::Option* output =
       add.text("-o,--output", request.output, "X.nc", "write all values over the hours as NetCDF");
   const CLI::Option* page = add.text("--html", request.page, "X.html", "write the same as a web page");

@@ -89,7 +89,7 @@ std::string fit_table(const life::CoefficientFit& fit) {
   std::string text = fmt::format("\n{:>8} {:<26} {:>16} {:>8} {:>16}\n", "hours", "fitted to", "worn area um mm",
                                  "rms um", "coefficient m2/N");
   for (const life::FittedCoefficient& row : fit.rows) {
-    const bool is_bound = row.basis == life::FitBasis::kLeastWear;
+    const bool is_bound = row.basis == life::FitBasis::kMinWear;
     const std::string basis = is_bound ? fmt::format("least wear, edges - {:.3g} mm", in_mm(row.trusted))
                                        : fmt::format("closest face, +-{:.2g} mm", in_mm(row.trusted));
     text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis,

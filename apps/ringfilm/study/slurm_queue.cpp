@@ -18,9 +18,9 @@ CommandOutput output_of(const std::string& command_line) {
   if (pipe == nullptr) return {"no process could be started", -1};
   CommandOutput printed;
   std::array<char, 4096> part{};
-  constexpr std::size_t kMost = 1 << 24;  // output of 10^5 tasks with their reasons [byte]
+  constexpr std::size_t kMax = 1 << 24;  // output of 10^5 tasks with their reasons [byte]
   for (std::size_t n = 0; (n = std::fread(part.data(), 1, part.size(), pipe)) > 0;) {
-    if (printed.text.size() < kMost) printed.text.append(part.data(), n);
+    if (printed.text.size() < kMax) printed.text.append(part.data(), n);
   }
   const int status = ::pclose(pipe);
   printed.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -75,8 +75,8 @@ std::optional<std::map<std::uint64_t, std::string>> queue_states(const StudyJobs
     std::istringstream lines(printed.text);
     std::string task, state, reason;
     while (lines >> task >> state && std::getline(lines >> std::ws, reason)) {
-      constexpr std::size_t kMostDigits = 9;
-      states[is_number(task) ? std::stoull(task.substr(0, kMostDigits)) : 0] =
+      constexpr std::size_t kMaxDigits = 9;
+      states[is_number(task) ? std::stoull(task.substr(0, kMaxDigits)) : 0] =
           state == "RUNNING" || reason == "None" ? state : fmt::format("{} ({})", state, reason);
     }
   }

@@ -22,8 +22,8 @@ submit writes a job array of the parts and the job that joins them into the outp
 follows -- is passed to sbatch.
 )";
 
-constexpr int kMostWords = 64;  // those for another program among them
-constexpr std::uint64_t kMostParts = 1'000'000;
+constexpr int kMaxWords = 64;  // those for another program among them
+constexpr std::uint64_t kMaxParts = 1'000'000;
 
 /// The command with the words that are alone: an action or none, the study, those for another program.
 struct StudyRequest : SubmitOptions {
@@ -37,8 +37,8 @@ void read_shard(const std::string& text, StudyOptions& study) {
     throw InputError(fmt::format("--shard {}: this is not i/n", text), "for example --shard 2/8");
   }
   study.is_part = true;
-  study.part = CommandOptions::count_of("--shard", text.substr(0, slash), kMostParts, "a number", "");
-  study.parts = CommandOptions::count_of("--shard", text.substr(slash + 1), kMostParts, "a number", "");
+  study.part = CommandOptions::count_of("--shard", text.substr(0, slash), kMaxParts, "a number", "");
+  study.parts = CommandOptions::count_of("--shard", text.substr(slash + 1), kMaxParts, "a number", "");
   if (study.part > study.parts) {
     throw InputError(fmt::format("--shard {}: there is no part {} of {}", text, study.part, study.parts),
                      "parts count from 1");
@@ -65,7 +65,7 @@ void declare_study(CommandOptions& add, StudyRequest& request) {
   StudyOptions& study = request.study;
   add.text("STUDY.toml", request.alone, "", "the study's file; before it: merge, status or submit")
       ->required()
-      ->expected(1, kMostWords);
+      ->expected(1, kMaxWords);
   // The first option takes the arguments behind --, too; but a command only accepts -- as long as another may still
   // come.
   add.text("OPTION", request.further, "", "of submit, behind --: options of sbatch");
@@ -82,7 +82,7 @@ void declare_study(CommandOptions& add, StudyRequest& request) {
   const CLI::Option* threads = add_threads(add, study.threads);
   const CLI::Option* engine = add.text("--engine", request.engine, "NAME", "of submit: slurm");
   const CLI::Option* parts =
-      add.count("--parts", request.parts, kMostParts, "a number", "", "of submit: into how many parts (default 8)");
+      add.count("--parts", request.parts, kMaxParts, "a number", "", "of submit: into how many parts (default 8)");
   const CLI::Option* rehearsal =
       add.flag("--dry-run", request.is_rehearsal, "of submit: write and show the scripts, submit nothing");
 

@@ -33,12 +33,12 @@ std::string EngineeringText::operator()(const std::string& name, double value_si
   if (quantity.display_unit == "degree" && error > kAnotherPeak) {
     return fmt::format("{:.0f} degree, on other grids up to {:.0f} degree away", value, std::ceil(error));
   }
-  constexpr int kMostDigits = 7;  // beyond them the unit is not worth the ink
+  constexpr int kMaxDigits = 7;  // beyond them the unit is not worth the ink
   const int first_place = static_cast<int>(std::floor(std::log10(error)));
   const bool starts_with_one = error < 2 * std::pow(10, first_place);
   int decimals = starts_with_one ? 1 - first_place : -first_place;
   if (value != 0)
-    decimals = std::min(decimals, kMostDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    decimals = std::min(decimals, kMaxDigits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
   if (quantity.display_unit == "degree") decimals = std::max(decimals, 0);
   const double place = std::pow(10, -decimals);
   const double shown_error = std::ceil(error / place * (1 - 1e-9)) * place;  // 0.02 is not more than 0.02

@@ -14,9 +14,9 @@ surface::FormChoice form_of(const std::string& text) {
   using surface::FormKind;
   const std::string polynomial = "polynomial-";
   if (text.rfind(polynomial, 0) == 0) {
-    constexpr std::uint64_t kMostDegree = 12;
+    constexpr std::uint64_t kMaxDegree = 12;
     const auto degree = whole_number(text.substr(polynomial.size()));
-    if (degree && *degree <= kMostDegree) return {FormKind::polynomial, static_cast<int>(*degree)};
+    if (degree && *degree <= kMaxDegree) return {FormKind::polynomial, static_cast<int>(*degree)};
     throw InputError("--form " + text + ": the degree is not a number from 0 to 12", "for example --form polynomial-2");
   }
   return {CommandOptions::chosen<FormKind>("--form", text,

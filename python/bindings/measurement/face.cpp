@@ -15,7 +15,7 @@ const std::map<std::string, FaceDirection> kFaceDirections{{"as-measured", FaceD
 const std::map<std::string, FaceLevelling> kLevellings{{"none", FaceLevelling::kNone},
                                                        {"stated", FaceLevelling::kStated},
                                                        {"running-surface", FaceLevelling::kRunningSurface}};
-const std::map<std::string, FaceZero> kZeros{{"lowest-point", FaceZero::kLowestPoint},
+const std::map<std::string, FaceZero> kZeros{{"lowest-point", FaceZero::kMinPoint},
                                              {"as-measured", FaceZero::kAsMeasured}};
 const std::map<std::string, InventionReason> kReasons{
     {"departs", InventionReason::kDeparts},

@@ -9,7 +9,7 @@ namespace ringfilm {
 namespace {
 
 /// Nobody mends more at once, and a file that has more is of another kind.
-constexpr std::size_t kMostDescribed = 100;
+constexpr std::size_t kMaxDescribed = 100;
 /// A line of over this many characters is shown as a window around the mark.
 constexpr int kShownColumns = 100;
 
@@ -40,7 +40,7 @@ std::string with_caret(const SourceMark& mark, const std::string& remedy) {
 
 std::string describe(const std::vector<Fault>& faults) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(faults.size(), kMostDescribed); ++i) {
+  for (std::size_t i = 0; i < std::min(faults.size(), kMaxDescribed); ++i) {
     const auto& [mark, message, remedy] = faults[i];
     if (!mark.file.empty()) {
       text.append(printable(mark.file)).append(":");
@@ -55,8 +55,8 @@ std::string describe(const std::vector<Fault>& faults) {
       text.append("    ").append(printable(remedy)).append("\n");
     }
   }
-  if (faults.size() > kMostDescribed) {
-    text.append("and ").append(std::to_string(faults.size() - kMostDescribed)).append(" more\n");
+  if (faults.size() > kMaxDescribed) {
+    text.append("and ").append(std::to_string(faults.size() - kMaxDescribed)).append(" more\n");
   }
   return text;
 }

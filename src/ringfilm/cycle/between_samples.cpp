@@ -13,7 +13,7 @@ constexpr double kStrokeDeg = 180;
 /// Angles closer than this are the same [degree].
 constexpr double kSameAngle = 1e-9;
 /// Largest ratio of the lengths of neighbouring steps that a parabola joins.
-constexpr double kMostUnequal = 8;
+constexpr double kMaxUnequal = 8;
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void BetweenSamples::set_slopes() {
   const auto joins_next = [this](std::size_t k) {
     const double end = angle_[k] + length_[k], next = length_[after(k)];
     const bool at_dead_centre = std::abs(end - kStrokeDeg * std::floor(end / kStrokeDeg + 0.5)) < kSameAngle;
-    const bool is_alike = std::max(length_[k], next) <= kMostUnequal * std::min(length_[k], next);
+    const bool is_alike = std::max(length_[k], next) <= kMaxUnequal * std::min(length_[k], next);
     return size() > 2 && is_alike && is_smooth(k) && is_smooth(after(k)) && !at_dead_centre;
   };
   slope_from_.reserve(size());

@@ -80,7 +80,7 @@ class BetweenSamples {
   };
   /// Largest slope of a cubic at an end of its step, in rises over this step or the one beyond: up to 3 a cubic is
   /// monotone.
-  static constexpr double kMostSlope = 3;
+  static constexpr double kMaxSlope = 3;
   /// Over one step, by the share of the step that has passed.
   struct Cubic {
     double c_0, c_1, c_2, c_3;
@@ -104,7 +104,7 @@ class BetweenSamples {
     return {a, from, 3 * rise - 2 * from - to, -2 * rise + from + to};
   }
   static double limited(double slope, double rise, double rise_beyond) {
-    const double most = kMostSlope * std::max(std::abs(rise), std::abs(rise_beyond));
+    const double most = kMaxSlope * std::max(std::abs(rise), std::abs(rise_beyond));
     return std::clamp(slope, -most, most);
   }
   Place highest(std::size_t k, const Cubic& cubic) const;

@@ -20,7 +20,7 @@ constexpr double kScatter = 1e-3;
 /// A mixture that moves so many times as much oil as the cycle before led astray: mixing begins anew.
 constexpr double kAstray = 2;
 /// No cell has less than this share of what the last cycle has left there.
-constexpr double kLeastShare = 0.1;
+constexpr double kMinShare = 0.1;
 /// What moves less than this share of what moved before comes to rest by itself.
 constexpr double kFast = 0.25;
 /// What all cycles to come move, as a multiple of what the first one moved, if each moves 0.9 of the one before.
@@ -66,7 +66,7 @@ std::vector<double> AndersonMixing::mixture() const {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] -= weight[i] * (now.image[c] - history_[i].image[c]);
   }
-  for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] = std::max(mixed[c], kLeastShare * now.image[c]);
+  for (std::size_t c = 0; c < mixed.size(); ++c) mixed[c] = std::max(mixed[c], kMinShare * now.image[c]);
   return mixed;
 }
 

@@ -8,11 +8,11 @@ namespace ringfilm::film {
 namespace {
 
 /// Passes at the most; some five are usual.
-constexpr int kMostPasses = 60;
+constexpr int kMaxPasses = 60;
 /// Change of the displacement over h_m that is let through, in units of the tolerance, and the least [-].
 constexpr double kDisplacementTolerance = 10, kRounding = 1e-12;
 /// Shares of the change that a pass takes over [-].
-constexpr double kSmallestShare = 0.05, kLargestShare = 2;
+constexpr double kMinShare = 0.05, kMaxShare = 2;
 
 /// Integral of ln|t| from 0 to t.
 double integral_of_log(double t) { return t == 0 ? 0 : t * (std::log(std::abs(t)) - 1); }
@@ -25,7 +25,7 @@ double next_share(double share, const std::vector<double>& change, const std::ve
     along += before[i] * difference;
     squares += difference * difference;
   }
-  return squares > 0 ? std::clamp(-share * along / squares, kSmallestShare, kLargestShare) : share;
+  return squares > 0 ? std::clamp(-share * along / squares, kMinShare, kMaxShare) : share;
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ FilmReport ElasticFace::solve(FilmProblem& problem, const FilmInputs& inputs, Fi
   if (held.empty()) held.assign(unloaded_.x.size(), 0.0);
   FilmReport total;
   double share = 1;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     lay(held, problem.grid);
     total.add(solve(state));
     if (!total.converged) return total;

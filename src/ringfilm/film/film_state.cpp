@@ -13,7 +13,7 @@ namespace {
 
 /// Share of the film by which it may change within a cell of a graded grid.
 constexpr double kChangePerCell = 0.5;
-constexpr int kMostHalvings = 20;
+constexpr int kMaxHalvings = 20;
 /// Places at which the gap is looked at: measured points may lie closer than the first cells are long.
 constexpr int kSamplesPerCell = 8;
 /// Places at which the gap of a face whose cells follow the gap is evaluated, over the whole face.
@@ -48,7 +48,7 @@ FilmGrid graded_grid(int n_cells, double width, const std::function<double(doubl
     const double begin = grid.x.back(), middle = 0.5 * (begin + end), h_middle = height(middle);
     const bool too_long =
         changes_much(begin, end) || (turning == Turning::kPossible && changes_much(width - end, width - begin));
-    if (halvings < kMostHalvings && too_long) {
+    if (halvings < kMaxHalvings && too_long) {
       add_cells(middle, h_middle, halvings + 1);
       return add_cells(end, h_end, halvings + 1);
     }
@@ -91,13 +91,13 @@ FilmGrid grid_by_gap(int n_cells, double width, const std::function<double(doubl
 }
 
 FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces) {
-  constexpr int kFewest = 2;
+  constexpr int kMin = 2;
   FilmGrid grid;
   grid.width = pieces.back().end;
   double left_height = 0;  // height at the end of the piece before
   for (const GapPiece& piece : pieces) {
     const double length = piece.end - piece.begin;
-    const int n = std::max(kFewest, static_cast<int>(std::lround(n_cells * length / grid.width)));
+    const int n = std::max(kMin, static_cast<int>(std::lround(n_cells * length / grid.width)));
     const auto at = [&](double i) { return piece.begin + length * i / n; };
     const double first = piece.height(piece.begin);
     if (grid.x.empty()) {

@@ -19,13 +19,13 @@ constexpr double kPressureError = 1e-6, kPositionError = 1e-6, kVelocityError = 
 /// First step of a cycle, and after a change of contact the longest [degree].
 constexpr double kFirstStep = 0.1;
 /// No step is shorter; where one would have to be, the integration stops [degree].
-constexpr double kShortestStep = 1e-10;
+constexpr double kMinStep = 1e-10;
 /// A ring lies on a flank that it is so near to [side clearance].
 constexpr double kTouching = 1e-9;
 /// Places within a step where changes of contact and peaks of pressure are looked for.
 constexpr std::array<double, 6> kLooks = {0.1550510257216822, 0.3, 0.45, 0.6449489742783178, 0.82, 1.0};
 /// More changes of contact in a cycle are not followed.
-constexpr std::size_t kMostEvents = 20000;
+constexpr std::size_t kMaxEvents = 20000;
 
 double wrapped_angle(double angle) { return angle >= base::kCycleDeg ? angle - base::kCycleDeg : angle; }
 
@@ -111,7 +111,7 @@ void CycleIntegration::integrate(long most_steps) {
 }
 
 void CycleIntegration::advance_to(double end_deg) {
-  while (end_deg - angle_ > kShortestStep) {
+  while (end_deg - angle_ > kMinStep) {
     leave_flanks();
     system_.unknowns(state_, y_);
     const double remaining = end_deg - angle_;
@@ -151,7 +151,7 @@ double CycleIntegration::attempt(double h) {
     }
     h *= std::min(growth, 0.9);
     step_.forget();
-    if (h < kShortestStep) stop("no step is short enough");
+    if (h < kMinStep) stop("no step is short enough");
   }
 }
 
@@ -231,7 +231,7 @@ std::vector<CycleIntegration::Found> CycleIntegration::first_events(double h) {
 /// solved, a shorter one is, in which nothing happens. @returns its length [degree]
 double CycleIntegration::shorten_to(std::vector<Found>& found, double h) {
   const Found event = found.front();
-  double length = std::max(event.share * h, 10 * kShortestStep);
+  double length = std::max(event.share * h, 10 * kMinStep);
   for (int i = 0; i < 4; ++i) {
     step_.forget();
     ++n_steps_;
@@ -242,7 +242,7 @@ double CycleIntegration::shorten_to(std::vector<Found>& found, double h) {
     const double beyond = step_.stage(2)[system_.place(k)] - flank(event.event);
     const double velocity = step_.stage(2)[system_.place(k) + 1];
     if (std::abs(beyond) < 1e-8 || std::abs(beyond) > 0.5 * std::abs(velocity) * length) return length;
-    length = std::clamp(length - beyond / velocity, 10 * kShortestStep, h);
+    length = std::clamp(length - beyond / velocity, 10 * kMinStep, h);
   }
   found.clear();
   return attempt(0.5 * length);
@@ -337,8 +337,8 @@ void CycleIntegration::leave_flanks() {
 }
 
 void CycleIntegration::conclude(const Found& found) {
-  if (result_.events.size() >= kMostEvents) {
-    throw ConvergenceError("the rings change their flanks more than " + std::to_string(kMostEvents) + " times a cycle",
+  if (result_.events.size() >= kMaxEvents) {
+    throw ConvergenceError("the rings change their flanks more than " + std::to_string(kMaxEvents) + " times a cycle",
                            wrapped_angle(angle_));
   }
   result_.events.push_back({found.ring + 1, wrapped_angle(angle_), found.event});

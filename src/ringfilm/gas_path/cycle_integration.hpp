@@ -19,11 +19,11 @@ class CycleIntegration {
 
   /// Steps that a cycle may take, those that are rejected included. Packs as in engines take some thousand. Among 1,200
   /// random ones whose motion repeats, the hardest takes 26,000: a light ring that bounces on little gas.
-  static constexpr long kMostSteps = 200'000;
+  static constexpr long kMaxSteps = 200'000;
 
   /// One cycle, from kBeginDeg to a cycle later. Throws ConvergenceError where no step is short enough, or where it
   /// takes more steps than `most_steps`.
-  void integrate(long most_steps = kMostSteps);
+  void integrate(long most_steps = kMaxSteps);
 
   long n_steps() const { return n_steps_; }  ///< made in the last cycle, with those that were rejected
 
@@ -66,7 +66,7 @@ class CycleIntegration {
   RadauStep step_;
   PackState state_;
   double angle_ = kBeginDeg, next_step_ = 0;
-  long n_steps_ = 0, most_steps_ = kMostSteps;
+  long n_steps_ = 0, most_steps_ = kMaxSteps;
   std::vector<double> y_, scale_, at_, pressure_, flow_, sensitivity_;
   // results of the cycle
   GasPathResult result_;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kQuickestDeg = 1e-8;
 
 Region region(const std::string& name, double volume, double temperature, double gas_constant) {
-  return {name, temperature, std::max(volume, kLeastVolume) / (gas_constant * temperature), nullptr};
+  return {name, temperature, std::max(volume, kMinVolume) / (gas_constant * temperature), nullptr};
 }
 
 std::string numbered(const char* name, std::size_t number) { return name + std::to_string(number); }

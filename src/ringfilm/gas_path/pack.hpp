@@ -68,6 +68,6 @@ struct Pack {
 };
 
 /// A groove or piston land of less volume is taken to have this one [m3].
-inline constexpr double kLeastVolume = 1e-11;
+inline constexpr double kMinVolume = 1e-11;
 
 }  // namespace ringfilm::gas_path

@@ -11,9 +11,9 @@ constexpr double kRadians = std::numbers::pi / 180;
 /// Relative change of an unknown by which slopes are found; they guide the iteration alone.
 constexpr double kProbe = 1e-8;
 /// No iterate of a pressure goes below [Pa].
-constexpr double kLeastPressure = 1.0;
+constexpr double kMinPressure = 1.0;
 /// Largest share of a pressure by which one iteration reduces it.
-constexpr double kLongestFall = 0.8;
+constexpr double kMaxFall = 0.8;
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void PackSystem::fill_pressures(double angle, std::span<const double> y, std::sp
   const auto& regions = network_.regions();
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const models::CyclePressure* given = regions[r].given;
-    pressure[r] = given ? given->pressure(angle) : std::max(kPressureUnit * y[network_.unknown(r)], kLeastPressure);
+    pressure[r] = given ? given->pressure(angle) : std::max(kPressureUnit * y[network_.unknown(r)], kMinPressure);
   }
 }
 
@@ -160,7 +160,7 @@ void PackSystem::add_ring_to_jacobian(std::size_t ring, double angle, std::span<
 }
 
 void PackSystem::limit(std::span<const double> y, std::span<double> change) const {
-  for (std::size_t i = 0; i < n_inner_; ++i) change[i] = std::max(change[i], -kLongestFall * y[i]);
+  for (std::size_t i = 0; i < n_inner_; ++i) change[i] = std::max(change[i], -kMaxFall * y[i]);
 }
 
 void PackSystem::jacobian(double angle, std::span<const double> y, std::span<double> J) {

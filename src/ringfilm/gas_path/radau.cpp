@@ -14,14 +14,14 @@ constexpr double kTableau[3][3] = {{(88 - 7 * kRoot6) / 360, (296 - 169 * kRoot6
 constexpr double kRealEigenvalue = 3.637834252744496;
 constexpr double kEmbedded[3] = {-(13 + 7 * kRoot6) / 3, (-13 + 7 * kRoot6) / 3, -1.0 / 3};
 
-constexpr int kMostIterations = 12;
+constexpr int kMaxIterations = 12;
 /// Iterations with new slopes at each stage: a pressure that falls from the peak of a cycle to that of the crankcase
 /// takes some five of them until it is near, and as many to converge.
-constexpr int kMostFullIterations = 20;
+constexpr int kMaxFullIterations = 20;
 /// Share of the tolerance of a step that its iteration may leave.
 constexpr double kIterationShare = 1e-4;
 /// A change of an unknown beyond that is an iteration that diverges.
-constexpr double kLargestChange = 1e6;
+constexpr double kMaxChange = 1e6;
 
 /// Lagrange weights at `x` of the polynomial through 0 and the nodes of the stages.
 void lagrange_weights(double x, double (&weight)[4]) {
@@ -132,7 +132,7 @@ bool RadauStep::iterate(OdeSystem& system, double t, double h, std::span<const d
   double norm_before = 0;
   const bool at_stages = slopes == Slopes::kOfStages;
   stages_ = first_;
-  for (int iteration = 0; iteration < (at_stages ? kMostFullIterations : kMostIterations); ++iteration) {
+  for (int iteration = 0; iteration < (at_stages ? kMaxFullIterations : kMaxIterations); ++iteration) {
     if (at_stages && !factorize_at_stages(system, t, h)) return false;
     for (std::size_t j = 0; j < kStages; ++j) {
       system.rates(t + kNodes[j] * h, stage(j), {rates_.data() + j * n_, n_});
@@ -151,7 +151,7 @@ bool RadauStep::iterate(OdeSystem& system, double t, double h, std::span<const d
     double norm = 0;
     for (std::size_t k = 0; k < change_.size(); ++k) {
       const double change = std::abs(change_[k]);
-      if (!(change < kLargestChange)) return false;
+      if (!(change < kMaxChange)) return false;
       stages_[k] += change_[k];
       norm = std::max(norm, change / scale[k % n_]);
     }

@@ -17,19 +17,19 @@ namespace {
 constexpr double kRepeats = 1e-8;
 /// Where rings move, changes below that are taken once no more cycle makes them smaller.
 constexpr double kRepeatsInMotion = 1e-6;
-constexpr int kMostCycles = 50;
+constexpr int kMaxCycles = 50;
 /// No cycle begins after so many steps: half a minute with four rings.
-constexpr long kMostSteps = 500'000;
+constexpr long kMaxSteps = 500'000;
 /// More cycles that a motion is followed which does not repeat by then, the longest period that is looked for, and how
 /// near a ring comes to its place before [side clearance].
-constexpr int kMostFollowed = 100;
-constexpr std::size_t kLongestPeriod = 12;
+constexpr int kMaxFollowed = 100;
+constexpr std::size_t kMaxPeriod = 12;
 constexpr double kAlikePosition = 1e-4;
 /// Share of a pressure that Newton's method on the cycle leaves alone where nothing determines it, squared.
 constexpr double kIndeterminate = 1e-20;
 
 /// Newton's method changes a pressure by this share at the most, upwards; half of it downwards.
-constexpr double kLongestJump = 4.0;
+constexpr double kMaxJump = 4.0;
 
 double largest_change(const std::vector<double>& before, const std::vector<double>& after) {
   double largest = 0;
@@ -58,7 +58,7 @@ std::vector<double> newton_begin(const std::vector<double>& begin, const std::ve
   factors.solve(step);
   std::vector<double> next(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double longest = kLongestJump * begin[i];
+    const double longest = kMaxJump * begin[i];
     next[i] = std::clamp(begin[i] + std::clamp(step[i], -longest / 2, longest), lowest, highest);
   }
   return next;
@@ -163,7 +163,7 @@ Followed follow_to_period(CycleIntegration& cycle, long n_steps, double of_last_
   std::vector<double> of_cycle;
   Followed followed;
   followed.change = of_last_cycle;
-  for (int n = 0; n < kMostFollowed && n_steps < kMostSteps; ++n) {
+  for (int n = 0; n < kMaxFollowed && n_steps < kMaxSteps; ++n) {
     cycle.integrate();
     n_steps += cycle.n_steps();
     states.push_back(cycle.state());
@@ -173,7 +173,7 @@ Followed follow_to_period(CycleIntegration& cycle, long n_steps, double of_last_
     };
     followed.cycles = n + 1;
     followed.change = change(1);
-    for (std::size_t period = 1; period <= kLongestPeriod && period < states.size(); ++period) {
+    for (std::size_t period = 1; period <= kMaxPeriod && period < states.size(); ++period) {
       if (!is_alike(states.back(), states[states.size() - 1 - period])) continue;
       followed.period = static_cast<int>(period);
       followed.change = change(period);
@@ -200,7 +200,7 @@ GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
   bool repeats = false, has_jumped = false;
   int n = 0, n_to_follow = 0, n_to_wait = 1;
   long n_steps = 0;
-  while (!repeats && n < kMostCycles && n_steps < kMostSteps) {
+  while (!repeats && n < kMaxCycles && n_steps < kMaxSteps) {
     const PackState begin = cycle.state();
     cycle.integrate();
     n_steps += cycle.n_steps();

@@ -345,7 +345,7 @@ std::string shown_length(double length_m) {
 }  // namespace
 
 InstrumentFile open_instrument_file(const std::string& path, TableLayout layout) {
-  auto bytes = std::make_shared<const std::string>(file_bytes(path, kLargestInstrumentFile));
+  auto bytes = std::make_shared<const std::string>(file_bytes(path, kMaxInstrumentFile));
   if (starts_with(*bytes, "PK\x03\x04")) {
     bytes.reset();
     return is_x3p(path) ? read_x3p(path) : through_gwyddion(path);

@@ -85,7 +85,7 @@ class Fit {
       const FaceHeights face = face_heights(state.input);
       for (const double share : trusted_margins()) {
         const WearBound bound = least_wear(first, face, share * first.width(), Tilt::kFree);
-        targets.push_back({{state.time, FitBasis::kLeastWear, bound.margin, bound.area, {}, {}}, {}});
+        targets.push_back({{state.time, FitBasis::kMinWear, bound.margin, bound.area, {}, {}}, {}});
       }
       std::vector<double> at_nodes;
       for (const double x : wear_.face().x()) at_nodes.push_back(interpolate_linear(face.x, face.height, x));
@@ -117,8 +117,8 @@ class Fit {
     };
     try {
       integrate_wear(
-          life_.wear, {kLongestTime}, wear_.face().n_nodes(), 0,
-          [this](const WornDepths& now) { return wear_.load(now); }, limits);
+          life_.wear, {kMaxTime}, wear_.face().n_nodes(), 0, [this](const WornDepths& now) { return wear_.load(now); },
+          limits);
     } catch (const ConvergenceError&) {
       if (path_.back().area < largest) throw;  // else the path ends where a deeper face has no cycle
     }

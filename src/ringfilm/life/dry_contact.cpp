@@ -36,8 +36,8 @@ double DryContact::separation(const std::vector<double>& worn) const {
   double lowest = height_[0] + worn[0];
   for (std::size_t i = 0; i < x_.size(); ++i) lowest = std::min(lowest, height_[i] + worn[i]);
   double h = -lowest;
-  constexpr int kMost = 200;
-  for (int n = 0; n < kMost; ++n) {
+  constexpr int kMax = 200;
+  for (int n = 0; n < kMax; ++n) {
     double carried = 0, stiffness = 0;
     for (std::size_t i = 0; i < x_.size(); ++i) {
       double slope = 0;

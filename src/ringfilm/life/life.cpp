@@ -13,9 +13,9 @@ namespace {
 void check_times(const Life& life, std::vector<Fault>& faults) {
   for (std::size_t i = 0; i < life.times.size(); ++i) {
     const ReportedTime& now = life.times[i];
-    if (now.time > kLongestTime) {
+    if (now.time > kMaxTime) {
       faults.push_back({now.mark, "the running time " + hours_text(now.time) + " is more than a century",
-                        "running times are up to " + hours_text(kLongestTime)});
+                        "running times are up to " + hours_text(kMaxTime)});
     }
     if (now.time < 0) {
       faults.push_back({now.mark, "the running time " + hours_text(now.time) + " is below zero",

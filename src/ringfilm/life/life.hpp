@@ -12,19 +12,19 @@ namespace ringfilm::life {
 
 inline constexpr double kHour = 3600;  ///< [s]
 /// Longest running time of a life, more than a century [s].
-inline constexpr double kLongestTime = 1e6 * kHour;
+inline constexpr double kMaxTime = 1e6 * kHour;
 /// Depth at which a scenario of wear ends where nothing states a coating: a usual one of molybdenum [m].
 inline constexpr double kAssumedCoating = 100e-6;
 /// More jumps than a life can need: a coating of 1 mm takes a tenth.
-inline constexpr int kMostJumps = 100'000;
+inline constexpr int kMaxJumps = 100'000;
 /// No scan measures a face better than to some nanometres, nor does a depth below the size of an atom mean anything. A
-/// jump of this depth takes a usual coating off in kMostJumps [m].
-inline constexpr double kSmallestJumpDepth = 1e-9;
+/// jump of this depth takes a usual coating off in kMaxJumps [m].
+inline constexpr double kMinJumpDepth = 1e-9;
 /// The two stages of a jump differ with the square of its length: at this difference jumps are a tenth of the usual
 /// ones [m].
-inline constexpr double kSmallestJumpError = 1e-10;
+inline constexpr double kMinJumpError = 1e-10;
 /// Wear coefficient above which each contact would remove more than all that it touches, 1/(3H), for any metal [m2/N].
-inline constexpr double kLargestCoefficient = 1e-9;
+inline constexpr double kMaxCoefficient = 1e-9;
 
 std::string hours_text(double time);  ///< a running time [s] as messages show it: "10 h"
 

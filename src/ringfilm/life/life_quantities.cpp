@@ -13,11 +13,11 @@ const std::vector<LifeQuantity>& life_quantities() {
         {"mean_viscous_power", Combination::kTimeMean},
         {"energy_per_cycle", Combination::kCycleMean},
         {"fmep", Combination::kCycleMean},
-        {"min_film_thickness", Combination::kLeast},
-        {"min_lambda_ratio", Combination::kLeast},
-        {"lambda_ratio_at_peak_pressure", Combination::kLeast},
+        {"min_film_thickness", Combination::kMin},
+        {"min_lambda_ratio", Combination::kMin},
+        {"lambda_ratio_at_peak_pressure", Combination::kMin},
         {"mixed_share", Combination::kTimeMean},
-        {"peak_friction_coefficient_firing", Combination::kLargest},
+        {"peak_friction_coefficient_firing", Combination::kMax},
         {"net_oil_flow", Combination::kTimeMean},
         {"mean_absolute_oil_flow", Combination::kTimeMean},
         {"archard_wear_load", Combination::kCycleMean},
@@ -45,7 +45,7 @@ LifeValues combined(const std::vector<WeightedValues>& points) {
   for (std::size_t i = 0; i < life_quantities().size(); ++i) {
     const Combination combination = life_quantities()[i].combination;
     double value =
-        combination == Combination::kLeast || combination == Combination::kLargest ? points.front().values[i] : 0.0;
+        combination == Combination::kMin || combination == Combination::kMax ? points.front().values[i] : 0.0;
     for (const WeightedValues& point : points) {
       switch (combination) {
         case Combination::kTimeMean:
@@ -54,10 +54,10 @@ LifeValues combined(const std::vector<WeightedValues>& points) {
         case Combination::kCycleMean:
           value += point.cycle_share * point.values[i];
           break;
-        case Combination::kLeast:
+        case Combination::kMin:
           value = std::min(value, point.values[i]);
           break;
-        case Combination::kLargest:
+        case Combination::kMax:
           value = std::max(value, point.values[i]);
           break;
       }

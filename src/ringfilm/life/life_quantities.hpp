@@ -10,8 +10,8 @@ namespace ringfilm::life {
 enum class Combination {
   kTimeMean,   ///< weighted with the share of the time
   kCycleMean,  ///< weighted with the share of the cycles: of what counts per cycle
-  kLeast,
-  kLargest
+  kMin,
+  kMax
 };
 
 /// A value of a cycle over the life.

@@ -98,7 +98,7 @@ struct CoefficientRange {
 
 /// What a fitted coefficient rests on.
 enum class FitBasis {
-  kLeastWear,   ///< the area of the scenario is the least one between the faces
+  kMinWear,     ///< the area of the scenario is the least one between the faces
   kClosestFace  ///< the scenario is as close to the measured face as it comes
 };
 

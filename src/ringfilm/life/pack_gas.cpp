@@ -16,7 +16,7 @@ namespace ringfilm::life {
 namespace {
 
 /// Cycles of gas that are kept; all those of one running time are fewer, and each takes 0.1 MB.
-constexpr std::size_t kMostKept = 200;
+constexpr std::size_t kMaxKept = 200;
 
 cycle::Ring& worn_ring(cycle::Case& pack, std::size_t ring) {
   return pack.is_pack() ? pack.rings[ring - 1].ring : pack.ring;
@@ -70,7 +70,7 @@ const PackGas::PointGas& PackGas::gas(std::size_t point, double growth) {
                            stopped.crank_angle_deg());
   }
   if (!gas.result.repeats) ++n_not_periodic_;
-  if (computed_.size() >= kMostKept) computed_.clear();
+  if (computed_.size() >= kMaxKept) computed_.clear();
   return computed_.emplace(key, std::move(gas)).first->second;
 }
 

@@ -11,7 +11,7 @@ namespace ringfilm::life {
 namespace {
 
 /// A jump below this share of the one that the depth allows makes no progress.
-constexpr double kShortestJump = 1e-6;
+constexpr double kMinJump = 1e-6;
 /// A jump that was too long for what else changes is taken again with this share of its length.
 constexpr double kShortened = 0.7;
 /// The next jump is at most this much longer than the last one.
@@ -167,12 +167,11 @@ class Integration {
 
   /// Refuses to continue where nothing is gained by it.
   void check_progress(double until) const {
-    const bool is_short = next_ < kShortestJump * longest_by_depth() || !(until > now_.time);
-    if (!is_short && effort_.jumps < kMostJumps) return;
-    throw ConvergenceError(
-        where(now_) + ": " +
-        (is_short ? "the jumps became too short" : std::to_string(kMostJumps) + " jumps were taken") +
-        "; take a larger wear.jump_error or wear.largest_depth, or a smaller wear.coefficient");
+    const bool is_short = next_ < kMinJump * longest_by_depth() || !(until > now_.time);
+    if (!is_short && effort_.jumps < kMaxJumps) return;
+    throw ConvergenceError(where(now_) + ": " +
+                           (is_short ? "the jumps became too short" : std::to_string(kMaxJumps) + " jumps were taken") +
+                           "; take a larger wear.jump_error or wear.largest_depth, or a smaller wear.coefficient");
   }
 
   /// The longest jump whose depth at the present rates is allowed.
@@ -211,7 +210,7 @@ class Integration {
     const double depth = *limits_.deepest / kCoarseJumps;
     std::vector<WornDepths> all_passed;
     try {
-      while (!worn_through_ && now_.time < time && effort_.jumps < kMostJumps) {
+      while (!worn_through_ && now_.time < time && effort_.jumps < kMaxJumps) {
         if (!load_now_) load_now_ = measured(now_);
         WornDepths end = coarse_jump(std::min(time, now_.time + longest_by_depth(depth)));
         if (is_through(end)) worn_through_ = on_the_way(end, share_of_coating(end));

@@ -19,11 +19,11 @@ std::vector<double> pressures_between_edges(const PadSetup& setup, const film::F
 
 double flux_of_rounding(const film::FilmProblem& problem, const film::FilmInputs& inputs, const film::FilmState& state,
                         double thickest) {
-  constexpr double kOfPressures = 1e-8, kSmallestPressure = 1.0, kOfOil = 1e-8;  // shares, but for the second [Pa]
+  constexpr double kOfPressures = 1e-8, kMinPressure = 1.0, kOfOil = 1e-8;  // shares, but for the second [Pa]
   const auto [low, high] = std::minmax_element(state.p.begin(), state.p.end());
   const double h = thickest, L = problem.grid.width;
   const double rho = inputs.oil->density(state.p.front()), K = rho / inputs.oil->viscosity(state.p.front());
-  const double pressure = std::max({std::abs(*low), std::abs(*high), kSmallestPressure});
+  const double pressure = std::max({std::abs(*low), std::abs(*high), kMinPressure});
   return std::max(kOfPressures * pressure * h * h * h * K / (12 * L), kOfOil * rho * h * L / inputs.time_step);
 }
 

@@ -14,7 +14,7 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kMostHalvings = 6;  // a time step is cut to 1/64 at the finest
+constexpr int kMaxHalvings = 6;  // a time step is cut to 1/64 at the finest
 
 /// Viscosity of the oil at no pressure [Pa s], and its slope over pressure [s].
 struct Viscosity {
@@ -83,7 +83,7 @@ class TimeIntegration {
       if (!advance(from, to, 0)) {
         append_notes(film_, result_);
         throw StoppedPad(formatted("between %.6g s and %.6g s no film was found, with 1/%d of the time step either",
-                                   from, to, 1 << kMostHalvings),
+                                   from, to, 1 << kMaxHalvings),
                          std::move(result_));
       }
       ++result_.effort.time_steps;
@@ -102,7 +102,7 @@ class TimeIntegration {
   bool advance(double from, double to, int halvings) {
     if (solve(from, to)) return true;
     if (halvings == 0) ++result_.effort.cut_steps;
-    if (halvings == kMostHalvings) return false;
+    if (halvings == kMaxHalvings) return false;
     const double middle = 0.5 * (from + to);
     return advance(from, middle, halvings + 1) && advance(middle, to, halvings + 1);
   }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSpeedHalvings = 8;   // the slowest start of a speed that is raised little by little
 constexpr double kFarOff = 0.1;     // an estimate of the pressures is not used if they turn out below this share
-constexpr int kMostEstimates = 40;  // each a tenth of the one before or less
+constexpr int kMaxEstimates = 40;   // each a tenth of the one before or less
 constexpr double kNothing = 1e-40;  // share of the first estimate below which a pressure counts as zero
 // smallest change of the film in one step that counts as motion, over the film thickness
 constexpr double kStandstill = 1e-10;
@@ -56,7 +56,7 @@ bool solve_at_separation(PadFilm& film, film::FilmInputs inputs, double closing,
   // The film is solved to a share of an estimate of its pressures: as long as they turn out far below, they are the
   // next estimate, until nothing but rounding is left of them.
   double scale = estimate;
-  for (int k = 0; k < kMostEstimates; ++k) {
+  for (int k = 0; k < kMaxEstimates; ++k) {
     const film::FilmState before = state;
     inputs.load = scale * film.setup().input.pad.length;
     const film::FilmReport report = film.solve_at_separation(inputs, previous, state);

@@ -75,11 +75,11 @@ std::optional<int> WideFilm::crest(const film::FilmInputs& inputs, const film::F
 
 film::FilmReport WideFilm::solve_at_separation(const film::FilmInputs& given, const film::FilmState& previous,
                                                film::FilmState& state) {
-  constexpr int kMostMoves = 5;  // moves of the node at which the bounds meet; one or two are usual
+  constexpr int kMaxMoves = 5;  // moves of the node at which the bounds meet; one or two are usual
   const film::FilmInputs inputs = supplied(given, state.h_m);
   film::FilmInputs held = inputs;
   film::FilmReport total = solve_with_bounds(held, previous, state);
-  for (int move = 0; move < kMostMoves && total.converged; ++move) {
+  for (int move = 0; move < kMaxMoves && total.converged; ++move) {
     const std::optional<int> node = crest(inputs, state);
     if (node == held.crest) break;
     held.crest = node;

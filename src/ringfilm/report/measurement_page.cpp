@@ -21,7 +21,7 @@ constexpr int kMeasuredDigits = 7;
 constexpr double kPicturePoints = 2 * 512 * 512;
 constexpr double kPictureSide = 512;
 constexpr double kCurvePoints = 40000;
-constexpr double kLeastStretches = 150, kMostStretches = 1000;
+constexpr double kMinStretches = 150, kMaxStretches = 1000;
 
 /// Numbers in the unit that people read: the page converts nothing.
 class Shown {
@@ -158,7 +158,7 @@ ordered_json payload(const io::Measurement& measurement, const io::Units& units,
   std::size_t n_series = 0;
   for (const io::MeasuredCurve& curve : measurement.curves) n_series += curve.series.size();
   const double share = kCurvePoints / std::max<double>(1, static_cast<double>(n_series)) / 4;
-  const auto stretches = static_cast<std::size_t>(std::clamp(share, kLeastStretches, kMostStretches));
+  const auto stretches = static_cast<std::size_t>(std::clamp(share, kMinStretches, kMaxStretches));
   for (const io::MeasuredCurve& curve : measurement.curves) curves.push_back(curve_object(curve, stretches, units));
   return {{"kind", measurement.kind},
           {"title", measurement.title},

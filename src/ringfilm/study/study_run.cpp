@@ -26,7 +26,7 @@ namespace {
 struct Stopped {};
 
 /// The curves of a block [bytes].
-constexpr std::size_t kLargestCurves = std::size_t{1} << 24;
+constexpr std::size_t kMaxCurves = std::size_t{1} << 24;
 
 ScenarioRow row_of(const cycle::CycleResult& result, const OutputSelection& keep) {
   ScenarioRow row;
@@ -44,7 +44,7 @@ ScenarioRow unsolved_row(std::string reason, const Plan& plan) {
 
 std::uint64_t rows_in_block(const Study& study, std::uint64_t most_rows) {
   const std::size_t row = sizeof(float) * kept_curves(study).size() * kept_angles(study.keep).size();
-  return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kLargestCurves / row, 1));
+  return row == 0 ? most_rows : std::min<std::uint64_t>(most_rows, std::max<std::size_t>(kMaxCurves / row, 1));
 }
 
 /// Takes rows as they end and hands them over in blocks: when one is full, and after a time what there is.

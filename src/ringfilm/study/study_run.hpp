@@ -12,7 +12,7 @@
 namespace ringfilm::study {
 
 /// Above this many points a full grid is only run where the user allows it.
-inline constexpr std::uint64_t kLargestGrid = 10'000;
+inline constexpr std::uint64_t kMaxGrid = 10'000;
 
 /// What is kept of a scenario.
 struct ScenarioRow {

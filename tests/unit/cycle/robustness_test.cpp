@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 /// Costs grow with it; benchmarks/robustness goes up to 1600.
-constexpr int kMostCells = 200;
+constexpr int kMaxCells = 200;
 
 /// What may end an integration: the load is beyond film and asperities, the gas under the ring beyond the load, or the
 /// viscosity without limit.
@@ -39,7 +39,7 @@ TEST(Robustness, EveryStepOfSeededScenariosIsSolvedOrReportedToHaveNoSolution) {
   int stops = 0;
   for (int index = 0; index < 150; ++index) {
     Case c = engine_scenario(kSeed, index).input;
-    c.solver.cells = std::min(c.solver.cells, kMostCells);
+    c.solver.cells = std::min(c.solver.cells, kMaxCells);
     c.solver.crank_step_deg = std::max(c.solver.crank_step_deg, 1.0);
     try {
       const CycleResult result = simulated(c);

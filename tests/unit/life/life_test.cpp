@@ -146,10 +146,10 @@ TEST(LifeQuantities, PointsAreWeightedByTimeOrCyclesOrTakenAtTheirExtreme) {
       case Combination::kCycleMean:
         EXPECT_DOUBLE_EQ(all[i], 2.8);
         break;
-      case Combination::kLeast:
+      case Combination::kMin:
         EXPECT_EQ(all[i], 1);
         break;
-      case Combination::kLargest:
+      case Combination::kMax:
         EXPECT_EQ(all[i], 3);
     }
   }

@@ -118,9 +118,9 @@ TEST(StudyPage, DrawsAnEvenSubsetOfManyPoints) {
       example::study_page(large, [](const std::string&, const study::Point& point) { return *point.values[0]; });
   const json few = example::data_of(page);
   EXPECT_EQ(few.at("stribeck").at("of"), 30000);
-  EXPECT_EQ(few.at("stribeck").at("scenario").size(), report::kMostDrawnPoints);
+  EXPECT_EQ(few.at("stribeck").at("scenario").size(), report::kMaxDrawnPoints);
   const json& axes = few.at("grid").at("bases").at(0).at("axes");
-  EXPECT_LE(axes.at(0).at("levels").size() * axes.at(1).at("levels").size(), report::kMostGridPoints);
+  EXPECT_LE(axes.at(0).at("levels").size() * axes.at(1).at("levels").size(), report::kMaxGridPoints);
   EXPECT_EQ(axes.at(0).at("of"), 300);
   EXPECT_NEAR(axes.at(0).at("levels").back().get<double>(), 6000 * M_PI / 30, 1e-4);
   EXPECT_LT(page.size(), 2'000'000u);
@@ -138,8 +138,8 @@ TEST(StudyPage, DrawsPointsOfEveryBaseAndOfEveryLevel) {
       "kind = \"uncertainty\"\n" + kTwoBases + kEvenSpeed + "[plan]\nmethod = \"sobol\"\nscenarios = 2048\n",
       speed_of));
   const auto of_base = two.at("stribeck").at("base").get<std::vector<int>>();
-  EXPECT_EQ(of_base.size(), report::kMostDrawnPoints);
-  EXPECT_EQ(std::count(of_base.begin(), of_base.end(), 1), report::kMostDrawnPoints / 2);
+  EXPECT_EQ(of_base.size(), report::kMaxDrawnPoints);
+  EXPECT_EQ(std::count(of_base.begin(), of_base.end(), 1), report::kMaxDrawnPoints / 2);
   const json grid = example::data_of(
       example::study_page("kind = \"map\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" + kSpeed +
                               "range = [\"1000 rpm\", \"6000 rpm\"]\npoints = 2000\n[[factor]]\nname = \"warmth\"\n"
@@ -147,7 +147,7 @@ TEST(StudyPage, DrawsPointsOfEveryBaseAndOfEveryLevel) {
                               "[plan]\nmethod = \"grid\"\n",
                           speed_of));
   const auto drawn = grid.at("stribeck").at("scenario").get<std::vector<std::uint64_t>>();
-  EXPECT_EQ(drawn.size(), report::kMostDrawnPoints);
+  EXPECT_EQ(drawn.size(), report::kMaxDrawnPoints);
   const auto n_warm = std::count_if(drawn.begin(), drawn.end(), [](std::uint64_t i) { return i % 2 == 1; });
   // Half of them, to five deviations of tossing coins.
   EXPECT_NEAR(static_cast<double>(n_warm), 1000, 5 * std::sqrt(500.0));
@@ -177,7 +177,7 @@ TEST(StudyPage, DrawsTheCurvesOfFewScenariosUnderTheirNames) {
   const json curves = example::data_of(example::sweep_page()).at("curves");
   const json& scenarios = curves.at("scenarios");
   EXPECT_EQ(scenarios.at("of"), 9);
-  ASSERT_EQ(scenarios.at("list").size(), report::kMostDrawnCurves);
+  ASSERT_EQ(scenarios.at("list").size(), report::kMaxDrawnCurves);
   EXPECT_EQ(scenarios.at("list").front().at("name"), "speed 1000 rpm");
   EXPECT_EQ(scenarios.at("list").back().at("name"), "speed 5000 rpm");
   for (const json& one : scenarios.at("list")) ASSERT_EQ(one.at("values").size(), 2u);
@@ -210,9 +210,9 @@ TEST(StudyPage, ThinsAGridOfManyFactorsToTwoLevelsOfEachOrLeavesItOut) {
     EXPECT_EQ(axis.at("levels").front(), 0.9);
     EXPECT_EQ(axis.at("levels").back(), 1.1);
   }
-  EXPECT_LE(n, report::kMostGridPoints);
+  EXPECT_LE(n, report::kMaxGridPoints);
   EXPECT_EQ(n, grid.at("bases").at(0).at("values").at("fmep").size());
-  EXPECT_GT(n, report::kMostGridPoints / 2);  // no more goes than must
+  EXPECT_GT(n, report::kMaxGridPoints / 2);  // no more goes than must
   EXPECT_TRUE(grid_of_ten(20, "[0.9, 1.1]").is_null());
 }
 

@@ -29,10 +29,10 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
 
 /// Bending breaks a ring that is more tense than 1 MPa; on the narrow lands of oil rings, with a spring behind them, it
 /// is up to 2 MPa (docs/manual/robustness.md) [Pa].
-constexpr double kHighestTension = 3e6;
+constexpr double kMaxTension = 3e6;
 
 void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
-  if (elastic_pressure <= kHighestTension) return;
+  if (elastic_pressure <= kMaxTension) return;
   notes.push_back({"ring-tension-high",
                    "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
                        " MPa: " + usual_tension(),
@@ -41,12 +41,12 @@ void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
 
 /// Four-stroke engines have bores from 20 mm (models) to 0.6 m (ships), and strokes of 0.6 to 1.5 bores (assumed: what
 /// lies far outside is a wrong unit).
-constexpr double kSmallestBore = 0.02, kLargestBore = 0.7, kShortestStroke = 0.4, kLongestStroke = 2.5;
+constexpr double kMinBore = 0.02, kMaxBore = 0.7, kMinStroke = 0.4, kMaxStroke = 2.5;
 
 void append_size_note(const Engine& engine, std::vector<Note>& notes) {
   const double ratio = engine.stroke / engine.bore;
-  const bool is_usual = engine.bore >= kSmallestBore && engine.bore <= kLargestBore && ratio >= kShortestStroke &&
-                        ratio <= kLongestStroke;
+  const bool is_usual =
+      engine.bore >= kMinBore && engine.bore <= kMaxBore && ratio >= kMinStroke && ratio <= kMaxStroke;
   if (is_usual) return;
   notes.push_back({"engine-size-unusual",
                    "engine.bore = " + number_text(engine.bore * 1e3) +

@@ -16,18 +16,18 @@ namespace {
 
 /// N beta sigma is 0.03 to 0.05 in Greenwood and Tripp 1971, 0.064 to 0.073 in Styles et al. 2014. The real area is
 /// pi^2 (N beta sigma)^2 F_2 of the nominal one: above 1 it exceeds it at a separation of 0.8 sigma.
-constexpr double kLowestRoughnessParameter = 0.005, kHighestRoughnessParameter = 1;
+constexpr double kMinRoughnessParameter = 0.005, kMaxRoughnessParameter = 1;
 /// Dry metals in air reach a friction coefficient of about 1; a boundary film lowers it.
-constexpr double kHighestShearStrength = 1;
+constexpr double kMaxShearStrength = 1;
 /// From polymers to diamond [Pa].
 constexpr double kSoftest = 1e9, kHardest = 1200e9;
 /// Eyring stresses of oils are 2 to 10 MPa (Johnson and Tevaarwerk 1977); no oil shears at more than 100 MPa before it
 /// yields as a solid [Pa].
-constexpr double kHighestEyringStress = 100e6;
+constexpr double kMaxEyringStress = 100e6;
 
 void append_roughness_note(const Contact& contact, double sigma, std::vector<Note>& notes) {
   const double parameter = contact.asperity_density * contact.asperity_radius * sigma;
-  if (parameter >= kLowestRoughnessParameter && parameter <= kHighestRoughnessParameter) return;
+  if (parameter >= kMinRoughnessParameter && parameter <= kMaxRoughnessParameter) return;
   notes.push_back({"roughness-parameter-unusual",
                    "the roughness parameter N beta sigma is " + number_text(parameter) +
                        ", where published surfaces have 0.03 to 0.073: are the units of contact.asperity_density, "
@@ -92,7 +92,7 @@ void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes)
     append_measure_note(contact, notes);
   }
   append_modulus_notes(c, notes);
-  if (contact.boundary_shear_strength_coefficient > kHighestShearStrength) {
+  if (contact.boundary_shear_strength_coefficient > kMaxShearStrength) {
     notes.push_back(
         {"boundary-shear-strength-high",
          "contact.boundary_shear_strength_coefficient = " + number_text(contact.boundary_shear_strength_coefficient) +
@@ -106,11 +106,11 @@ void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes)
                          " is that of a probe without oil, not of asperities in engine oil, which have 0.08 to 0.15",
                      1});
   }
-  if (contact.eyring_shear_stress > kHighestEyringStress) {
+  if (contact.eyring_shear_stress > kMaxEyringStress) {
     notes.push_back({"eyring-stress-high",
                      "contact.eyring_shear_stress = " + number_text(contact.eyring_shear_stress / 1e6) +
                          " MPa: oils have 2 to 10 MPa, and yield as solids below " +
-                         number_text(kHighestEyringStress / 1e6) + " MPa; is its unit right?",
+                         number_text(kMaxEyringStress / 1e6) + " MPa; is its unit right?",
                      1});
   }
 }

@@ -22,34 +22,34 @@ constexpr double kBar = 1e5;
 constexpr double kEarliestPeakDeg = -30, kLatestPeakDeg = 60;
 /// Compression by 4, less than that of any engine, raises the pressure six times. A trace below this ratio of its
 /// highest to its lowest pressure shows no compression, as on a rig without a cylinder head, and no peak to look at.
-constexpr double kLeastCompression = 2;
+constexpr double kMinCompression = 2;
 /// Without compression the cylinder is open to the atmosphere, whose pressure stays below 1.09 bar.
-constexpr double kHighestOpen = 1.2 * kBar;
+constexpr double kMaxOpen = 1.2 * kBar;
 /// Between these angles the valves of any engine are closed, and combustion has not begun, or raises the pressure;
 /// eq-weak-compression.
 constexpr double kCompressionFromDeg = -75, kCompressionToDeg = -45;
 /// Real compression has an exponent of about 1.3. Isothermal compression at this ratio is weaker
 /// than that of historic engines (ratio 4, exponent 1.3), and weaker than one at a ratio of 10 that leaks as much as to
 /// an exponent of 0.85.
-constexpr double kLowestRatio = 6;
+constexpr double kMinRatio = 6;
 /// The polytropic index of a compression follows from a trace and its compression ratio, which is not stated; it falls
 /// where a higher ratio is assumed. Charged engines have ratios of 8 and more, and seal; their index is 1.25 to 1.4. A
 /// trace that never falls to the atmosphere is that of a charged engine, or has an offset. Others may have any ratio,
 /// and leak at cranking speed.
-constexpr double kLowestChargedRatio = 8, kLowestIndex = 1.25;
+constexpr double kMinChargedRatio = 8, kMinIndex = 1.25;
 /// Cold air without losses has 1.4; the rest is scatter.
-constexpr double kHighestIndex = 1.43;
+constexpr double kMaxIndex = 1.43;
 /// A pressure that is added or missing bends ln p over ln V, most where p is low. Both halves of a sealed compression
 /// have one index with some compression ratio, 1.25 to 1.4; a tenth of a bar of an indicator or heat, which differs
 /// along the way, move that index by 0.1. An offset of 0.2 bar at 1 bar moves it by 0.2.
-constexpr double kLowestCommonIndex = 1.15, kHighestCommonIndex = 1.55;
+constexpr double kMinCommonIndex = 1.15, kMaxCommonIndex = 1.55;
 /// Without an offset the pressure of an engine that is not charged falls below that of the atmosphere; one that leaks
 /// at cranking speed has a low index, too.
-constexpr double kLowestAdded = 1.1 * kBar;
+constexpr double kMinAdded = 1.1 * kBar;
 constexpr double kLatestCommonStartDeg = -100;  ///< latest start of a compression whose halves are compared [degree]
 constexpr const char* kPeg =
     "Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and TDC";
-constexpr double kLeastRatioTried = 5, kMostRatioTried = 60;
+constexpr double kMinRatioTried = 5, kMaxRatioTried = 60;
 /// Most intake valves are closed from here on.
 constexpr double kIndexFromDeg = -120;
 /// Where the pressure rises by less than with this index, the intake valve is still open.
@@ -70,17 +70,17 @@ constexpr double kDeepestVacuum = 0.2 * kBar;
 /// The exhaust flows out against the atmosphere, which has 0.6 bar at a height of 4000 m.
 constexpr double kThinAir = 0.6 * kBar;
 /// The charge of one turbocharger has up to 5 bar absolute; only large engines with two in series have more.
-constexpr double kHighestCharge = 6 * kBar;
+constexpr double kMaxCharge = 6 * kBar;
 /// Series engines peak below 300 bar, and heavy knock below 400.
-constexpr double kHighestPeak = 400 * kBar;
+constexpr double kMaxPeak = 400 * kBar;
 /// The lowest pressure above the atmosphere of a naturally aspirated engine is below zero. For a charged engine it is
 /// the boost, which is seldom above this bound. As an absolute pressure, the same number is the pressure of the
 /// atmosphere less the loss of an open throttle.
-constexpr double kLargestUsualBoost = 0.7 * kBar;
+constexpr double kMaxUsualBoost = 0.7 * kBar;
 
 /// Bounds of a compression up to the start of a trace: that of no engine is larger, and no exponent above that of cold
 /// air without losses.
-constexpr double kHighestRatio = 25, kAdiabatic = 1.4;
+constexpr double kMaxRatio = 25, kAdiabatic = 1.4;
 /// Waves in the intake pipe and losses of the valves move the pressure at the end of intake by less than this share.
 constexpr double kIntakeScatter = 0.3;
 /// Below this ratio of pressures the flow through a valve is choked (air: 0.528): no valve that lets an engine breathe
@@ -91,7 +91,7 @@ constexpr double kExhaustBeginDeg = 220, kExhaustEndDeg = 320;  // away from blo
 constexpr double kIntakeBeginDeg = 400, kIntakeEndDeg = 500;    // away from valve overlap and compression
 
 /// Fast homogeneous combustion takes about 10 degrees; below 5 the pressure jumps as in a detonation.
-constexpr double kShortestBurnDeg = 5;
+constexpr double kMinBurnDeg = 5;
 
 /// An angle of Wiebe's cycle and where engines have it, early and late closing after Miller and Atkinson included.
 struct UsualAngle {
@@ -186,15 +186,15 @@ class GasNotes {
                                        " degree: four-stroke engines have " + number_text(usual.low) + " to " +
                                        number_text(usual.high) + " degree, counted from firing TDC");
     }
-    if (gas_.burn_duration_deg >= kShortestBurnDeg) return;
+    if (gas_.burn_duration_deg >= kMinBurnDeg) return;
     note("burn-duration-short", "gas.burn_duration = " + number_text(gas_.burn_duration_deg) +
                                     " degree: the fastest combustion of engines takes about 10 degree, and below " +
-                                    number_text(kShortestBurnDeg) + " the pressure jumps as in a detonation");
+                                    number_text(kMinBurnDeg) + " the pressure jumps as in a detonation");
   }
 
   void note(const char* topic, std::string message) { notes_.push_back({topic, std::move(message), 1}); }
 
-  bool is_compressed() const { return highest_ >= kLeastCompression * lowest_; }
+  bool is_compressed() const { return highest_ >= kMinCompression * lowest_; }
   bool is_peak_in_place() const { return peak_deg_ >= kEarliestPeakDeg && peak_deg_ <= kLatestPeakDeg; }
 
   void append_place_of_peak() {
@@ -208,7 +208,7 @@ class GasNotes {
 
   void append_weak_compression() {
     if (!is_compressed()) {
-      if (lowest_ <= kHighestOpen || lowest_ > kHighestCharge) return;
+      if (lowest_ <= kMaxOpen || lowest_ > kMaxCharge) return;
       note("gas-compression-low",
            "the cylinder pressure stays between " + in_bar(lowest_) + " and " + in_bar(highest_) +
                " absolute: it shows no compression, and a rig without a cylinder head has the pressure of the "
@@ -220,7 +220,7 @@ class GasNotes {
     if (!is_peak_in_place() || !has_compression || lowest_ < kDeepestVacuum) return;
     const double from = cylinder_.pressure(kCompressionFromDeg), to = cylinder_.pressure(kCompressionToDeg);
     const double least =
-        volume_above(case_, kCompressionFromDeg, kLowestRatio) / volume_above(case_, kCompressionToDeg, kLowestRatio);
+        volume_above(case_, kCompressionFromDeg, kMinRatio) / volume_above(case_, kCompressionToDeg, kMinRatio);
     if (to >= least * from) return;
     note(
         "gas-compression-low",
@@ -288,15 +288,15 @@ class GasNotes {
     const auto bend = [&](double ratio) {  // rises with the ratio
       return index_of(start, middle, ratio) - index_of(middle, kCompressionToDeg, ratio);
     };
-    double low = kLeastRatioTried, high = kMostRatioTried;
+    double low = kMinRatioTried, high = kMaxRatioTried;
     while (high > 1.01 * low) {
       const double ratio = std::sqrt(low * high);
       (bend(ratio) > 0 ? high : low) = ratio;
     }
-    const std::string bound = bend(kMostRatioTried) < 0 ? " or more" : bend(kLeastRatioTried) > 0 ? " or less" : "";
+    const std::string bound = bend(kMaxRatioTried) < 0 ? " or more" : bend(kMinRatioTried) > 0 ? " or less" : "";
     const double index = index_of(start, kCompressionToDeg, low);
-    const bool is_added = index < kLowestCommonIndex && lowest_ > kLowestAdded;
-    if (!is_added && index <= kHighestCommonIndex) return;
+    const bool is_added = index < kMinCommonIndex && lowest_ > kMinAdded;
+    if (!is_added && index <= kMaxCommonIndex) return;
     note(is_added ? "gas-compression-low" : "gas-compression-high",
          "the cylinder pressure between " + number_text(-start) + " and " + number_text(-kCompressionToDeg) +
              " degree before firing TDC rises as with a compression ratio of " + number_text(std::round(low)) + bound +
@@ -308,10 +308,10 @@ class GasNotes {
   void append_index() {
     if (!is_compressed() || (!is_whole_ && first_deg_ > kCompressionFromDeg)) return;
     const double start = start_of_compression();
-    const double largest = index_of(start, kCompressionToDeg, kLowestChargedRatio);
-    const double least = index_of(start, kCompressionToDeg, kHighestRatio);
-    const bool is_weak = lowest_ > kHighestOpen && largest < kLowestIndex;
-    if (!is_weak && least <= kHighestIndex) return append_common_index(start);
+    const double largest = index_of(start, kCompressionToDeg, kMinChargedRatio);
+    const double least = index_of(start, kCompressionToDeg, kMaxRatio);
+    const bool is_weak = lowest_ > kMaxOpen && largest < kMinIndex;
+    if (!is_weak && least <= kMaxIndex) return append_common_index(start);
     const std::string rise = "the cylinder pressure rises from " + in_bar(cylinder_.pressure(start)) + " absolute at " +
                              number_text(-start) + " degree before firing TDC to " +
                              in_bar(cylinder_.pressure(kCompressionToDeg)) + " at " + number_text(-kCompressionToDeg) +
@@ -319,12 +319,12 @@ class GasNotes {
     const auto rounded = [](double index) { return number_text(std::round(100 * index) / 100); };
     if (is_weak) {
       note("gas-compression-low",
-           rise + rounded(largest) + " or less for a compression ratio of " + number_text(kLowestChargedRatio) +
+           rise + rounded(largest) + " or less for a compression ratio of " + number_text(kMinChargedRatio) +
                " and more, where charged engines have 1.25 to 1.4: is a pressure added to the trace? " + kPeg);
     } else {
       note(
           "gas-compression-high",
-          rise + rounded(least) + " or more for a compression ratio of " + number_text(kHighestRatio) +
+          rise + rounded(least) + " or more for a compression ratio of " + number_text(kMaxRatio) +
               " and less, above that of air without losses, 1.4: is a pressure missing from the trace, or TDC wrong? " +
               kPeg);
     }
@@ -347,7 +347,7 @@ class GasNotes {
   }
 
   void append_high_pressures() {
-    if (highest_ > kHighestPeak || lowest_ > kHighestCharge) {
+    if (highest_ > kMaxPeak || lowest_ > kMaxCharge) {
       note("gas-pressure-high",
            "the cylinder pressure lies between " + in_bar(lowest_) + " and " + in_bar(highest_) +
                " absolute, higher than in usual engines: " +
@@ -356,7 +356,7 @@ class GasNotes {
       return;
     }
     if (append_high_gas_exchange()) return;
-    if (!is_gauge() || !is_whole_ || !is_compressed() || lowest_ - base::kAtmosphere < kLargestUsualBoost) return;
+    if (!is_gauge() || !is_whole_ || !is_compressed() || lowest_ - base::kAtmosphere < kMaxUsualBoost) return;
     note("gas-pressure-high", "the cylinder pressure never falls below " + in_bar(lowest_ - base::kAtmosphere) +
                                   " above the atmosphere, " + in_bar(lowest_) +
                                   " absolute: unless the engine is charged so high, the trace is absolute and "
@@ -371,7 +371,7 @@ class GasNotes {
   bool append_high_gas_exchange() {
     if (is_compressed() && !is_peak_in_place()) return false;  // at other angles
     const double exhaust = mean(kExhaustBeginDeg, kExhaustEndDeg), intake = mean(kIntakeBeginDeg, kIntakeEndDeg);
-    if (std::max(exhaust, intake) <= kHighestCharge) return false;
+    if (std::max(exhaust, intake) <= kMaxCharge) return false;
     note("gas-pressure-high", "the cylinder pressure is " + in_bar(exhaust) +
                                   " absolute during the exhaust stroke and " + in_bar(intake) +
                                   " during intake: one turbocharger charges to 5 bar, and exhaust " +
@@ -420,7 +420,7 @@ std::optional<double> peak_of_compression(const Gas& gas) {
   if (values.empty()) return std::nullopt;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double rise = rise_of_reference(gas);
-  return *high + rise >= kLeastCompression * (*low + rise) ? std::optional(*high + rise) : std::nullopt;
+  return *high + rise >= kMinCompression * (*low + rise) ? std::optional(*high + rise) : std::nullopt;
 }
 
 }  // namespace
@@ -434,8 +434,8 @@ std::optional<TraceStart> trace_start(const Case& c) {
   const double angle = from_firing(gas, trace.crank_angle_deg.front());
   if (angle > 0) return std::nullopt;
   const double bottom = -kCycleDeg / 4;  // compression begins there
-  const double rise = std::pow(
-      volume_above(c, bottom, kHighestRatio) / volume_above(c, std::max(angle, bottom), kHighestRatio), kAdiabatic);
+  const double rise =
+      std::pow(volume_above(c, bottom, kMaxRatio) / volume_above(c, std::max(angle, bottom), kMaxRatio), kAdiabatic);
   return TraceStart{angle, trace.value.front() + rise_of_reference(gas), *gas.intake_pressure,
                     *gas.intake_pressure * rise};
 }

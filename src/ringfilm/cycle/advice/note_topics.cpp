@@ -10,14 +10,14 @@ const std::vector<NoteTopic>& note_topics() {
   using enum NoteCount;
   using enum BadEnd;
   static const std::vector<NoteTopic> table = {
-      {"friction-too-high", kNone, kCase, "fmep", kHighest},
-      {"film-too-thick", kNone, kCrankAngles, "max_film_thickness", kHighest},
-      {"film-below-molecules", kNone, kCrankAngles, "min_film_thickness", kLowest},
-      {"film-pressure-high", kNone, kCrankAngles, "peak_film_pressure", kHighest},
+      {"friction-too-high", kNone, kCase, "fmep", kMax},
+      {"film-too-thick", kNone, kCrankAngles, "max_film_thickness", kMax},
+      {"film-below-molecules", kNone, kCrankAngles, "min_film_thickness", kMin},
+      {"film-pressure-high", kNone, kCrankAngles, "peak_film_pressure", kMax},
       {"shear-stress-high", kNone, kCrankAngles},
       {"mass-residual", kNone, kOccurrences},
       {"face-too-steep", kNone, kCase},
-      {"lambda-ratio-too-low", kNone, kCrankAngles, "min_lambda_ratio", kLowest},
+      {"lambda-ratio-too-low", kNone, kCrankAngles, "min_lambda_ratio", kMin},
       {"synthetic-trace", kLimited, kCase},
       {"gas-peak-place", kLimited, kCase},
       {"gas-compression-low", kLimited, kCase},
@@ -50,13 +50,13 @@ const std::vector<NoteTopic>& note_topics() {
       {"load-at-several-separations", kLimited, kOccurrences},
       {"pressed-closer-than-gap", kLimited, kCase},
       {"polynomial-beyond-range", kLimited, kOccurrences},
-      {"oil-table-left", kLimited, kOccurrences, "peak_film_pressure", kHighest},
-      {"lambda-ratio-low", kLimited, kCrankAngles, "min_lambda_ratio", kLowest},
-      {"contact-law-left", kLimited, kCrankAngles, "min_film_thickness", kLowest},
+      {"oil-table-left", kLimited, kOccurrences, "peak_film_pressure", kMax},
+      {"lambda-ratio-low", kLimited, kCrankAngles, "min_lambda_ratio", kMin},
+      {"contact-law-left", kLimited, kCrankAngles, "min_film_thickness", kMin},
       {"contact-law-extrapolated", kLimited, kCase},
-      {"flow-factors-left", kLimited, kCrankAngles, "min_film_thickness", kLowest},
-      {"flow-factors-extrapolated", kLimited, kCrankAngles, "max_film_thickness", kHighest},
-      {"contact-beyond-hardness", kLimited, kCrankAngles, "peak_mean_real_pressure", kHighest},
+      {"flow-factors-left", kLimited, kCrankAngles, "min_film_thickness", kMin},
+      {"flow-factors-extrapolated", kLimited, kCrankAngles, "max_film_thickness", kMax},
+      {"contact-beyond-hardness", kLimited, kCrankAngles, "peak_mean_real_pressure", kMax},
       {"contact-plastic", kLimited, kCase},
       {"asperities-inconsistent", kLimited, kCase},
       {"asperity-slopes-high", kLimited, kCase},
@@ -64,7 +64,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"supply-beyond-inlet", kLimited, kCase},
       {"ring-distance-assumed", kLimited, kCase},
       {"bore-taken-as-round", kLimited, kCase},
-      {"viscous-heating-high", kLimited, kCrankAngles, "peak_viscous_heating_rise", kHighest},
+      {"viscous-heating-high", kLimited, kCrankAngles, "peak_viscous_heating_rise", kMax},
       {"shear-rate-high", kLimited, kCrankAngles},
       {"gas-path-not-periodic", kLimited, kCase},
       {"ring-unseated", kLimited, kCase},
@@ -117,7 +117,7 @@ std::optional<double> note_badness(const std::string& topic, const std::function
   if (entry == nullptr || entry->measure == nullptr) return std::nullopt;
   const double measured = value(*cycle_quantity_index(entry->measure));
   if (!std::isfinite(measured)) return std::nullopt;
-  return entry->bad_end == BadEnd::kHighest ? measured : -measured;
+  return entry->bad_end == BadEnd::kMax ? measured : -measured;
 }
 
 std::optional<double> note_badness(const std::string& topic, std::span<const double> values) {

@@ -24,15 +24,15 @@ enum class NoteCount {
 };
 
 /// Which end of a value is the bad one.
-enum class BadEnd { kLowest, kHighest };
+enum class BadEnd { kMin, kMax };
 
 /// What holds for all notes of one topic.
 struct NoteTopic {
-  const char* name;                   ///< Note::topic
-  Trust trust;                        ///< in a result that carries the note
-  NoteCount count;                    ///< what the note counts
-  const char* measure = nullptr;      ///< value of the cycle by which two results compare; nullptr: there is none
-  BadEnd bad_end = BadEnd::kHighest;  ///< which end of the range of `measure` is bad
+  const char* name;               ///< Note::topic
+  Trust trust;                    ///< in a result that carries the note
+  NoteCount count;                ///< what the note counts
+  const char* measure = nullptr;  ///< value of the cycle by which two results compare; nullptr: there is none
+  BadEnd bad_end = BadEnd::kMax;  ///< which end of the range of `measure` is bad
 };
 
 /// All topics of notes on results of cycles and pads, the most serious first: the order of all lists of notes.

@@ -86,17 +86,17 @@ void append_points_note(const Setup& setup, double thinnest_film, std::vector<No
 
 /// With fewer cells peak film pressures of the shipped cases are off by more than 1 %, their friction by more than 0.1
 /// % (docs/manual/robustness.md).
-constexpr int kFewestCells = 50;
+constexpr int kMinCells = 50;
 
 void append_grid_note(const Setup& setup, std::vector<Note>& notes) {
   const int cells = setup.input.solver.cells;
   const bool is_chosen = setup.input.solver.accuracy.has_value();  // by an accuracy that was measured
-  if (setup.cells == CellsOfFace::kGraded || is_chosen || cells >= kFewestCells) return;
+  if (setup.cells == CellsOfFace::kGraded || is_chosen || cells >= kMinCells) return;
   notes.push_back(
       {"coarse-grid",
        formatted("%d cells across the face are few: friction is off by up to 0.2 %% with 32 cells, 1 %% with 16 "
                  "and 30 %% with 8, the peak film pressure by 2, 14 and 30 %%: take %d solver.cells or more",
-                 cells, kFewestCells),
+                 cells, kMinCells),
        1});
 }
 
@@ -149,7 +149,7 @@ double shear_rate(const Sample& s) { return std::abs(s.piston_velocity) / s.min_
 
 /// A ring that leaves the liner by h shortens its circumference by 2 pi h, until its ends meet. Closed gaps of ISO 6621
 /// are 0.2 to 0.5 % of the bore; this is twice the largest.
-constexpr double kLargestEndGap = 0.01;  // share of the bore
+constexpr double kMaxEndGap = 0.01;  // share of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
@@ -337,7 +337,7 @@ void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, CellsO
 void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, double fmep, std::vector<Note>& notes) {
   const double length = setup.input.ring_length();
   const double freedom =
-      setup.input.ring.end_gap.value_or(kLargestEndGap * setup.input.engine.bore) / (2 * std::numbers::pi);
+      setup.input.ring.end_gap.value_or(kMaxEndGap * setup.input.engine.bore) / (2 * std::numbers::pi);
   const auto stress = [&](const Sample& s) {
     return std::max(std::abs(s.viscous_friction_liner), std::abs(s.viscous_friction_ring)) /
            (length * setup.input.ring.face_width);

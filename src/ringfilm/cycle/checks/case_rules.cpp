@@ -33,7 +33,7 @@ bool divides_cycle(double step_deg) {
 }
 
 /// Fields of this many values are 80 MB each, five of them in a file.
-constexpr double kMostFieldValues = 1e7;
+constexpr double kMaxFieldValues = 1e7;
 
 void check_field_size(const Case& c, Breaches& breaches) {
   const Output& output = c.output;
@@ -41,19 +41,19 @@ void check_field_size(const Case& c, Breaches& breaches) {
   const double all = output.crank_angles_deg.empty() ? kCycleDeg / output.crank_angle_step_deg
                                                      : static_cast<double>(output.crank_angles_deg.size());
   const double angles = output.fields == FieldOutput::kAll ? all : static_cast<double>(output.field_angles_deg.size());
-  if (angles * c.solver.cells <= kMostFieldValues) return;
+  if (angles * c.solver.cells <= kMaxFieldValues) return;
   breaches.push_back({"output.fields",
                       "output.fields asks for " + number_text(angles) + " angles on " + number_text(c.solver.cells) +
-                          " cells, more than " + number_text(kMostFieldValues) + " values a field",
+                          " cells, more than " + number_text(kMaxFieldValues) + " values a field",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
 }
 
 void check_cavitation_pressure(const Film& film, Breaches& breaches) {
-  constexpr double kHighest = 1e7;
-  if (film.cavitation_pressure > kHighest) {
+  constexpr double kMax = 1e7;
+  if (film.cavitation_pressure > kMax) {
     breaches.push_back({"film.cavitation_pressure",
                         "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is above " +
-                            number_text(kHighest / 1e5) + " bar",
+                            number_text(kMax / 1e5) + " bar",
                         "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
   }
   if (film.cavitation_pressure >= 0) return;
@@ -89,8 +89,8 @@ void check_wiebe(const Gas& gas, Breaches& breaches) {
 /// A part of the cycle that is too short to be joined.
 bool refuse_short_trace(const std::vector<double>& angles, Breaches& breaches) {
   const double span = angles.back() - angles.front();
-  if (span >= models::kShortestPartialTraceDeg) return false;
-  const std::string least = number_text(models::kShortestPartialTraceDeg) + " degree";
+  if (span >= models::kMinPartialTraceDeg) return false;
+  const std::string least = number_text(models::kMinPartialTraceDeg) + " degree";
   breaches.push_back({"gas.cylinder_pressure",
                       "the trace covers " + number_text(angles.front()) + " to " + number_text(angles.back()) +
                           " degree, less than the " + least + " that compression and expansion take" +
@@ -114,14 +114,14 @@ void check_trace(const Case& c, Breaches& breaches) {
   if (angles.empty() || models::covers_cycle(angles)) return;
   if (refuse_short_trace(angles, breaches)) return;
   const double missing = angles.front() + kCycleDeg - angles.back();
-  if (missing < kCycleDeg - 2 * models::kLongestPartialTraceDeg) {
+  if (missing < kCycleDeg - 2 * models::kMaxPartialTraceDeg) {
     breaches.push_back({"gas.cylinder_pressure",
                         "the trace has no samples between " + number_text(angles.back()) + " and " +
                             number_text(angles.front() + kCycleDeg) + " degree, where the cycle begins again",
-                        "samples may be " + number_text(models::kLargestSampleDistanceDeg) +
+                        "samples may be " + number_text(models::kMaxSampleDistanceDeg) +
                             " degree apart at the most; complete the cycle, or cut the trace to " +
-                            number_text(-models::kLongestPartialTraceDeg) + " to " +
-                            number_text(models::kLongestPartialTraceDeg) +
+                            number_text(-models::kMaxPartialTraceDeg) + " to " +
+                            number_text(models::kMaxPartialTraceDeg) +
                             " degree about firing TDC and state gas.intake_pressure and gas.exhaust_pressure"});
     return;
   }
@@ -152,7 +152,7 @@ void check_whole_cycle(const char* key, const std::optional<base::Shared<Sampled
   if (!trace || models::covers_cycle((*trace)->crank_angle_deg)) return;
   breaches.push_back({key, std::string("the trace of ") + key + " covers only a part of the cycle",
                       "give samples over the whole cycle, none more than " +
-                          number_text(models::kLargestSampleDistanceDeg) + " degrees apart, or one pressure"});
+                          number_text(models::kMaxSampleDistanceDeg) + " degrees apart, or one pressure"});
 }
 
 /// All ways to state the tension end where ring.elastic_pressure does.

@@ -63,14 +63,14 @@ void check_bore(const char* key, const std::vector<FourierTerm>& terms, const Ca
 }
 
 /// Deviations of a map that small deflections about the closed ring may still follow, over the radius of the bore.
-constexpr double kLargestOfMap = 0.1;
+constexpr double kMaxOfMap = 0.1;
 
 void check_map(const char* key, const std::vector<std::vector<double>>& map, const Case& c, Breaches& breaches) {
   double most = 0;
   for (const std::vector<double>& row : map) {
     for (const double deviation : row) most = std::max(most, std::abs(deviation));
   }
-  if (most < kLargestOfMap * c.engine.bore / 2) return;
+  if (most < kMaxOfMap * c.engine.bore / 2) return;
   breaches.push_back(
       {key,
        std::string(key) + " deviates by " + in_mm(most) + " from a bore of the radius " + in_mm(c.engine.bore / 2) +
@@ -165,7 +165,7 @@ void check_pressure_points(const Ring& ring, Breaches& breaches) {
 }
 
 /// Orders of the pressure that a smoothing may leave; a line force of more would be noise.
-constexpr int kFewestOrders = 2, kMostOrders = 40;
+constexpr int kMinOrders = 2, kMaxOrders = 40;
 
 }  // namespace
 
@@ -184,13 +184,13 @@ bool shows_free_ring(const Case& c, std::vector<RuleBreach>& breaches) {
   }
   if (!(ring.free_shape_smoothing > 0) || !(c.engine.bore > *ring.radial_thickness)) return false;  // refused elsewhere
   const int orders = orders_of_free_ring(c);
-  if (orders < kFewestOrders || orders > kMostOrders) {
+  if (orders < kMinOrders || orders > kMaxOrders) {
     const double circumference = std::numbers::pi * (c.engine.bore - *ring.radial_thickness);
     breaches.push_back({"ring.free_shape_smoothing",
                         "ring.free_shape_smoothing = " + in_mm(ring.free_shape_smoothing) + " leaves " +
                             std::to_string(orders) + " orders of the pressure",
-                        "state a length between " + in_mm(circumference / kMostOrders) + " and " +
-                            in_mm(circumference / kFewestOrders) +
+                        "state a length between " + in_mm(circumference / kMaxOrders) + " and " +
+                            in_mm(circumference / kMinOrders) +
                             ": the shortest wave around the ring that is shape and not noise"});
   }
   if (breaches.size() > before || ring.free_ring->radius.empty()) return false;

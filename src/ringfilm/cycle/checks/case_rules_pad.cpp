@@ -16,9 +16,9 @@ namespace {
 
 using Breaches = std::vector<RuleBreach>;
 
-constexpr double kMostSteps = 1e6;
+constexpr double kMaxSteps = 1e6;
 /// Rows of the CSV file, some 80 bytes each; values of a field.
-constexpr double kMostRows = 1e7;
+constexpr double kMaxRows = 1e7;
 
 void check_what_is_given(const Pad& pad, Breaches& breaches) {
   std::vector<std::string> given;
@@ -154,10 +154,10 @@ double most_nodes(const Case& c) {
 }
 
 void check_nodes(const Case& c, Breaches& breaches) {
-  if (!c.pad.width || most_nodes(c) <= kMostFilm2dNodes) return;
+  if (!c.pad.width || most_nodes(c) <= kMaxFilm2dNodes) return;
   breaches.push_back({"solver.cells_y",
                       "solver.cells and solver.cells_y, with the steps of the gap, make a grid of " +
-                          number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostFilm2dNodes),
+                          number_text(most_nodes(c)) + " nodes, more than " + number_text(kMaxFilm2dNodes),
                       "take fewer cells in one direction or both"});
 }
 
@@ -188,9 +188,9 @@ void check_times(const Case& c, Breaches& breaches) {
   if (!check_end(pad, breaches)) return;
   const double begin = pad.first_time(), end = pad.last_time();
   const double steps = std::ceil((end - begin) / pad.time_step);
-  if (steps > kMostSteps) {
+  if (steps > kMaxSteps) {
     breaches.push_back({"pad.time_step", "pad.time_step asks for " + number_text(steps) + " steps",
-                        "at the most " + number_text(kMostSteps) + " are integrated; take a longer step"});
+                        "at the most " + number_text(kMaxSteps) + " are integrated; take a longer step"});
     return;
   }
   const double every = pad.output_step ? *pad.output_step / pad.time_step : 1;
@@ -199,10 +199,10 @@ void check_times(const Case& c, Breaches& breaches) {
                         "pad.output_step = " + number_text(*pad.output_step) +
                             " s is not a whole number of time steps of " + number_text(pad.time_step) + " s",
                         "take one, two, three ... times pad.time_step"});
-  } else if (steps / every * most_nodes(c) > kMostRows) {
+  } else if (steps / every * most_nodes(c) > kMaxRows) {
     breaches.push_back({pad.output_step ? "pad.output_step" : "pad.time_step",
                         "the result would hold " + number_text(std::ceil(steps / every)) + " instants of " +
-                            number_text(most_nodes(c)) + " nodes, more than " + number_text(kMostRows) + " rows",
+                            number_text(most_nodes(c)) + " nodes, more than " + number_text(kMaxRows) + " rows",
                         "keep fewer instants with a longer pad.output_step"});
   }
 }

@@ -15,10 +15,10 @@ namespace {
 using Breaches = std::vector<RuleBreach>;
 
 /// Four fields of four bytes each are kept at every node: 320 MB, and while the result is written two copies more.
-constexpr double kMostFilm2dFieldValues = 2e7;
+constexpr double kMaxFilm2dFieldValues = 2e7;
 constexpr double kBytesOfFields = 4 * 4;
 /// Sums of a strip that are kept at every angle with output.reduction = "along-face".
-constexpr double kMostStripValues = 1e7;
+constexpr double kMaxStripValues = 1e7;
 
 double strips(const Case& c) { return c.ring.end_gap ? c.solver.cells_y + 1 : c.solver.cells_y; }
 
@@ -99,11 +99,11 @@ void check_end_cell(const Case& c, Breaches& breaches) {
 /// @returns whether they are few enough
 bool film2d_is_small_enough(const Case& c, Breaches& breaches) {
   const double nodes = (c.solver.cells + 1.0) * strips(c);
-  if (nodes <= kMostFilm2dNodes) return true;
+  if (nodes <= kMaxFilm2dNodes) return true;
   breaches.push_back({"solver.cells_y",
                       "solver.cells = " + number_text(c.solver.cells) + " and solver.cells_y = " +
                           number_text(c.solver.cells_y) + " make " + number_text(nodes) + " nodes, more than " +
-                          number_text(kMostFilm2dNodes) + ", of which each takes about a kilobyte",
+                          number_text(kMaxFilm2dNodes) + ", of which each takes about a kilobyte",
                       "take fewer cells; 200 by 180 are usual"});
   return false;
 }
@@ -115,20 +115,20 @@ void check_film2d_fields(const Case& c, Breaches& breaches) {
                                                      : static_cast<double>(output.crank_angles_deg.size());
   const double angles = output.fields == FieldOutput::kAll ? all : static_cast<double>(output.field_angles_deg.size());
   if (output.reduction == FieldReduction::kAlongFace) {
-    if (angles * strips(c) <= kMostStripValues) return;
+    if (angles * strips(c) <= kMaxStripValues) return;
     breaches.push_back({"output.fields",
                         "output.fields asks for " + number_text(angles) + " angles of " + number_text(strips(c)) +
-                            " strips, more than " + number_text(kMostStripValues) + " values a field",
+                            " strips, more than " + number_text(kMaxStripValues) + " values a field",
                         "list the angles that matter, for example [\"0 degree\", \"20 degree\"]"});
     return;
   }
   const double values = angles * (c.solver.cells + 1.0) * strips(c);
-  if (values <= kMostFilm2dFieldValues) return;
+  if (values <= kMaxFilm2dFieldValues) return;
   breaches.push_back({"output.fields",
                       "output.fields asks for " + number_text(angles) + " angles of " +
                           number_text(c.solver.cells + 1) + " x " + number_text(strips(c)) + " nodes, which take " +
                           number_text(values * kBytesOfFields / 1e6) + " MB of memory; allowed are " +
-                          number_text(kMostFilm2dFieldValues * kBytesOfFields / 1e6) + " MB",
+                          number_text(kMaxFilm2dFieldValues * kBytesOfFields / 1e6) + " MB",
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"], or keep what each "
                       "strip sums up to: output.reduction = \"along-face\""});
 }

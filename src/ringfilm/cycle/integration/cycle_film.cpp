@@ -14,7 +14,7 @@ namespace ringfilm::cycle {
 namespace {
 
 /// Cells before grading: fewer than usual may be why no film was found.
-constexpr int kFewestGraded = 200;
+constexpr int kMinGraded = 200;
 /// A film for which cells by gap are laid out, of the rise of the face. Between 0.01 and 0.3 the values of a cycle were
 /// closest to those of 1600 cells with this one [-].
 constexpr double kReferenceFilm = 0.03;
@@ -78,7 +78,7 @@ film::FilmGrid face_grid(const Setup& setup) {
   const film::Turning turning =
       ring.face.orientation == Orientation::kLeadingEdge ? film::Turning::kPossible : film::Turning::kNever;
   if (setup.cells == CellsOfFace::kGraded) {
-    return film::graded_grid(std::max(solver.cells, kFewestGraded), ring.face_width, height, film::kAtom, turning);
+    return film::graded_grid(std::max(solver.cells, kMinGraded), ring.face_width, height, film::kAtom, turning);
   }
   if (solver.cell_lengths == CellLengths::kUniform) return film::uniform_grid(solver.cells, ring.face_width, height);
   double rise = 0;

@@ -17,7 +17,7 @@ namespace {
 using Owned = std::unique_ptr<BatchMember>;
 
 /// Largest number of integrations that wait for a lane of their kind.
-constexpr std::size_t kMostWaiting = 64;
+constexpr std::size_t kMaxWaiting = 64;
 /// Integrations of one kind may share a block, whose sweeps are as long as the longest film in it.
 struct LaneKind {
   unsigned cells;  ///< room for so many: a power of two
@@ -159,7 +159,7 @@ LaneEffort integrate_side_by_side(const std::function<Owned()>& next, const std:
         block.take(std::move(queue.front()));
         queue.pop_front();
         --n_waiting;
-      } else if (more && n_waiting < kMostWaiting) {
+      } else if (more && n_waiting < kMaxWaiting) {
         fetch();
       } else {
         return;

@@ -23,9 +23,9 @@ constexpr int kSearchedTicks = kTicks / 8;
 constexpr double kAimedError = 0.65;
 /// The first step after a start of a new past, of which no error is known.
 constexpr int kTicksWithoutPast = kTicks / 16;
-constexpr double kLeastGrowth = 0.25, kMostGrowth = 2;  ///< bounds of the ratio of a step to the one before
+constexpr double kMinGrowth = 0.25, kMaxGrowth = 2;  ///< bounds of the ratio of a step to the one before
 /// BDF2 is stable while a step is no longer than 1 + sqrt(2) times the one before.
-constexpr double kLongestToLast = 2.1;
+constexpr double kMaxToLast = 2.1;
 
 /// What has no answer at a crank angle, with the figures that show it.
 std::string reason(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,
@@ -67,9 +67,9 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
   }
   const std::string text =
       formatted("film, contact and load do not balance, with 1/%d of the crank step either", kTicks);
-  constexpr double kMostAtTips = 100;  // multiple of the mean load, about what rings of the paper press in a point
+  constexpr double kMaxAtTips = 100;  // multiple of the mean load, about what rings of the paper press in a point
   if (!setup.input.bends() || problem.contact == nullptr) return text;
-  if (film::asperity_load(problem, 0) > kMostAtTips * inputs.load) return text;
+  if (film::asperity_load(problem, 0) > kMaxAtTips * inputs.load) return text;
   return text +
          formatted(
              "; a ring that bends presses in a point where its tips meet a crest of the bore, and asperities carry at "
@@ -186,7 +186,7 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
 /// Lays out the proposed step as one of second order. False where it is not one: there is no history, it is much longer
 /// than the step before it, the face turns over, or a cavity would have less than no oil.
 bool TimeIntegration::remember_two_films() {
-  const bool can = is_second_order() && time_step_before_ > 0 && step_.time_step <= kLongestToLast * time_step_before_;
+  const bool can = is_second_order() && time_step_before_ > 0 && step_.time_step <= kMaxToLast * time_step_before_;
   if (!can || step_.state_was_turned) return false;
   const film::Bdf2 scheme(step_.time_step, time_step_before_);
   const std::vector<double>& mass = state_.mass_per_area;
@@ -298,7 +298,7 @@ int TimeIntegration::ticks_of_step() const {
 double TimeIntegration::growth_after(double error) const {
   const double order = has_parabola() ? 3 : 2;
   const double growth = std::pow(kAimedError / std::max(error, 1e-9), 1 / order);
-  return std::clamp(growth, kLeastGrowth, kMostGrowth);
+  return std::clamp(growth, kMinGrowth, kMaxGrowth);
 }
 
 void TimeIntegration::lay_out_step() {
@@ -346,14 +346,14 @@ void TimeIntegration::propose() {
 void TimeIntegration::continue_ring(film::FilmState& to) const {
   to.h_m = state_.h_m;
   if (time_step_before_ == 0) return;
-  constexpr double kMost = 0.5;
+  constexpr double kMax = 0.5;
   const double closed = film::closed_film(*film2d());
   double ratio = step_.time_step / time_step_before_;
   const int n_strips = film2d()->around.n_strips();
   const auto at = [&](const film::FilmState& state, int j) { return state.h_m + film_.rise(state, j); };
   for (int j = 0; j < n_strips; ++j) {
     const double room = at(state_, j) - closed, fall = at(before_, j) - at(state_, j);
-    if (ratio * fall > kMost * room) ratio = kMost * room / fall;
+    if (ratio * fall > kMax * room) ratio = kMax * room / fall;
   }
   to.h_m += ratio * (state_.h_m - before_.h_m);
   for (std::size_t i = 0; i < to.ring.size(); ++i) to.ring[i] += ratio * (state_.ring[i] - before_.ring[i]);

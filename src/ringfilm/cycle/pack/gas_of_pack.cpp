@@ -20,7 +20,7 @@ namespace {
 constexpr double kLargeLift = 50;
 
 /// Below that the straight line of an orifice is as steep as a step to the integration [-].
-constexpr double kLeastSmoothing = 1e-6;
+constexpr double kMinSmoothing = 1e-6;
 
 double ring_mass(const Case& c) {
   const RingGasPath& gas = c.ring.gas_path;
@@ -104,7 +104,7 @@ gas_path::Pack gas_pack(const Case& c) {
   pack.chamber_temperature = path.chamber_temperature;
   pack.crankcase_temperature = path.crankcase_temperature;
   pack.gas = {path.gas_constant, path.heat_capacity_ratio, path.viscosity, path.discharge_coefficient,
-              std::max(path.choking_smoothing, kLeastSmoothing)};
+              std::max(path.choking_smoothing, kMinSmoothing)};
   pack.ring_motion = path.ring_motion;
   pack.sliding_smoothing_speed = path.sliding_smoothing_speed;
   if (!c.is_pack()) pack.rings.push_back(gas_ring(c));

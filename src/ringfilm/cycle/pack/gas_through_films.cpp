@@ -15,7 +15,7 @@ namespace {
 
 /// Relative change of the blow-by from one turn to the next that is let through.
 constexpr double kUnchanged = 1e-3;
-constexpr int kMostTurns = 10;
+constexpr int kMaxTurns = 10;
 
 /// The films of the rings as their gas asks for them, at each degree without fields; nothing where one is not found.
 std::optional<std::vector<CycleResult>> films(Case c, Observer* observer) {
@@ -74,7 +74,7 @@ CaseWithGas solve_gas_through_films(Case pack, Observer* observer) {
     const double before = now.gas->blow_by;
     now = solve_gas_of_case(pack);
     const bool is_unchanged = std::abs(now.gas->blow_by - before) <= kUnchanged * std::abs(before);
-    if (!is_unchanged && turn < kMostTurns) continue;
+    if (!is_unchanged && turn < kMaxTurns) continue;
     add_note(now, turn, is_unchanged);
     return now;
   }

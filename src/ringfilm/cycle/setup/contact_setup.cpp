@@ -43,7 +43,7 @@ std::shared_ptr<const models::AsperityContact> measured_contact(const Contact& c
     rows.pressure.push_back(contact.law_factor * contact.law->rows.pressure[k]);
     rows.area_share.push_back(contact.law_factor * contact.law->rows.area_share[k]);
   }
-  if (rows.h.size() < std::min(contact.law->rows.h.size(), models::TabulatedContact::kFewestRows)) {
+  if (rows.h.size() < std::min(contact.law->rows.h.size(), models::TabulatedContact::kMinRows)) {
     throw InputError("contact.law_shift moves all of contact.law but " + std::to_string(rows.h.size()) +
                          " of its rows to separations below 0",
                      "state a shift of less than its separations");

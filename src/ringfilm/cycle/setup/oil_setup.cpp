@@ -93,8 +93,8 @@ void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, doub
     return models::kHthsShearRate / law->rate(lubricant.hths_viscosity.value() / viscosity(T));
   };
   const double rate = stated ? *stated : rate_from_hths();
-  constexpr double kLowest = 1, kHighest = 1e15;  // [1/s]
-  if (!(rate >= kLowest && rate <= kHighest)) {
+  constexpr double kMin = 1, kMax = 1e15;  // [1/s]
+  if (!(rate >= kMin && rate <= kMax)) {
     throw InputError("lubricant.hths_viscosity and lubricant.shear_exponent give no critical shear rate of an oil: " +
                          std::to_string(rate) + " s-1",
                      "check both, or state lubricant.critical_shear_rate");
@@ -115,8 +115,8 @@ double hottest(const Lubricant& lubricant, double of_walls, double rise) {
 
 /// Up to where the polynomials should serve [Pa].
 double range_of_fits(double largest_mean_pressure) {
-  constexpr double kLeastRange = 20e6;  // [Pa]
-  return std::max(4 * largest_mean_pressure, kLeastRange);
+  constexpr double kMinRange = 20e6;  // [Pa]
+  return std::max(4 * largest_mean_pressure, kMinRange);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace ringfilm::film {
 namespace {
 
 /// Passes at the most; some four are usual.
-constexpr int kMostPasses = 60;
+constexpr int kMaxPasses = 60;
 /// Change of the factors that is let through, in units of the tolerance, and the least [-].
 constexpr double kFactorTolerance = 10, kRounding = 1e-12;
 
@@ -19,7 +19,7 @@ class SeparationOfFactors {
 
   /// @param h_m of the film with the factors at value() [m]
   void take(double h_m) {
-    constexpr double kFlattest = -0.1, kLargestStep = 0.5;
+    constexpr double kFlattest = -0.1, kMaxStep = 0.5;
     const double residual = std::log(h_m) - at_;
     double step = residual;
     if (at_ != at_before_) {
@@ -28,7 +28,7 @@ class SeparationOfFactors {
     }
     at_before_ = at_;
     residual_before_ = residual;
-    at_ += std::clamp(step, -kLargestStep, kLargestStep);
+    at_ += std::clamp(step, -kMaxStep, kMaxStep);
   }
 
  private:
@@ -45,7 +45,7 @@ double enough_of_factors(const FilmProblem& problem) {
 FilmReport iterate_factors(const FilmOfFactors& film, double enough, FilmState& state) {
   FilmReport total;
   SeparationOfFactors at(state.h_m);
-  for (int pass = 0; pass < kMostPasses; ++pass) {
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
     const auto held = film.factors(state, at.value());
     total.add(film.solve(held, state));
     if (!total.converged) return total;

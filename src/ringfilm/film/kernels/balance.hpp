@@ -14,7 +14,7 @@ inline constexpr double kBeyondKink = 1e-10;
 /// A node with no larger deficit was left just beyond the kink: it is full, at p_c.
 inline constexpr double kCavityThreshold = 10 * kBeyondKink;
 
-inline constexpr double kLargestPressureRise = 20;  // scales in one step: the viscosity is exponential in it
+inline constexpr double kMaxPressureRise = 20;  // scales in one step: the viscosity is exponential in it
 
 /// For what is written over the type of number, as of a pack.
 RINGFILM_INLINE double min(double a, double b) { return a < b ? a : b; }
@@ -29,13 +29,13 @@ struct CarriedGap {
 
 /// Largest difference between the gap of a node and that of a face, as a share of the gap of the face. With a third
 /// more, a node that fills would pass on less.
-inline constexpr double kMostExcess = 0.25;
+inline constexpr double kMaxExcess = 0.25;
 
 /// A cavity moves on with what its node holds, theta h there (eq-carried-gap): by the gap of the face it would hold
 /// more or less than passes, by half a cell of the slope of the face. A full node fills the face.
 template <class Real>
 RINGFILM_INLINE CarriedGap<Real> carried_gap(Real theta, Real at_node, Real at_face) {
-  const Real most = Real(kMostExcess) * at_face, excess = max(min(at_node - at_face, most), -most);
+  const Real most = Real(kMaxExcess) * at_face, excess = max(min(at_node - at_face, most), -most);
   const Real filled = max(Real(0), theta);  // less than nothing, in the iteration, moves on as it is
   const Real cube = filled * filled * filled;
   return {at_face + excess * (Real(1) - cube), at_face + excess * (Real(1) - Real(4) * cube)};
@@ -250,7 +250,7 @@ struct KinkStep {
   RINGFILM_INLINE Real take(Real before, Real step) {
     using Mask = typename Real::Mask;
     const Mask was_film = before > Real(0);
-    Real after = before + select(was_film, min(step, Real(kLargestPressureRise) * scale), step);
+    Real after = before + select(was_film, min(step, Real(kMaxPressureRise) * scale), step);
     const Mask is_film = after > Real(0);
     if (Real::any(Real::differ(is_film, was_film))) {
       const Real beyond = Real(kBeyondKink) * scale;

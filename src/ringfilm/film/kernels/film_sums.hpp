@@ -237,7 +237,7 @@ class AlongFace {
   /// Pressure and deficit change further as they did over the last step; a node that would leave its film or its cavity
   /// crosses over.
   RINGFILM_INLINE static void continued(const FilmMotion& film, int n_nodes, const FilmPressure& to) {
-    constexpr double kMostOfPressureLost = 0.5;  // in a film that gets thicker
+    constexpr double kMaxOfPressureLost = 0.5;  // in a film that gets thicker
     constexpr double kNewDeficit = 1e-6;
     visit_each<1>(0, n_nodes, [&]<class Some, int>(int i) RINGFILM_INLINE_BODY {
       const Some p = Some::load(film.p + i), d = Some::load(film.deficit + i),
@@ -247,7 +247,7 @@ class AlongFace {
       const auto was_cavity = d_before > Some(0), is_cavity = d > Some(0);
       const auto stays_cavity = Some::both(was_cavity, is_cavity);
       const auto is_new = Some::only(Some::only(p_next < Some(film.p_cavitation), is_cavity), was_cavity);
-      const auto moves = Some::only(Some::only(p_next > Some(kMostOfPressureLost) * p, is_cavity), was_cavity);
+      const auto moves = Some::only(Some::only(p_next > Some(kMaxOfPressureLost) * p, is_cavity), was_cavity);
       const Some in_film = select(moves, p_next, p);
       select(is_new, Some(film.p_cavitation), in_film).store(to.p + i);
       const Some in_cavity = select(Some::both(stays_cavity, d_next < Some(1)), max(Some(0), d_next), d);

@@ -6,7 +6,7 @@
 /// What the compiled kernels of the film share with their callers: plain numbers, one film in each lane.
 namespace ringfilm::film {
 
-inline constexpr int kMostLanes = 8;
+inline constexpr int kMaxLanes = 8;
 
 /// Terms of the polynomials that stand for the laws.
 inline constexpr int kFluidityTerms = models::OilFit::kFluidityDegree + 1;
@@ -26,7 +26,7 @@ enum class LaneLaws {
 enum class LaneCavity { kFilmContent, kMultiplier };
 
 /// A number for each lane.
-using Lanes = double[kMostLanes];
+using Lanes = double[kMaxLanes];
 
 /// Nodal arrays hold this many more nodes than there are, with no share: nodes are visited several at a time.
 inline constexpr int kPadding = 16;
@@ -106,7 +106,7 @@ struct LaneBlock {
 
   // Contact of lanes whose law is cubics on equal pieces (models::ContactPieces)
   bool has_tables;                  ///< does any lane have them?
-  const double* table[kMostLanes];  ///< four coefficients of each piece
+  const double* table[kMaxLanes];   ///< four coefficients of each piece
   alignas(64) Lanes table_end;      ///< the largest place in the last of them, from 0 at the first
   alignas(64) Lanes table_reach;    ///< beyond this gap there is none; negative: nowhere [m]
   alignas(64) Lanes table_per_gap;  ///< from the gap to the number of the piece [1/m]

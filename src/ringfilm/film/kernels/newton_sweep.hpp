@@ -8,9 +8,9 @@
 /// docs/theory/film.md, "Newton's method on all of it".
 namespace ringfilm::film {
 
-inline constexpr double kLargestFall = -0.916290731874155;  // ln 0.4: trust region in ln h_m
-inline constexpr double kLargestRise = 0.916290731874155;   // ln 2.5
-inline constexpr double kSignOnlyStep = 0.2;                // in ln h_m, where the load seems to rise with the film
+inline constexpr double kMaxFall = -0.916290731874155;  // ln 0.4: trust region in ln h_m
+inline constexpr double kMaxRise = 0.916290731874155;   // ln 2.5
+inline constexpr double kSignOnlyStep = 0.2;            // in ln h_m, where the load seems to rise with the film
 
 /// @tparam Real a pack with a film in each lane
 /// @tparam Wide the widest pack of the machine: what has no neighbours is worked out along the face where Real is one
@@ -315,7 +315,7 @@ class NewtonSweep {
     const Real newton = (-excess - by_rhs) / select(corner < Real(0), corner, Real(-1));
     const Real sign_only = select(excess < Real(0), Real(-kSignOnlyStep), Real(kSignOnlyStep));
     const Real step = select(corner < Real(0), newton, sign_only);
-    const Real limited = min(max(step, Real(kLargestFall)), Real(kLargestRise));
+    const Real limited = min(max(step, Real(kMaxFall)), Real(kMaxRise));
     return select(Real::load(b_.movable) > Real(0), limited, Real(0));
   }
 

@@ -13,9 +13,9 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kMostIterations = 40;  // limit for the coupled Newton iteration
-constexpr int kMostOfStep = 12;      // limit for a step that is shortened where no film is found
-constexpr double kNowhere = -1;      // a reach of contact that no gap is within
+constexpr int kMaxIterations = 40;  // limit for the coupled Newton iteration
+constexpr int kMaxOfStep = 12;      // limit for a step that is shortened where no film is found
+constexpr double kNowhere = -1;     // a reach of contact that no gap is within
 
 constexpr int kNodalArrays = 18;
 
@@ -178,10 +178,10 @@ void LaneNewton::start(int lane, const FilmInputs& inputs, const FilmState& prev
 }
 
 void LaneNewton::limit_search_effort(int lane) {
-  constexpr int kMostOfSearch = 200;
+  constexpr int kMaxOfSearch = 200;
   constexpr double kFarTooMuch = 3;  // loads
   Lane& at = lanes_[lane];
-  at.most_iterations = std::min(at.most_iterations, kMostOfSearch);
+  at.most_iterations = std::min(at.most_iterations, kMaxOfSearch);
   at.far_too_much = kFarTooMuch * at.inputs->load;
 }
 
@@ -204,10 +204,10 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
   at.phase = laws == LaneLaws::kFitted && at.oil->fit() == nullptr ? Phase::kFailed : Phase::kRunning;
   at.iterations = 0;
   at.last_step = 0;
-  const int most = inputs.fallback == Fallback::kNone ? kMostOfStep : kMostIterations;
+  const int most = inputs.fallback == Fallback::kNone ? kMaxOfStep : kMaxIterations;
   at.most_iterations = unknowns == Unknowns::kFilmAndSeparation
                            ? most
-                           : kMostIterations + at.n_cells;  // a front may have to cross the face
+                           : kMaxIterations + at.n_cells;  // a front may have to cross the face
   at.far_too_much = 0;
   at.fronts.restart();
 
@@ -300,7 +300,7 @@ void LaneNewton::iterate() {
 /// more than half full passes on as much as a full one (carried_share).
 bool LaneNewton::is_damped(int lane) const {
   const Lane& at = lanes_[lane];
-  return block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kMostIterations;
+  return block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kMaxIterations;
 }
 
 void LaneNewton::keep_contents(int lane) {
@@ -338,7 +338,7 @@ void LaneNewton::conclude(int lane) {
     at.phase = Phase::kSolved;
     return;
   }
-  const bool too_thin = at.far_too_much > 0 && at.iterations > kMostIterations && block_.excess[lane] > at.far_too_much;
+  const bool too_thin = at.far_too_much > 0 && at.iterations > kMaxIterations && block_.excess[lane] > at.far_too_much;
   if (too_thin || at.iterations == at.most_iterations) return;
   advance_fronts(lane, to_film && !to_cavity);
   at.phase = Phase::kRunning;

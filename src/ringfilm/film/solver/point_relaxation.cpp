@@ -12,14 +12,14 @@ namespace {
 
 constexpr int kSweepsPerCell = 100;  // limit of sweeps in one solve, plus kFewSweeps
 constexpr int kFewSweeps = 1000;
-constexpr double kLargestCorrection = 0.25;  // largest change of ln h_m in one correction
-constexpr double kDampingAtFirst = 0.2;      // d ln h_m over the relative imbalance, before a better one is known
-constexpr double kLoadShare = 0.01;          // share of the imbalance that an unfinished relaxation may hide
-constexpr double kNoise = 10;                // a change of the load is significant above so many iteration errors
-constexpr double kLargestDamping = 1;        // the load falls at least about as fast as 1/h_m
-constexpr double kLargestGrowth = 4;         // largest factor by which the damping rises or falls in one correction
-constexpr double kSlowest = 1e-8;  // 1 - radius of Jacobi's iteration: no film of fewer than 10^4 cells is slower
-constexpr int kHalvings = 12;      // halvings of ln(1 - radius) between its bounds, to within 0.5 %
+constexpr double kMaxCorrection = 0.25;  // largest change of ln h_m in one correction
+constexpr double kDampingAtFirst = 0.2;  // d ln h_m over the relative imbalance, before a better one is known
+constexpr double kLoadShare = 0.01;      // share of the imbalance that an unfinished relaxation may hide
+constexpr double kNoise = 10;            // a change of the load is significant above so many iteration errors
+constexpr double kMaxDamping = 1;        // the load falls at least about as fast as 1/h_m
+constexpr double kMaxGrowth = 4;         // largest factor by which the damping rises or falls in one correction
+constexpr double kSlowest = 1e-8;        // 1 - radius of Jacobi's iteration: no film of fewer than 10^4 cells is slower
+constexpr int kHalvings = 12;            // halvings of ln(1 - radius) between its bounds, to within 0.5 %
 
 /// The best factor for tridiagonal matrices (young1954), by the spectral radius of Jacobi's iteration.
 double best_factor(double radius) { return 2 / (1 + std::sqrt(1 - radius * radius)); }
@@ -111,12 +111,11 @@ bool PointRelaxation::solve(FilmReport& report) {
     // The damping that the last correction should have had, as far as relaxation lets it be seen.
     const double relief = excess_before - excess;
     if (move != 0 && std::abs(relief) <= kLoadShare * std::abs(excess_before)) {
-      damping = std::min(kLargestGrowth * damping, kLargestDamping);
+      damping = std::min(kMaxGrowth * damping, kMaxDamping);
     } else if (move * relief > 0 && std::abs(relief) > kNoise * tolerance / (1 - rate_)) {
-      damping =
-          std::clamp(move / relief, damping / kLargestGrowth, std::min(kLargestGrowth * damping, kLargestDamping));
+      damping = std::clamp(move / relief, damping / kMaxGrowth, std::min(kMaxGrowth * damping, kMaxDamping));
     }
-    move = std::clamp(damping * excess, -kLargestCorrection, kLargestCorrection);
+    move = std::clamp(damping * excess, -kMaxCorrection, kMaxCorrection);
     state_.h_m *= std::exp(move);
   }
 }

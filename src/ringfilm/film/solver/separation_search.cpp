@@ -16,8 +16,8 @@ constexpr double kShorter = 0.25;  // the next stride, where there is no film: a
 const double kThicker = std::log(2.5);
 /// Strides below this one no longer separate a film that has a solution from one that has none. In ln h_m, as a
 /// multiple of the tolerance.
-constexpr double kLeastStride = 10;
-constexpr int kMostBrackets = 200;
+constexpr double kMinStride = 10;
+constexpr int kMaxBrackets = 200;
 
 /// A film at hand: ln h_m and W_h + W_a - W [N/m].
 struct Point {
@@ -27,7 +27,7 @@ struct Point {
 class Search {
  public:
   Search(FilmAtSeparation& film, const SearchLimits& limits, FilmReport& report)
-      : film_(film), limits_(limits), report_(report), least_stride_(kLeastStride * limits.tolerance) {}
+      : film_(film), limits_(limits), report_(report), least_stride_(kMinStride * limits.tolerance) {}
 
   bool run(double h_m) {
     std::optional<Point> start = film_at(std::log(h_m));
@@ -88,7 +88,7 @@ class Search {
       return here->excess;
     };
     const double close_enough = 0.1 * limits_.tolerance;
-    for (int k = 0; k < kMostBrackets && thick.ln_h - thin.ln_h >= close_enough; ++k) {
+    for (int k = 0; k < kMaxBrackets && thick.ln_h - thin.ln_h >= close_enough; ++k) {
       try {
         boost::uintmax_t evaluations = 60;
         const auto [low, high] = boost::math::tools::toms748_solve(

@@ -9,12 +9,12 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr int kMostIterations = 300;
+constexpr int kMaxIterations = 300;
 constexpr double kEnough = 1e-6;
 /// Between the film of a parabola, 1, and that of a slider whose inlet is far, 2.
 constexpr double kPower = 1.5;
 /// Largest share of the way to zero film thickness that one step covers.
-constexpr double kMostOfFilm = 0.9;
+constexpr double kMaxOfFilm = 0.9;
 
 class RingOnSprings {
  public:
@@ -30,13 +30,13 @@ class RingOnSprings {
 
   /// Separations and slopes.
   const std::vector<double>& balanced() {
-    for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
       const std::vector<double> force = forces(u_);
       const std::vector<double> step = newton_step(force);
       double share = 1, most = 0;
       for (int j = 0; j < problem_.around.n_strips(); ++j) {
         const int i = problem_.ring.of_strip(j);
-        if (step[i] < 0) share = std::min(share, -kMostOfFilm * u_[i] / step[i]);
+        if (step[i] < 0) share = std::min(share, -kMaxOfFilm * u_[i] / step[i]);
         most = std::max(most, std::abs(step[i]) / u_[i]);
       }
       move(step, force, share);

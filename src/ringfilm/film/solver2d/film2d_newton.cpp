@@ -13,8 +13,8 @@
 namespace ringfilm::film {
 namespace {
 
-constexpr double kThinnestClosed = 1.05;     // to start from, of closed_film()
-constexpr int kMostIterationsOfStrips = 60;  // limit of Newton iterations with the separation as an unknown
+constexpr double kThinnestClosed = 1.05;    // to start from, of closed_film()
+constexpr int kMaxIterationsOfStrips = 60;  // limit of Newton iterations with the separation as an unknown
 
 /// By how much GMRES must reduce what is left of a linear system: by the square root of the tolerance, so that the last
 /// step's linear errors are as small as its nonlinear ones; after a step larger than kFarStep by no more than this. (A
@@ -421,7 +421,7 @@ bool Film2dNewton::has_film_everywhere() const {
 bool Film2dNewton::limit_border_step() {
   if (beam_border_) return limit_step_of_beam();
   const double d_ln_h = border_step_[0];
-  border_step_[0] = std::clamp(d_ln_h, kLargestFall, kLargestRise);
+  border_step_[0] = std::clamp(d_ln_h, kMaxFall, kMaxRise);
   return border_step_[0] != d_ln_h;
 }
 
@@ -429,9 +429,9 @@ bool Film2dNewton::limit_step_of_beam() {
   double share = 1;
   for (std::size_t j = 0; j < rise_.size(); ++j) {
     const double film = h_m_ + rise_[j] + lowest_[j], change = change_of_strip(static_cast<int>(j));
-    double most = (change < 0 ? std::expm1(kLargestFall) : std::expm1(kLargestRise)) * film;
+    double most = (change < 0 ? std::expm1(kMaxFall) : std::expm1(kMaxRise)) * film;
     if (h_m_ + rise_[j] + change < 2 * closed_) {
-      most = std::max(most, std::expm1(kLargestFall) * (h_m_ + rise_[j] - closed_));
+      most = std::max(most, std::expm1(kMaxFall) * (h_m_ + rise_[j] - closed_));
     }
     if (std::abs(change) > std::abs(most)) share = std::min(share, most / change);
   }
@@ -473,7 +473,7 @@ Film2dNewton::Outcome Film2dNewton::solve(const Film2dProblem& problem, const Fi
   set_step(problem, inputs, previous, laws, state);
   const double enough = enough_of_newton(problem.strip);
   const int most_iterations =
-      unknowns == Unknowns::kFilmAndSeparation ? kMostIterationsOfStrips : kMostIterationsOfStrips + shape_.n_across;
+      unknowns == Unknowns::kFilmAndSeparation ? kMaxIterationsOfStrips : kMaxIterationsOfStrips + shape_.n_across;
   Outcome outcome;
   outcome.last_step = 1;
   while (outcome.iterations < most_iterations && has_film_everywhere()) {

@@ -38,7 +38,7 @@ Gmres::Report Gmres::solve(const std::function<void(const double*, double*)>& ma
     sine_.clear();
     rotated_.assign(1, norm);
     int k = 0;
-    while (k < kRestart && report.iterations < kMostIterations) {
+    while (k < kRestart && report.iterations < kMaxIterations) {
       double* next = room(static_cast<std::size_t>(k) + 1);
       map(basis(k), next);
       ++report.iterations;
@@ -74,7 +74,7 @@ Gmres::Report Gmres::solve(const std::function<void(const double*, double*)>& ma
       for (std::size_t e = 0; e < n_; ++e) next[e] /= length;
     }
     combine(k, x);
-    if (report.reduction <= reduction || report.iterations >= kMostIterations) return report;
+    if (report.reduction <= reduction || report.iterations >= kMaxIterations) return report;
     map(x, image_.data());
     for (std::size_t e = 0; e < n_; ++e) residual_[e] = b[e] - image_[e];
     norm = std::sqrt(kernels_->dot(residual_.data(), residual_.data(), n_));

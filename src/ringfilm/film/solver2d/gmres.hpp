@@ -21,7 +21,7 @@ class Gmres {
                double* x);
 
  private:
-  static constexpr int kRestart = 40, kMostIterations = 400;
+  static constexpr int kRestart = 40, kMaxIterations = 400;
   double* basis(int k) { return basis_[k].data(); }
   void combine(int count, double* x);
 

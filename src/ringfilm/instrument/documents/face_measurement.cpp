@@ -72,8 +72,8 @@ std::vector<std::string> statement_lines(const FaceRule& rule, const FaceFit& fi
                                 micrometres(*rule.pore_depth_m)));
   }
   lines.push_back(levelling_text(rule, fit));
-  lines.push_back(rule.zero == FaceZero::kLowestPoint ? "zero is the lowest point of the spline"
-                                                      : "heights keep their zero as measured");
+  lines.push_back(rule.zero == FaceZero::kMinPoint ? "zero is the lowest point of the spline"
+                                                   : "heights keep their zero as measured");
   lines.push_back(
       fmt::format("polynomial of degree {} by least squares over the length; smoothing spline that passes "
                   "half of a wave of {}",

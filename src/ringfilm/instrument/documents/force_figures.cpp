@@ -13,7 +13,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr double kNoForce = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kMostLoops = 3;  // loops in one figure, so that they can be distinguished
+constexpr std::size_t kMaxLoops = 3;  // loops in one figure, so that they can be distinguished
 
 constexpr int kLinePoints = 100;  // points of a drawn line, so that its signs lie apart from the measured ones
 
@@ -45,9 +45,9 @@ std::vector<const surface::FrictionLoop*> some_loops(const ForceSample& sample) 
     if (!known) first.push_back(&loop);
   }
   std::stable_sort(first.begin(), first.end(), [](const auto* a, const auto* b) { return a->load < b->load; });
-  if (first.size() <= kMostLoops) return first;
+  if (first.size() <= kMaxLoops) return first;
   std::vector<const surface::FrictionLoop*> some;
-  for (std::size_t k = 0; k < kMostLoops; ++k) some.push_back(first[k * (first.size() - 1) / (kMostLoops - 1)]);
+  for (std::size_t k = 0; k < kMaxLoops; ++k) some.push_back(first[k * (first.size() - 1) / (kMaxLoops - 1)]);
   return some;
 }
 

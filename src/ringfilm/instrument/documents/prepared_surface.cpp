@@ -21,7 +21,7 @@ std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const
   }
   if (choice.prominent > 0) {
     const auto points = [&](double step) {
-      return static_cast<std::size_t>(std::llround(std::min(choice.size_m / step, static_cast<double>(kMostPoints))));
+      return static_cast<std::size_t>(std::llround(std::min(choice.size_m / step, static_cast<double>(kMaxPoints))));
     };
     const auto parts = surface::prominent_regions(map, choice.prominent, points(map.step_x_m), points(map.step_y_m));
     regions.insert(regions.end(), parts.begin(), parts.end());
@@ -31,9 +31,9 @@ std::vector<surface::Region> chosen_regions(const surface::HeightMap& map, const
 
 /// A map is filtered once for each cut-off: of a large one its middle reports as much.
 surface::HeightMap middle_part(const surface::HeightMap& map) {
-  constexpr std::size_t kMost = 1024;
-  const auto across = std::min(map.points_x, map.is_profile() ? kMost * kMost : kMost);
-  const auto down = std::min(map.points_y, kMost);
+  constexpr std::size_t kMax = 1024;
+  const auto across = std::min(map.points_x, map.is_profile() ? kMax * kMax : kMax);
+  const auto down = std::min(map.points_y, kMax);
   return part_of_map(map, {(map.points_x - across) / 2, (map.points_y - down) / 2, across, down});
 }
 

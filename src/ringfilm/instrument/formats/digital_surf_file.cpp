@@ -15,7 +15,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr std::size_t kHeaderSize = 512;
-constexpr std::size_t kLongestComment = 2000;
+constexpr std::size_t kMaxComment = 2000;
 constexpr char kSurfSignature[] = "DIGITAL SURF";
 constexpr char kCompressed[] = "DSCOMPRESSED";
 
@@ -27,8 +27,8 @@ enum Offset : std::size_t {
   kName = 20,
   kSpecialPoints = 86,
   kPointBits = 98,
-  kSmallest = 100,
-  kLargest = 104,
+  kMin = 100,
+  kMax = 104,
   kPointsX = 108,
   kPointsY = 112,
   kPoints = 116,
@@ -159,7 +159,7 @@ Header read_header(const BinaryReader& in) {
   header.unit_y = in.text(kUnitY, 16, "the unit of y");
   header.unit_z = in.text(kUnitZ, 16, "the unit of z");
   header.has_missing = in.number<std::int16_t>(kSpecialPoints, "the mark of special points") == 1;
-  header.missing_value = std::int64_t{in.number<std::int32_t>(kSmallest, "the smallest height")} - 2;
+  header.missing_value = std::int64_t{in.number<std::int32_t>(kMin, "the smallest height")} - 2;
   const int inverted = in.number<std::int16_t>(kInverted, "the mark of inversion");
   if (inverted >= 1 && inverted <= 3) header.mirror = static_cast<Mirror>(inverted);
   return header;
@@ -268,7 +268,7 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
   if (day >= 1 && day <= 31 && month >= 1 && month <= 12 && year > 0) {
     result.date = fmt::format("{:04}-{:02}-{:02}", year, month, day);
   }
-  const std::string comment = in.text(kHeaderSize, std::min(header.comment, kLongestComment), "the comment");
+  const std::string comment = in.text(kHeaderSize, std::min(header.comment, kMaxComment), "the comment");
   if (!comment.empty()) result.notes.push_back("comment in the file: " + comment);
   const std::string name = in.text(kName, 30, "the name");
   result.channels.push_back({name.empty() ? "Z" : name, header.unit_z, header.points_x, header.points_y});
@@ -321,7 +321,7 @@ std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_
   for (std::size_t i = 0; i < map.points(); ++i) {
     if (!map.measured(i)) whole[i] = smallest - 2;
   }
-  const std::string_view kept = std::string_view(comment).substr(0, kLongestComment);
+  const std::string_view kept = std::string_view(comment).substr(0, kMaxComment);
   BinaryWriter out(kHeaderSize + kept.size());
   out.text(0, 12, kSurfSignature);
   out.number<std::int16_t>(kCommentSize, static_cast<std::int16_t>(kept.size()));
@@ -334,8 +334,8 @@ std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_
   out.number<std::int16_t>(kSpecialPoints, any_missing ? 1 : 0);
   out.number<std::int16_t>(88, 1);  // heights are absolute
   out.number<std::int16_t>(kPointBits, 32);
-  out.number<std::int32_t>(kSmallest, smallest);
-  out.number<std::int32_t>(kLargest, largest);
+  out.number<std::int32_t>(kMin, smallest);
+  out.number<std::int32_t>(kMax, largest);
   out.number<std::int32_t>(kPointsX, static_cast<std::int32_t>(map.points_x));
   out.number<std::int32_t>(kPointsY, static_cast<std::int32_t>(map.points_y));
   out.number<std::int32_t>(kPoints, static_cast<std::int32_t>(map.points()));

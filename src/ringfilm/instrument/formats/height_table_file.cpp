@@ -22,8 +22,8 @@ namespace {
 
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSniffed = 65536;
-constexpr std::size_t kMostHeadColumns = 3;   // columns of a matrix whose first values may be counts
-constexpr std::size_t kMostPointColumns = 8;  // columns of points with normals, colours or numbers
+constexpr std::size_t kMaxHeadColumns = 3;    // columns of a matrix whose first values may be counts
+constexpr std::size_t kMaxPointColumns = 8;   // columns of points with normals, colours or numbers
 constexpr std::size_t kMinListedPoints = 12;  // fewest points of a list: small whole numbers fill a grid by chance
 
 bool names_place_or_height(const std::string& name) {
@@ -251,7 +251,7 @@ class TableReader {
       read_cells(row);
       values.value.insert(values.value.end(), row.begin(), row.end());
       ++values.channel.points_y;
-      if (values.value.size() > kMostPoints) refuse_here(1, "the matrix has too many points", "cut it into parts");
+      if (values.value.size() > kMaxPoints) refuse_here(1, "the matrix has too many points", "cut it into parts");
     } while (next_line());
     values.channel.points_x = n_columns_;
     values.channel.unit = stated_.unit;
@@ -269,7 +269,7 @@ class TableReader {
       doubt_uneven_steps(values);
     }
     doubt_size(values);
-    if (n_columns_ <= kMostHeadColumns) add_count_doubts(values);
+    if (n_columns_ <= kMaxHeadColumns) add_count_doubts(values);
     return values;
   }
 
@@ -305,7 +305,7 @@ class TableReader {
   /// Points with more columns than x, y, z would be rows of a matrix: two of their columns fill a grid of places.
   void check_places_in_columns(const ChannelValues& values) const {
     const std::size_t rows = values.channel.points_y;
-    if (n_columns_ > kMostPointColumns || rows < kMinListedPoints || stated_.width) return;
+    if (n_columns_ > kMaxPointColumns || rows < kMinListedPoints || stated_.width) return;
     for (std::size_t x = 0; x + 2 < n_columns_; ++x) {
       ListedPoints points;
       for (std::size_t j = 0; j < rows; ++j) {

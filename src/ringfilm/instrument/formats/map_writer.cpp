@@ -14,7 +14,7 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kSmallestStep_m = 1e-12;
+constexpr double kMinStep_m = 1e-12;
 
 /// A text that stays on its line.
 std::string one_line(std::string text) {
@@ -64,7 +64,7 @@ std::string map_bytes(const surface::HeightMap& map, MapFormat format, const std
       return x3p_bytes(map, X3pHeights::kDouble, origin);
     }
     case MapFormat::kDigitalSurf:
-      return digital_surf_bytes(map, kSmallestStep_m, name, by);
+      return digital_surf_bytes(map, kMinStep_m, name, by);
     case MapFormat::kSimpleField:
       return simple_field_bytes(map, name + ", " + by);
     case MapFormat::kMatrix:

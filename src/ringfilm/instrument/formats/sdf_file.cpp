@@ -17,7 +17,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr std::size_t kVersionSize = 8;
-constexpr std::size_t kLargestTextHeader = std::size_t{1} << 16;
+constexpr std::size_t kMaxTextHeader = std::size_t{1} << 16;
 
 struct SdfHeader {
   std::string version, manufacturer, date;
@@ -133,7 +133,7 @@ SdfHeader read_binary_header(const BinaryReader& in) {
 class TextHeader {
  public:
   explicit TextHeader(const BinaryReader& in) : in_(in) {
-    const std::string_view all = in.at(0, std::min(in.size(), kLargestTextHeader), "the header");
+    const std::string_view all = in.at(0, std::min(in.size(), kMaxTextHeader), "the header");
     std::size_t start = all.find('\n');
     while (start != std::string_view::npos) {
       const std::size_t line_start = start + 1;

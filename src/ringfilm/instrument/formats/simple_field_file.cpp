@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kSignature = "Gwyddion Simple Field 1.0\n";
 /// A header is some lines; a file without its closing zero must not be searched to the end.
-constexpr std::size_t kLargestHeader = std::size_t{1} << 20;
+constexpr std::size_t kMaxHeader = std::size_t{1} << 20;
 
 struct Entry {
   std::string value;
@@ -28,7 +28,7 @@ struct Entry {
 class SimpleFieldHeader {
  public:
   explicit SimpleFieldHeader(const BinaryReader& in) : in_(in) {
-    const std::string_view all = in.at(0, std::min(in.size(), kLargestHeader), "the header");
+    const std::string_view all = in.at(0, std::min(in.size(), kMaxHeader), "the header");
     end_ = all.find('\0');
     if (end_ == std::string_view::npos) {
       in.refuse_at(all.size(), "no zero byte ends the header", "the file was cut short: copy it again");

@@ -20,7 +20,7 @@ namespace ringfilm::instrument {
 namespace {
 
 /// A million points within the XML take about 30 MB; parsed, some ten times that.
-constexpr std::uint64_t kLargestXml = std::uint64_t{32} << 20;
+constexpr std::uint64_t kMaxXml = std::uint64_t{32} << 20;
 
 /// Names may carry a prefix of their name space.
 std::string local_name(const pugi::xml_node& node) {
@@ -196,7 +196,7 @@ void read_sizes(Description& about, const pugi::xml_node& record3) {
     about.points_y = 1;
     checked_points(about.path, about.points_x, 1);
   }
-  if (layers > 1000 || layers * about.points() > kMostPoints) {
+  if (layers > 1000 || layers * about.points() > kMaxPoints) {
     refuse_element(about, "SizeZ", fmt::format("{} layers are too many", layers), "export single layers");
   }
   about.layers = layers;
@@ -444,7 +444,7 @@ InstrumentFile read_x3p(const std::string& path) {
   std::shared_ptr<pugi::xml_document> document;
   {
     const ZipArchive archive(path);
-    const std::string xml = archive.read("main.xml", kLargestXml);
+    const std::string xml = archive.read("main.xml", kMaxXml);
     check_main(about, archive, xml, result.notes);
     document = parsed(about, xml);
   }

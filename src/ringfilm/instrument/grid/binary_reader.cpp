@@ -48,8 +48,8 @@ std::size_t checked_points(const std::string& file, std::uint64_t points_x, std:
   if (points_x == 0 || points_y == 0 || (points_x == 1 && points_y == 1)) {
     refuse(file, fmt::format("the file states {} x {} points", points_x, points_y), "two or more points are required");
   }
-  if (points_x > kMostPoints || points_y > kMostPoints / points_x) {
-    refuse(file, fmt::format("the file states {} x {} points, over the limit of {}", points_x, points_y, kMostPoints),
+  if (points_x > kMaxPoints || points_y > kMaxPoints / points_x) {
+    refuse(file, fmt::format("the file states {} x {} points, over the limit of {}", points_x, points_y, kMaxPoints),
            "if it is that large, cut it into parts; else the header is damaged");
   }
   return static_cast<std::size_t>(points_x * points_y);

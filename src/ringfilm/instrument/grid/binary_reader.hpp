@@ -15,7 +15,7 @@ namespace ringfilm::instrument {
 /// The bytes of a regular file. Throws InputError if it is missing, unreadable, empty or larger than `limit` [byte].
 std::string file_bytes(const std::string& path, std::size_t limit);
 
-/// points_x * points_y, which must be 2 or more and no more than kMostPoints. Throws InputError.
+/// points_x * points_y, which must be 2 or more and no more than kMaxPoints. Throws InputError.
 std::size_t checked_points(const std::string& file, std::uint64_t points_x, std::uint64_t points_y);
 
 enum class ByteOrder { kLittle, kBig };

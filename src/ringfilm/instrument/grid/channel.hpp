@@ -11,9 +11,9 @@
 namespace ringfilm::instrument {
 
 /// No map may have more points than this: 1 GiB of heights.
-inline constexpr std::size_t kMostPoints = std::size_t{1} << 27;
+inline constexpr std::size_t kMaxPoints = std::size_t{1} << 27;
 /// No file may be larger [byte].
-inline constexpr std::size_t kLargestInstrumentFile = std::size_t{1} << 30;
+inline constexpr std::size_t kMaxInstrumentFile = std::size_t{1} << 30;
 
 /// A reason to doubt that the heights are those of the surface, as they were read.
 struct Doubt {

@@ -69,11 +69,11 @@ std::vector<double> distinct(std::vector<double> places) {
 bool is_rounded_grid(const std::vector<double>& places) {
   constexpr std::size_t kEnough = 12;  // fewest places; fewer whole numbers with a hole look like rounded ones
   // Least step in digits; a grid of whole digits with few holes has hardly more than 1.
-  constexpr double kLeastDigits = 1.2;
+  constexpr double kMinDigits = 1.2;
   if (places.size() < kEnough) return false;
   const auto steps = static_cast<double>(places.size() - 1);
   const double step = (places.back() - places.front()) / steps, digit = digit_of(places, step);
-  if (!is_rounded(digit, step, steps) || step < kLeastDigits * digit) return false;
+  if (!is_rounded(digit, step, steps) || step < kMinDigits * digit) return false;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const double even = places.front() + step * static_cast<double>(k);
     if (!(std::abs(places[k] - even) <= digit * (1 + 1e-9))) return false;
@@ -109,7 +109,7 @@ GridAxis axis_of(const std::string& file, const std::vector<double>& all, const 
     single += 1;
   }
   const double steps = std::round(range / (sum / single));
-  if (!(steps < static_cast<double>(kMostPoints))) {
+  if (!(steps < static_cast<double>(kMaxPoints))) {
     refuse(file, fmt::format("the places {} form no grid of any use", name), "export the measurement as a matrix");
   }
   axis.points = static_cast<std::size_t>(steps) + 1;

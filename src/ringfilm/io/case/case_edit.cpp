@@ -104,7 +104,7 @@ void put(Case& c, const Field& field, const TomlEntry& entry, const Units& units
 /// Replaces what the case states of the oil by all that the file of an oil states. @param key that names it
 void read_oil(Case& c, const std::string& key_of_oil, const std::string& name, const Units& units) {
   const NamedFile file = key_of_oil == kOil + "grade" ? shipped_oil_of_grade(name) : locate(name, "");
-  const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
+  const SourceText source = read_source_text(file.path, file.shown, kMaxToml);
   std::erase_if(c.files,
                 [](const cycle::InputFile& one) { return one.role == kOil + "file" || one.role == kOil + "table"; });
   for (const std::string& key : std::set<std::string>(c.stated)) {

@@ -40,9 +40,9 @@ const std::vector<Ways> kWays = {
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
 
 /// A case has some ten sections; a file of its own for each, and as many again.
-constexpr std::size_t kMostIncludes = 32;
+constexpr std::size_t kMaxIncludes = 32;
 /// A file with more faults than this is of another kind; to seek the nearest key takes longer than all else.
-constexpr std::size_t kMostSuggestions = 100;
+constexpr std::size_t kMaxSuggestions = 100;
 
 /// The keys and sections of a case file.
 struct CaseNames {
@@ -129,7 +129,7 @@ class Gatherer {
   Gatherer(const std::string& path, std::vector<DroppedKey>* dropped) : dropped_(dropped) { tree_.path = path; }
 
   CaseTree gather(const std::vector<Override>& overrides) {
-    const SourceText source = read_source_text(tree_.path, tree_.path, kLargestToml);
+    const SourceText source = read_source_text(tree_.path, tree_.path, kMaxToml);
     const TomlValue root = parse_toml(source);
     check_document_kind(root, DocumentKind::kCase, tree_.path);
     record(source, "case");
@@ -204,7 +204,7 @@ class Gatherer {
   bool is_section(const std::string& name) const { return names_.all_sections.contains(plain_section(name)); }
 
   std::string nearest(const std::string& word, const std::vector<std::string>& known) const {
-    return tree_.faults.size() < kMostSuggestions ? nearest_word(word, known) : "";
+    return tree_.faults.size() < kMaxSuggestions ? nearest_word(word, known) : "";
   }
 
   static std::string did_you_mean(const std::string& near) {
@@ -223,7 +223,7 @@ class Gatherer {
     KeyProposal proposal{"", "", "`ringfilm fields` lists all keys"};
     if (is_ring_zero(entry.key)) {
       proposal.message = ": rings count from 1, the one next to the chamber";
-    } else if (tree_.faults.size() < kMostSuggestions) {
+    } else if (tree_.faults.size() < kMaxSuggestions) {
       proposal = key_proposal(plain_key(entry.key), names_of(plain_key(entry.key)));
     }
     if (const auto of_ring = cycle::ring_key(entry.key); of_ring && !proposal.near.empty()) {
@@ -275,11 +275,11 @@ class Gatherer {
             "it is included at " + first->second + " too; keep one of them");
       return;
     }
-    if (open_.size() > kDeepestInclude || included_.size() > kMostIncludes) {
+    if (open_.size() > kDeepestInclude || included_.size() > kMaxIncludes) {
       tree_.complete = false;
       fault(name.mark,
             open_.size() > kDeepestInclude ? "files are included more than " + std::to_string(kDeepestInclude) + " deep"
-                                           : "more than " + std::to_string(kMostIncludes) + " files are included",
+                                           : "more than " + std::to_string(kMaxIncludes) + " files are included",
             "put their keys into fewer files");
       return;
     }
@@ -296,7 +296,7 @@ class Gatherer {
   void read_named(const SourceMark& mark, const std::string& key, const NamedFile& file, const std::string& role,
                   const Use& use, const std::string& remedy = "") {
     try {
-      const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
+      const SourceText source = read_source_text(file.path, file.shown, kMaxToml);
       const TomlValue root = parse_toml(source);
       record(source, role);
       use(root);

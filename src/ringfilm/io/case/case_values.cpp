@@ -64,11 +64,11 @@ class Setter {
            kind.names.size() == 1 ? "the only choice is " + names : "choose one of " + names);
   }
   void operator()(const cycle::TextKind& kind) {
-    constexpr std::size_t kLongest = 1000;
+    constexpr std::size_t kMax = 1000;
     if (!is_text()) return;
-    if (value_.text.size() > kLongest) {
+    if (value_.text.size() > kMax) {
       refuse(value_, "has " + std::to_string(value_.text.size()) + " characters",
-             "at the most " + std::to_string(kLongest) + " are kept with a result; a longer text can be a comment");
+             "at the most " + std::to_string(kMax) + " are kept with a result; a longer text can be a comment");
     } else {
       kind.ref(case_) = value_.text;
     }
@@ -299,12 +299,12 @@ class Setter {
   }
 
   int whole_order(const TomlValue& value, int lowest) {
-    constexpr int kHighest = 60;
-    if (value.kind == Kind::kInteger && value.number >= lowest && value.number <= kHighest) {
+    constexpr int kMax = 60;
+    if (value.kind == Kind::kInteger && value.number >= lowest && value.number <= kMax) {
       return static_cast<int>(value.number);
     }
     refuse(value, "is not an order",
-           "a whole number from " + std::to_string(lowest) + " to " + std::to_string(kHighest) + " is required here");
+           "a whole number from " + std::to_string(lowest) + " to " + std::to_string(kMax) + " is required here");
     return lowest;
   }
 

@@ -13,7 +13,7 @@ constexpr const char* kAbove = "ring.pressure_above";
 constexpr const char* kBelow = "ring.pressure_below";
 constexpr const char* kLand = "ring.land_below";
 /// More rings than any engine has; a larger number is a slip.
-constexpr std::size_t kMostRings = 20;
+constexpr std::size_t kMaxRings = 20;
 
 using Entries = std::map<std::string, TomlEntry>;
 
@@ -87,9 +87,9 @@ PackTrees pack_trees(CaseTree tree) {
   }
   pack.is_pack = true;
   const std::size_t n = rings.rbegin()->first;
-  if (n > kMostRings) {
+  if (n > kMaxRings) {
     pack.faults.push_back({rings.rbegin()->second.entries.begin()->second.value.key_mark,
-                           "ring " + number(n) + " is stated, and a pack has " + number(kMostRings) + " rings at most",
+                           "ring " + number(n) + " is stated, and a pack has " + number(kMaxRings) + " rings at most",
                            "take rings out"});
     return pack;
   }

@@ -19,7 +19,7 @@ using models::FrictionState;
 const std::vector<std::pair<std::string, FrictionState>> kStates = {{"lubricated", FrictionState::kLubricated},
                                                                     {"dry", FrictionState::kDry}};
 
-constexpr std::size_t kLargestLibrary = std::size_t{1} << 20;  // [byte]
+constexpr std::size_t kMaxLibrary = std::size_t{1} << 20;  // [byte]
 
 void read_friction(TomlTable& table, FrictionPair& pair) {
   const auto friction = table.number("friction");
@@ -61,7 +61,7 @@ nlohmann::ordered_json maybe(const std::optional<double>& value) {
 }  // namespace
 
 FrictionPairs read_friction_pairs(const NamedFile& file, const Units& units) {
-  const SourceText source = read_source_text(file.path, file.shown, kLargestLibrary);
+  const SourceText source = read_source_text(file.path, file.shown, kMaxLibrary);
   const TomlValue root = parse_toml(source);
   FrictionPairs all;
   all.sha256 = source.sha256;

@@ -15,9 +15,9 @@ namespace ringfilm::io {
 namespace {
 
 /// The last sample may be the first one cycle later; beyond these relative differences it is reported, or refused.
-constexpr double kNotedMismatch = 1e-3, kLargestMismatch = 0.05;
+constexpr double kNotedMismatch = 1e-3, kMaxMismatch = 0.05;
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
-constexpr double kLeastPeak = 5e4, kHighestPeak = 1e8;
+constexpr double kMinPeak = 5e4, kMaxPeak = 1e8;
 
 std::string in_small_letters(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -111,7 +111,7 @@ class TraceReader {
   void outline_angles(std::size_t i_column, TraceOutline& seen) {
     const CsvColumn& column = csv_.columns[i_column];
     const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
-    seen.is_degree_by_span = !column.unit && *high - *low > models::kLongestSpanInRadians;
+    seen.is_degree_by_span = !column.unit && *high - *low > models::kMaxSpanInRadians;
     if (column.unit) {
       seen.crank_angle_deg = in_si(column, units_.scale(*column.unit, angle_.si_unit));
     } else if (seen.is_degree_by_span) {
@@ -270,20 +270,20 @@ class TraceReader {
   void check_holes(const std::vector<double>& angle, std::size_t i_column) {
     std::size_t n_holes = 0, first = 0;
     for (std::size_t k = 1; k < angle.size(); ++k) {
-      if (angle[k] - angle[k - 1] <= models::kLargestSampleDistanceDeg * (1 + 1e-9)) continue;
+      if (angle[k] - angle[k - 1] <= models::kMaxSampleDistanceDeg * (1 + 1e-9)) continue;
       if (n_holes++ == 0) first = k;
     }
     if (n_holes == 0) return;
-    const std::string others = n_holes == 1 ? ""
-                                            : fmt::format(", nor in {} more steps over {} degree", n_holes - 1,
-                                                          models::kLargestSampleDistanceDeg);
+    const std::string others =
+        n_holes == 1 ? ""
+                     : fmt::format(", nor in {} more steps over {} degree", n_holes - 1, models::kMaxSampleDistanceDeg);
     faults_.push_back(
         {csv_.cell_mark(first, i_column),
          fmt::format("no samples between {:.8g} and {:.8g} degree{}", angle[first - 1], angle[first], others),
          fmt::format(
              "samples may be {} degree apart at the most, since the pressure between them is interpolated; give "
              "more of them",
-             models::kLargestSampleDistanceDeg)});
+             models::kMaxSampleDistanceDeg)});
   }
 
   /// What is to be added to the pressures at the most, so that they are absolute.
@@ -297,7 +297,7 @@ class TraceReader {
     const std::string message =
         fmt::format("the pressure is {:.6g} bar at {:.8g} degree and {:.6g} bar one cycle later, at {:.8g} degree",
                     p.front() / 1e5, angle.front(), p.back() / 1e5, angle.back());
-    if (mismatch > kLargestMismatch) {
+    if (mismatch > kMaxMismatch) {
       faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column), message,
                          "a cycle repeats itself; take the last sample out, or average the cycles"});
     } else {
@@ -317,11 +317,11 @@ class TraceReader {
     }
     if (place_ == TracePlace::kCrankcase) return;
     const auto peak = std::max_element(p.begin(), p.end());
-    if (*peak < kLeastPeak || *peak > kHighestPeak) {
+    if (*peak < kMinPeak || *peak > kMaxPeak) {
       faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(peak - p.begin()), i_column),
                          fmt::format("the highest pressure of the trace is {:.6g} bar", *peak / 1e5),
                          fmt::format("is its unit right? That of engines is between {:.6g} and {:.6g} bar",
-                                     kLeastPeak / 1e5, kHighestPeak / 1e5)});
+                                     kMinPeak / 1e5, kMaxPeak / 1e5)});
     }
   }
 

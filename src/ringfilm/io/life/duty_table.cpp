@@ -175,9 +175,9 @@ class DutyReader {
                         fmt::format("write, for example, {} = {}; a point outside the duty is a [[report_point]]",
                                     form.length, form.example));
     }
-    if (!is_weight && length > life::kLongestTime) {
+    if (!is_weight && length > life::kMaxTime) {
       part.refuse_value(form.length, "is more than a century",
-                        "durations are up to " + life::hours_text(life::kLongestTime));
+                        "durations are up to " + life::hours_text(life::kMaxTime));
     }
     return length.value_or(0);
   }
@@ -225,12 +225,12 @@ std::vector<StatedPoint> read_report_points(const std::vector<TomlValue>& values
 
 std::vector<life::OperatingPoint> operating_points(const std::vector<StatedPoint>& stated, const ReadBase& read_base,
                                                    std::vector<Fault>& faults) {
-  constexpr int kMostRefused = 10;  // each costs the reading of a case, and one cause often refuses all
+  constexpr int kMaxRefused = 10;  // each costs the reading of a case, and one cause often refuses all
   std::vector<life::OperatingPoint> points;
   int refused = 0;
   for (std::size_t i = 0; i < stated.size(); ++i) {
     const StatedPoint& point = stated[i];
-    if (refused == kMostRefused) {
+    if (refused == kMaxRefused) {
       faults.push_back({point.mark, fmt::format("{} more operating points were not read", stated.size() - i),
                         "correct those before it first"});
       break;

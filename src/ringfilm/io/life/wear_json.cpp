@@ -14,7 +14,7 @@ ordered_json fit_object(const life::CoefficientFit& fit) {
   ordered_json object = {{"coefficient", {fit.range.low, fit.range.high}}, {"largest_worn_area", fit.largest_area}};
   ordered_json& rows = object["rows"] = ordered_json::array();
   for (const life::FittedCoefficient& row : fit.rows) {
-    const bool is_bound = row.basis == life::FitBasis::kLeastWear;
+    const bool is_bound = row.basis == life::FitBasis::kMinWear;
     ordered_json one = {{"hours", row.time / life::kHour}, {"basis", is_bound ? "least-wear" : "closest-face"}};
     one[is_bound ? "untrusted_margin" : "half_width"] = row.trusted;
     one["worn_area"] = row.worn_area;

@@ -86,8 +86,8 @@ class WearReader {
 
   std::optional<double> coefficient(const std::string& key) {
     const auto number = above_zero(key, "m2/N", kCoefficient);
-    if (!number || *number <= life::kLargestCoefficient) return number;
-    table_.refuse_value(key, fmt::format("is above {:g} m2/N", life::kLargestCoefficient),
+    if (!number || *number <= life::kMaxCoefficient) return number;
+    table_.refuse_value(key, fmt::format("is above {:g} m2/N", life::kMaxCoefficient),
                         "a contact cannot remove more than all that it touches, 1/(3H): check the number and its unit");
     return std::nullopt;
   }
@@ -95,8 +95,8 @@ class WearReader {
   void read_scheme() {
     table_.choose("scheme", {{"heun", life::WearScheme::kHeun}, {"euler", life::WearScheme::kEuler}}, wear_.scheme);
     if (const auto jumps = table_.count("jumps")) {
-      if (*jumps < 1 || *jumps > life::kMostJumps) {
-        table_.refuse_value("jumps", fmt::format("is not from 1 to {}", life::kMostJumps),
+      if (*jumps < 1 || *jumps > life::kMaxJumps) {
+        table_.refuse_value("jumps", fmt::format("is not from 1 to {}", life::kMaxJumps),
                             "state how many equal jumps the time to the last of the hours is divided into");
       } else {
         wear_.jumps = static_cast<int>(*jumps);
@@ -110,8 +110,8 @@ class WearReader {
                         "leave it out, or take scheme = \"heun\"");
     }
     wear_.largest_depth =
-        depth_of_jump("largest_depth", life::kSmallestJumpDepth, "\"0.15 um\"").value_or(wear_.largest_depth);
-    wear_.jump_error = depth_of_jump("jump_error", life::kSmallestJumpError, "\"0.02 um\"").value_or(wear_.jump_error);
+        depth_of_jump("largest_depth", life::kMinJumpDepth, "\"0.15 um\"").value_or(wear_.largest_depth);
+    wear_.jump_error = depth_of_jump("jump_error", life::kMinJumpError, "\"0.02 um\"").value_or(wear_.jump_error);
   }
 
   std::optional<double> depth_of_jump(const char* key, double smallest, const char* example) {
@@ -125,21 +125,21 @@ class WearReader {
   }
 
   void read_tilt() {
-    constexpr double kMostTilt = 80.0 / 60 * std::numbers::pi / 180;  // beyond it the edges carry: docs/theory/life.md
+    constexpr double kMaxTilt = 80.0 / 60 * std::numbers::pi / 180;  // beyond it the edges carry: docs/theory/life.md
     constexpr double kRounding = 1e-9;
     wear_.tilt_spread = above_zero("tilt_spread", "rad", "\"50 arcminute\"").value_or(0);
-    if (wear_.tilt_spread > kMostTilt * (1 + kRounding)) {
+    if (wear_.tilt_spread > kMaxTilt * (1 + kRounding)) {
       table_.refuse_value("tilt_spread", "is above 80 arcminute",
                           "beyond it the edges alone touch, and the film is not resolved there");
     }
     const auto samples = table_.count("tilt_samples");
     if (!samples) return;
-    constexpr std::uint64_t kMost = 200;
+    constexpr std::uint64_t kMax = 200;
     if (wear_.tilt_spread == 0) {
       table_.refuse_key("tilt_samples", "means nothing without tilt_spread",
                         "leave it out, or state tilt_spread, for example \"50 arcminute\"");
-    } else if (*samples < 2 || *samples > kMost) {
-      table_.refuse_value("tilt_samples", fmt::format("is not from 2 to {}", kMost),
+    } else if (*samples < 2 || *samples > kMax) {
+      table_.refuse_value("tilt_samples", fmt::format("is not from 2 to {}", kMax),
                           "12 resolve a spread of 50 arcminute, 16 one of 80");
     } else {
       wear_.tilt_samples = static_cast<int>(*samples);
@@ -147,13 +147,12 @@ class WearReader {
   }
 
   void read_edges(const cycle::Case* base) {
-    constexpr double kMostEdgeFactor = 1000;
+    constexpr double kMaxEdgeFactor = 1000;
     if (const auto factor = table_.number("edge_factor")) {
-      if (*factor >= 1 / kMostEdgeFactor && *factor <= kMostEdgeFactor) {
+      if (*factor >= 1 / kMaxEdgeFactor && *factor <= kMaxEdgeFactor) {
         wear_.edge_factor = *factor;
       } else {
-        table_.refuse_value("edge_factor",
-                            fmt::format("is not from {:g} to {:g}", 1 / kMostEdgeFactor, kMostEdgeFactor),
+        table_.refuse_value("edge_factor", fmt::format("is not from {:g} to {:g}", 1 / kMaxEdgeFactor, kMaxEdgeFactor),
                             "1 wears the edge zones as the middle, 10 ten times as fast");
       }
     }

@@ -17,7 +17,7 @@
 namespace ringfilm::io {
 namespace {
 
-constexpr std::size_t kFewestAngles = 8;
+constexpr std::size_t kMinAngles = 8;
 constexpr double kSameAngle = 1e-3;  // [degree], what rounding in a file leaves
 
 /// By what the sections of a bore are listed.
@@ -133,7 +133,7 @@ class BoreRows {
     if (at.empty()) return;
     std::size_t before = at.size() - 1;
     for (std::size_t k = 0; k + 1 < at.size(); ++k) {
-      if (at[k + 1] - at[k] > models::kLargestSampleDistanceDeg) {
+      if (at[k + 1] - at[k] > models::kMaxSampleDistanceDeg) {
         before = k;
         break;
       }
@@ -143,13 +143,13 @@ class BoreRows {
            fmt::format("the bore is not known between {:.6g} and {:.6g} degree crank angle", at[before], next),
            fmt::format("sections over the whole cycle of 720 degree are required, at most {:.6g} degree apart; are the "
                        "crank angles degrees?",
-                       models::kLargestSampleDistanceDeg));
+                       models::kMaxSampleDistanceDeg));
   }
 
   void check_section(std::size_t first, std::size_t n, Sections& all) {
-    if (n < kFewestAngles) {
+    if (n < kMinAngles) {
       refuse(first, "angle", fmt::format("a section of the bore has {} angles", n),
-             fmt::format("{} evenly spaced angles over one turn are required", kFewestAngles));
+             fmt::format("{} evenly spaced angles over one turn are required", kMinAngles));
       return;
     }
     if (!all.deviation.empty() && n != all.deviation.front().size()) {
@@ -183,9 +183,9 @@ class BoreRows {
 /// Angles of one turn, evenly spaced.
 void check_turn(const CsvFile& csv, const std::vector<double>& angle, std::vector<Fault>& faults) {
   const std::size_t n = angle.size();
-  if (n < kFewestAngles) {
+  if (n < kMinAngles) {
     faults.push_back({csv.cell_mark(0, *csv.find("angle")), fmt::format("the pressure has {} angles", n),
-                      fmt::format("{} evenly spaced angles over one turn are required", kFewestAngles)});
+                      fmt::format("{} evenly spaced angles over one turn are required", kMinAngles)});
     return;
   }
   const auto uneven = first_uneven(angle, angle.front());

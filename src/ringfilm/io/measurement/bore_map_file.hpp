@@ -28,7 +28,7 @@ struct DynamicBoreFile {
 BoreMapFile read_bore_map(const NamedFile& file, const Units& units);
 
 /// Reads a CSV file as read_bore_map does, with `crank_angle [degree]` in place of the height: crank angles over a
-/// whole cycle of 720 degree, at most models::kLargestSampleDistanceDeg apart. The last may repeat the first one cycle
+/// whole cycle of 720 degree, at most models::kMaxSampleDistanceDeg apart. The last may repeat the first one cycle
 /// later. Throws InputError with its faults, also where the repetition differs.
 DynamicBoreFile read_dynamic_bore(const NamedFile& file, const Units& units);
 

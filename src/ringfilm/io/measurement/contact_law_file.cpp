@@ -17,7 +17,7 @@
 namespace ringfilm::io {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // [byte]; a contact map of 8192 x 8192 points
+constexpr std::size_t kMaxFile = std::size_t{1} << 30;  // [byte]; a contact map of 8192 x 8192 points
 
 [[noreturn]] void refuse(const NamedFile& file, const std::string& what, const std::string& remedy) {
   throw InputError(std::vector<Fault>{{{file.shown, 0, 0, ""}, what, remedy}});
@@ -97,7 +97,7 @@ ContactLawFile law_of(const LawNumbers& numbers) {
   of.law.shift_factor_correlation = maybe(kShiftPressureCorrelation);
   if (auto flow = flow_of(numbers)) of.law.flow = std::make_shared<const models::MeasuredFlow>(std::move(*flow));
   const models::TabulatedContact contact(of.law.rows, of.law.last_supported_separation);
-  if (contact.row_error() > models::TabulatedContact::kMostError) {
+  if (contact.row_error() > models::TabulatedContact::kMaxError) {
     of.notes.push_back("contact.law: between its rows the law errs by up to " + number_text(contact.row_error()) +
                        " of the pressure of a row: compute more separations");
   }
@@ -147,7 +147,7 @@ LawNumbers numbers_of(const Measurement& law) {
 std::string gap_series(std::size_t row) { return "h" + std::to_string(row); }
 
 ContactLawFile read_contact_law(const NamedFile& named) {
-  const std::string bytes = read_source_bytes(named.path, named.shown, kLargestFile);
+  const std::string bytes = read_source_bytes(named.path, named.shown, kMaxFile);
   const char* remedy = "write one with ringfilm contact --surface ... --output law.nc";
   LawNumbers numbers;
   {

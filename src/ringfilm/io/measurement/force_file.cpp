@@ -9,8 +9,8 @@ namespace ringfilm::io {
 namespace {
 
 /// Shorter lines are cut off by the turn-around ends altogether.
-constexpr std::size_t kShortestLoop = 10;
-constexpr std::size_t kMostForceFaults = 10;
+constexpr std::size_t kMinLoop = 10;
+constexpr std::size_t kMaxForceFaults = 10;
 
 /// A line "# sample: NAME" before the header.
 std::string sample_of(const CsvFile& csv) {
@@ -68,7 +68,7 @@ class ForceReader {
     const auto i = csv_.find(name);
     if (!i) return {};
     const CsvColumn& c = csv_.columns[*i];
-    for (std::size_t row = 0; row < c.values.size() && faults_.size() < kMostForceFaults; ++row) {
+    for (std::size_t row = 0; row < c.values.size() && faults_.size() < kMaxForceFaults; ++row) {
       if (c.values[row] == std::floor(c.values[row]) && c.values[row] >= 0 && c.values[row] <= 1e9) continue;
       faults_.push_back({csv_.cell_mark(row, *i), name + " is not a whole number from zero on", "for example 3"});
     }
@@ -115,10 +115,10 @@ class ForceReader {
   }
 
   void close_loop(std::size_t first, std::size_t end) {
-    if (end - first >= kShortestLoop) return;
+    if (end - first >= kMinLoop) return;
     add_fault(first, "load",
               "the friction loop that begins here has only " + std::to_string(end - first) + " positions",
-              std::to_string(kShortestLoop) + " or more are required, and the rows of one loop in one block");
+              std::to_string(kMinLoop) + " or more are required, and the rows of one loop in one block");
   }
 
   void read_summary() {
@@ -145,8 +145,7 @@ class ForceReader {
   }
 
   void add_fault(std::size_t row, const std::string& column, const std::string& message, const std::string& remedy) {
-    if (faults_.size() < kMostForceFaults)
-      faults_.push_back({csv_.cell_mark(row, *csv_.find(column)), message, remedy});
+    if (faults_.size() < kMaxForceFaults) faults_.push_back({csv_.cell_mark(row, *csv_.find(column)), message, remedy});
   }
 
   CsvFile csv_;

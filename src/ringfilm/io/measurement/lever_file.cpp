@@ -60,7 +60,7 @@ void read_size(const Size& size, LoadUnit load_unit, const Units& units, TomlTab
 }  // namespace
 
 LeverFile read_lever(const NamedFile& file, LoadUnit load_unit, const Units& units) {
-  const SourceText source = read_source_text(file.path, file.shown, kLargestToml);
+  const SourceText source = read_source_text(file.path, file.shown, kMaxToml);
   const TomlValue root = parse_toml(source);
   std::vector<Fault> faults;
   std::vector<std::string> known = {"shape"};

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// A long profile has millions of points: the NetCDF file contains them.
-constexpr std::size_t kMostPointsOfACurve = 20000;
+constexpr std::size_t kMaxPointsOfACurve = 20000;
 
 /// The sign of a zero has no meaning, and JSON has no NaN.
 ordered_json exact(double value) { return std::isfinite(value) ? ordered_json(value + 0.0) : ordered_json(nullptr); }
@@ -60,7 +60,7 @@ ordered_json table_object(const MeasuredTable& table) {
 }
 
 ordered_json curve_object(const MeasuredCurve& whole) {
-  const std::optional<MeasuredCurve> few = thinned(whole, kMostPointsOfACurve);
+  const std::optional<MeasuredCurve> few = thinned(whole, kMaxPointsOfACurve);
   const MeasuredCurve& curve = few ? *few : whole;
   ordered_json series = ordered_json::object(), marks = ordered_json::array();
   for (const MeasuredSeries& one : curve.series) {

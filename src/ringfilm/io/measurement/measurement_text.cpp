@@ -119,8 +119,8 @@ std::string group_lines(const MeasuredGroup& group, const Units& units) {
   std::vector<std::size_t> widths = natural_widths(rows);
   if (widths.empty()) return "";
   const std::size_t used = widths[0] + widths[1] + widths[2] + 5 * kGap;
-  constexpr std::size_t kLeastOfWords = 40;
-  const std::size_t space = std::max(kLeastOfWords, kLineLength - std::min(kLineLength, used));
+  constexpr std::size_t kMinOfWords = 40;
+  const std::size_t space = std::max(kMinOfWords, kLineLength - std::min(kLineLength, used));
   if (widths[3] + widths[4] > space) {
     const std::size_t remark = std::min(widths[4], std::max(space / 2, space - std::min(space, widths[3])));
     widths[4] = remark;
@@ -186,11 +186,11 @@ int decimals_for(double size, int digits) {
 }
 
 std::string decimal_text(double value, double error, bool has_error) {
-  constexpr int kDigits = 4, kMostDigits = 7;
+  constexpr int kDigits = 4, kMaxDigits = 7;
   if (!has_error) return fmt::format("{:.{}f}", value, std::max(0, decimals_for(std::abs(value), kDigits)));
   const double first_place = std::pow(10, std::floor(std::log10(error)));
   const int requested = decimals_for(error, error < 2 * first_place * (1 - 1e-9) ? 2 : 1);
-  const int decimals = value == 0 ? requested : std::min(requested, decimals_for(std::abs(value), kMostDigits));
+  const int decimals = value == 0 ? requested : std::min(requested, decimals_for(std::abs(value), kMaxDigits));
   const double place = std::pow(10, -decimals);
   const double shown_error = std::ceil(error / place * (1 - 1e-9)) * place;  // 0.02 is not more than 0.02
   return fmt::format("{:.{}f} +- {:.{}f}", std::round(value / place) * place, std::max(decimals, 0), shown_error,
@@ -209,10 +209,10 @@ std::string measured_number(const MeasuredValue& described, double value, double
   if (!std::isfinite(shown)) return "none";
   const double error = scale.from_si(standard_error) - scale.from_si(0);
   const bool has_error = error > 0 && std::isfinite(error);
-  constexpr double kLeastPlain = 1e-3, kMostPlain = 1e6;
+  constexpr double kMinPlain = 1e-3, kMaxPlain = 1e6;
   const double size = std::max(std::abs(shown), has_error ? error : 0);
   const bool is_count = shown_unit(described).empty() && shown == std::floor(shown);
-  if (size == 0 || (size >= kLeastPlain && size < kMostPlain)) {
+  if (size == 0 || (size >= kMinPlain && size < kMaxPlain)) {
     if (is_count && !has_error) return fmt::format("{:.0f}", shown + 0.0);
     return shown == 0 && !has_error ? "0" : decimal_text(shown, error, has_error);
   }

@@ -109,9 +109,9 @@ class Lines {
 };
 
 void check_number(const std::string& name, std::size_t n, const SourceMark& mark, std::vector<Fault>& faults) {
-  if (n <= kMostGapPlaces) return;
+  if (n <= kMaxGapPlaces) return;
   faults.push_back({mark, fmt::format("the map has {} places along {}", n, name),
-                    fmt::format("at the most {} are read; thin it out", kMostGapPlaces)});
+                    fmt::format("at the most {} are read; thin it out", kMaxGapPlaces)});
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ void check_gap_column(const std::string& name, const std::vector<double>& places
 
 std::optional<std::size_t> implausible_height(const std::vector<double>& heights) {
   const auto found =
-      std::find_if(heights.begin(), heights.end(), [](double height) { return std::abs(height) > kLargestGap; });
+      std::find_if(heights.begin(), heights.end(), [](double height) { return std::abs(height) > kMaxGap; });
   return found == heights.end() ? std::nullopt : std::optional<std::size_t>(found - heights.begin());
 }
 

@@ -16,9 +16,9 @@ struct GapMap {
   std::vector<double> height;  ///< for each x of the first y, then of the next [m]
 };
 
-inline constexpr std::size_t kMostGapPlaces = 4096;  ///< in each direction
+inline constexpr std::size_t kMaxGapPlaces = 4096;  ///< in each direction
 
-inline constexpr double kLargestGap = 1;  ///< [m]; what is thicker is a mistake of units or of a file
+inline constexpr double kMaxGap = 1;  ///< [m]; what is thicker is a mistake of units or of a file
 
 /// What can be wrong with places along one axis of a gap.
 enum class PlaceFault {
@@ -39,7 +39,7 @@ std::optional<WrongPlace> wrong_place(const std::vector<double>& places);
 void check_gap_column(const std::string& name, const std::vector<double>& places,
                       const std::function<SourceMark(std::size_t)>& mark_of, std::vector<Fault>& faults);
 
-/// The first height that is beyond `kLargestGap`, whichever its sign.
+/// The first height that is beyond `kMaxGap`, whichever its sign.
 std::optional<std::size_t> implausible_height(const std::vector<double>& heights);
 
 /// What is reported of one, and what to do.
@@ -47,13 +47,13 @@ std::string implausible_height_text(double height);
 inline constexpr const char* kImplausibleHeightRemedy =
     "a gap beyond 1 m is refused: look at the unit, and for a number that marks a hole";
 
-/// Reports a height that is beyond `kLargestGap` at its place in the column.
+/// Reports a height that is beyond `kMaxGap` at its place in the column.
 void check_height_column(const CsvFile& csv, const std::string& name, const std::vector<double>& heights,
                          std::vector<Fault>& faults);
 
 /// The points of a table with the columns `x [mm],y [mm],h [um]` (or `height`): all x of one y, then of the next, or
 /// all y of one x, then of the next. Throws InputError with its faults: columns, places, points that make no full
-/// rectangle, more than `kMostGapPlaces` of x or y, a height beyond `kLargestGap`.
+/// rectangle, more than `kMaxGapPlaces` of x or y, a height beyond `kMaxGap`.
 GapMap gap_map_of(const CsvFile& csv, const Units& units);
 
 /// Is the file NetCDF of any format, by its first bytes?

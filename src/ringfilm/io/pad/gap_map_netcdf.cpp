@@ -17,7 +17,7 @@
 namespace ringfilm::io {
 namespace {
 
-constexpr std::size_t kLargestMap = std::size_t{256} << 20;  // [byte]
+constexpr std::size_t kMaxMap = std::size_t{256} << 20;  // [byte]
 constexpr const char* kExpected = "a variable h(y, x) is required, with coordinates x(x) and y(y), each with units";
 
 [[noreturn]] void refuse(const std::string& shown, const std::string& what, const std::string& remedy) {
@@ -126,9 +126,9 @@ class MapReader {
       refuse(shown_, fmt::format("the map has {} places along {}", n, axis.name),
              "two or more are required, of a fixed number");
     }
-    if (n > kMostGapPlaces) {
+    if (n > kMaxGapPlaces) {
       refuse(shown_, fmt::format("the map has {} places along {}", n, axis.name),
-             fmt::format("at the most {} are read; thin it out", kMostGapPlaces));
+             fmt::format("at the most {} are read; thin it out", kMaxGapPlaces));
     }
   }
 
@@ -178,10 +178,10 @@ class MapReader {
   std::string units_of(const Variable& variable) const {
     nc_type type = 0;
     std::size_t size = 0;
-    constexpr std::size_t kLongest = 100;
+    constexpr std::size_t kMax = 100;
     const int status = nc_inq_att(file_, variable.id, "units", &type, &size);
     if (status == NC_NOERR && type == NC_STRING && size == 1) return string_of(variable);
-    if (status != NC_NOERR || type != NC_CHAR || size == 0 || size > kLongest) return "";
+    if (status != NC_NOERR || type != NC_CHAR || size == 0 || size > kMax) return "";
     std::string text(size, '\0');
     check(nc_get_att_text(file_, variable.id, "units", text.data()), variable.name);
     return text.substr(0, text.find('\0'));
@@ -254,7 +254,7 @@ bool is_netcdf(const std::string& path) {
 }
 
 GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units) {
-  const std::string bytes = read_source_bytes(file.path, file.shown, kLargestMap);
+  const std::string bytes = read_source_bytes(file.path, file.shown, kMaxMap);
   refuse_classic(file, bytes);
   GapMapFile read{MapReader(file.shown, bytes, units).read(), sha256(bytes)};
   const GapMap& map = read.map;

@@ -11,7 +11,7 @@ namespace ringfilm::io {
 namespace {
 
 /// No result of ours is near it; a damaged length must not ask for the memory of the machine.
-constexpr std::size_t kMostValues = std::size_t{1} << 28;
+constexpr std::size_t kMaxValues = std::size_t{1} << 28;
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void ResultFileReader::attribute(const char* name, std::string& text) const {
   nc_type type = 0;
   std::size_t size = 0;
   check(nc_inq_att(file_, NC_GLOBAL, name, &type, &size), name);
-  if (type != NC_CHAR || size > kMostValues) refuse(std::string(name) + " is not text");
+  if (type != NC_CHAR || size > kMaxValues) refuse(std::string(name) + " is not text");
   text.assign(size, '\0');
   if (size > 0) check(nc_get_att_text(file_, NC_GLOBAL, name, text.data()), name);
 }
@@ -87,7 +87,7 @@ std::size_t ResultFileReader::length_in_file(const char* dimension) const {
   std::size_t size = 0;
   if (nc_inq_dimid(file_, dimension, &number) != NC_NOERR) return 0;
   check(nc_inq_dimlen(file_, number, &size), dimension);
-  if (size > kMostValues) refuse(std::string(dimension) + " has an impossible length");
+  if (size > kMaxValues) refuse(std::string(dimension) + " has an impossible length");
   return size;
 }
 
@@ -123,7 +123,7 @@ std::optional<int> ResultFileReader::find(const std::vector<const char*>& dimens
   count = 1;
   for (const char* dimension : dimensions) {
     count *= length_in_file(dimension);
-    if (count > kMostValues) refuse(name + " has an impossible size");
+    if (count > kMaxValues) refuse(name + " has an impossible size");
   }
   if (count == 0) return std::nullopt;
   int variable = 0;

@@ -111,9 +111,9 @@ std::vector<fs::path> left_of_older(const fs::path& folder, const std::string& s
     const std::size_t begin = line.find(before), end = line.find(after);
     if (begin == std::string::npos || end == std::string::npos || end < begin + before.size()) continue;
     const std::string number = line.substr(begin + before.size(), end - begin - before.size());
-    constexpr std::size_t kMostDigits = 9;
+    constexpr std::size_t kMaxDigits = 9;
     const bool is_number =
-        !number.empty() && number.size() <= kMostDigits && number.find_first_not_of("0123456789") == std::string::npos;
+        !number.empty() && number.size() <= kMaxDigits && number.find_first_not_of("0123456789") == std::string::npos;
     if (is_number && std::stoul(number) >= n_files) left.push_back(folder / fmt::format("{}_{}.vts", stem, number));
   }
   return left;

@@ -83,10 +83,10 @@ bool write_all(int file, std::string_view bytes) {
 long writer_of(const std::string& name, const std::string& target) {
   const std::string start = target + std::string(kPartial);
   if (name.compare(0, start.size(), start) != 0) return 0;
-  constexpr std::size_t kMostDigits = 9;
+  constexpr std::size_t kMaxDigits = 9;
   const std::string number =
       name.substr(start.size(), name.find_first_not_of("0123456789", start.size()) - start.size());
-  return number.empty() || number.size() > kMostDigits ? 0 : std::stol(number);
+  return number.empty() || number.size() > kMaxDigits ? 0 : std::stol(number);
 }
 
 /// True if nobody writes it: its process is gone here, and nobody elsewhere (a shared folder) holds its lock.
@@ -153,14 +153,13 @@ void take_over_mode(const std::string& from, int file) {
 
 /// The file aside has the name of `target` and something behind it; where that is too long, nothing can be written.
 void check_length(const std::string& path, const fs::path& target) {
-  constexpr std::size_t kLongestEnd = kPartial.size() + 7 + 4;  // a process up to 2^22 and "-999", see AsideFile
+  constexpr std::size_t kMaxEnd = kPartial.size() + 7 + 4;  // a process up to 2^22 and "-999", see AsideFile
   const long name = ::pathconf(folder_of(target).c_str(), _PC_NAME_MAX);
   const std::size_t most_of_name = name > 0 ? static_cast<std::size_t>(name) : NAME_MAX;
-  if (target.filename().native().size() + kLongestEnd > most_of_name ||
-      target.native().size() + kLongestEnd >= PATH_MAX) {
+  if (target.filename().native().size() + kMaxEnd > most_of_name || target.native().size() + kMaxEnd >= PATH_MAX) {
     throw InputError(path + ": the name of the file is too long",
-                     "a name in this folder may have " + std::to_string(most_of_name - kLongestEnd) +
-                         " bytes, with its folders " + std::to_string(PATH_MAX - 1 - kLongestEnd));
+                     "a name in this folder may have " + std::to_string(most_of_name - kMaxEnd) +
+                         " bytes, with its folders " + std::to_string(PATH_MAX - 1 - kMaxEnd));
   }
 }
 

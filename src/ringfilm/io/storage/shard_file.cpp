@@ -36,7 +36,7 @@ namespace {
 // the header as text; each other begins with first scenario, number of rows and bytes of the notes, then values,
 // curves, reasons as lines, notes as lines. Numbers are little-endian: values of 8 bytes, those of curves of 4.
 constexpr std::uint64_t kDigits = 64, kFrame = 8 + kDigits, kBlockHead = 24;
-constexpr std::uint64_t kLargestHeader = 1 << 16, kLargestBlock = std::uint64_t{1} << 30;
+constexpr std::uint64_t kMaxHeader = 1 << 16, kMaxBlock = std::uint64_t{1} << 30;
 constexpr std::string_view kHexDigits = "0123456789abcdef";
 constexpr const char* kMagic = "ringfilm study rows 4";
 /// Characters of it that files of all versions have.
@@ -305,7 +305,7 @@ void ShardReader::read_header() {
   const std::string start = bytes(kFrame, std::min<std::uint64_t>(magic_start.size(), size_ - kFrame));
   const InputError& refusal = n_equal(start, magic_start) + 1 >= magic_start.size() ? damage : no_such_file;
   const std::uint64_t n = number_at(bytes(0, 8), 0);
-  if (n > kLargestHeader || n > size_ - kFrame) throw refusal;
+  if (n > kMaxHeader || n > size_ - kFrame) throw refusal;
   const std::string text = bytes(kFrame, n);
   if (sha256(text) != bytes(8, kDigits)) throw refusal;
   std::istringstream lines(text);
@@ -316,15 +316,15 @@ void ShardReader::read_header() {
       h.n_values >> word;
   std::uint64_t n_curves = 0;
   lines >> h.n_angles >> n_curves;
-  constexpr std::uint64_t kMostCurves = 1000;
-  if (!lines || n_curves > kMostCurves) throw no_such_file;
+  constexpr std::uint64_t kMaxCurves = 1000;
+  if (!lines || n_curves > kMaxCurves) throw no_such_file;
   h.curves.resize(n_curves);
   for (std::string& name : h.curves) lines >> name;
   lines >> word >> h.kernels >> word;
   std::getline(lines >> std::ws, h.program);
-  constexpr std::uint64_t kMostValues = 10'000;
-  if (magic != kMagic || !lines || h.first > h.end || h.n_values == 0 || h.n_values > kMostValues ||
-      h.n_angles > study::kMostCurveNumbers || h.n_curve_numbers() > study::kMostCurveNumbers) {
+  constexpr std::uint64_t kMaxValues = 10'000;
+  if (magic != kMagic || !lines || h.first > h.end || h.n_values == 0 || h.n_values > kMaxValues ||
+      h.n_angles > study::kMaxCurveNumbers || h.n_curve_numbers() > study::kMaxCurveNumbers) {
     throw no_such_file;
   }
   header_bytes_ = intact_bytes_ = kFrame + n;
@@ -335,7 +335,7 @@ bool ShardReader::read_block() {
   if (size_ - intact_bytes_ < kFrame) return false;
   const std::string frame = bytes(intact_bytes_, kFrame);
   const std::uint64_t n = number_at(frame, 0);
-  if (n < kBlockHead || n > kLargestBlock || n > size_ - intact_bytes_ - kFrame) return false;
+  if (n < kBlockHead || n > kMaxBlock || n > size_ - intact_bytes_ - kFrame) return false;
   const std::string content = bytes(intact_bytes_ + kFrame, n);
   if (sha256(content) != frame.substr(8)) return false;
   BlockPlace place;

@@ -19,7 +19,7 @@ DocumentReader::DocumentReader(const std::string& path)
     : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
 
 TomlValue DocumentReader::read_document(DocumentKind kind, const std::string& role) {
-  const SourceText source = read_source_text(path_, path_, kLargestToml);
+  const SourceText source = read_source_text(path_, path_, kMaxToml);
   record({role, path_, source.sha256});
   TomlValue root = parse_toml(source);
   check_document_kind(root, kind, path_);

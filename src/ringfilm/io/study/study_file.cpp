@@ -344,9 +344,9 @@ class StudyReader : DocumentReader {
     study_.accuracy.sample = table.count("sample");
     if (study_.compute == Compute::kGas) {
       table.refuse_key("sample", "is about films, and compute = \"gas\" has none", "leave it out");
-    } else if (study_.accuracy.sample > study::Accuracy::kLargestSample) {
+    } else if (study_.accuracy.sample > study::Accuracy::kMaxSample) {
       table.refuse_value("sample", "is out of range",
-                         fmt::format("allowed is 0 to {}; 16 are usual", study::Accuracy::kLargestSample));
+                         fmt::format("allowed is 0 to {}; 16 are usual", study::Accuracy::kMaxSample));
     }
   }
 

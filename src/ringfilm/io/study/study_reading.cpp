@@ -27,7 +27,7 @@ using study::Factor;
 
 /// Combinations of one section that are read: each takes some milliseconds and keeps the numbers of its files, 10 kB
 /// for a trace with a sample per degree.
-constexpr std::size_t kMostCombinations = 10'000;
+constexpr std::size_t kMaxCombinations = 10'000;
 
 /// The sections of a case that files can define.
 const std::vector<std::string> kSections = {"gas.", "ring.face.", "lubricant."};
@@ -78,12 +78,12 @@ class SectionReader {
     const std::vector<std::set<Combination>> used = used_combinations();
     std::size_t n_used = 0;
     for (const std::set<Combination>& of_base : used) n_used += of_base.size();
-    if (n_used > kMostCombinations) {
+    if (n_used > kMaxCombinations) {
       faults.push_back(
           {study_.factors[factors_.front()].mark,
            fmt::format("the plan uses more than {1} combinations of the texts of [{0}], each of which is read",
-                       section_.substr(0, section_.size() - 1), kMostCombinations),
-           fmt::format("at most {} are possible; list fewer values, or write several studies", kMostCombinations)});
+                       section_.substr(0, section_.size() - 1), kMaxCombinations),
+           fmt::format("at most {} are possible; list fewer values, or write several studies", kMaxCombinations)});
       return {};
     }
     for (std::size_t b = 0; b < study_.bases.size(); ++b) {
@@ -115,10 +115,10 @@ class SectionReader {
     std::vector<std::set<Combination>> used(study_.bases.size());
     std::size_t n_others = 0;
     for (std::size_t base = 0; base < used.size(); ++base) {
-      add_combinations(base, kMostCombinations + 2 - n_others, used[base]);  // the base's own and one too many
-      used[base].erase(Combination(factors_.size()));                        // the base's own texts are read already
+      add_combinations(base, kMaxCombinations + 2 - n_others, used[base]);  // the base's own and one too many
+      used[base].erase(Combination(factors_.size()));                       // the base's own texts are read already
       n_others += used[base].size();
-      if (n_others > kMostCombinations) break;
+      if (n_others > kMaxCombinations) break;
     }
     return used;
   }

@@ -223,12 +223,12 @@ std::vector<std::vector<double>> factor_columns(const study::Plan& plan, const s
 std::string choice_variable(const std::string& factor_variable) { return fmt::format("{}_choice", factor_variable); }
 
 std::vector<std::string> factor_variables(const study::Study& study) {
-  constexpr std::size_t kLongest = 200;  // NetCDF takes 256
+  constexpr std::size_t kMax = 200;  // NetCDF takes 256
   std::vector<std::string> variables;
   std::set<std::string> taken;
   for (const study::Factor& factor : study.factors) {
     std::string name = "factor_";
-    for (const char c : factor.name.substr(0, kLongest))
+    for (const char c : factor.name.substr(0, kMax))
       name.append(1, std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_');
     const bool has_texts = std::holds_alternative<study::Choices>(factor.variation);
     const auto is_taken = [&](const std::string& variable) {

@@ -10,7 +10,7 @@
 namespace ringfilm::io {
 namespace {
 
-constexpr std::size_t kMostCsvFaults = 10;
+constexpr std::size_t kMaxCsvFaults = 10;
 
 struct CsvCell {
   std::string text;  ///< without blanks and quotes around it
@@ -87,12 +87,12 @@ std::optional<std::size_t> last_parenthesis(const std::string& text) {
 class CsvReader {
  public:
   CsvReader(const NamedFile& file, NaN nan) : nan_(nan) {
-    csv_.source = read_source_text(file.path, file.shown, kLargestCsv);
+    csv_.source = read_source_text(file.path, file.shown, kMaxCsv);
   }
 
   CsvFile read() {
     const std::size_t first_row = read_units(read_header());
-    for (std::size_t i = first_row; i < csv_.source.lines.size() && faults_.size() < kMostCsvFaults; ++i) {
+    for (std::size_t i = first_row; i < csv_.source.lines.size() && faults_.size() < kMaxCsvFaults; ++i) {
       const std::string& line = csv_.source.lines[i];
       if (!is_blank(line) && !is_comment(line)) read_row(line, static_cast<int>(i) + 1);
     }

@@ -8,8 +8,8 @@
 /// Text files that people write: read whole, refused early where they are not text.
 namespace ringfilm::io {
 
-inline constexpr std::size_t kLargestToml = std::size_t{4} << 20;  ///< [byte]
-inline constexpr std::size_t kLargestCsv = std::size_t{64} << 20;  ///< [byte]
+inline constexpr std::size_t kMaxToml = std::size_t{4} << 20;  ///< [byte]
+inline constexpr std::size_t kMaxCsv = std::size_t{64} << 20;  ///< [byte]
 
 /// A file as its lines; line ends of any system are removed.
 struct SourceText {

@@ -30,8 +30,8 @@ std::string last_part(const std::string& key) { return key.substr(key.rfind('.')
 }  // namespace
 
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known) {
-  constexpr std::size_t kLongestWord = 200;
-  if (written.size() > kLongestWord) return "";
+  constexpr std::size_t kMaxWord = 200;
+  if (written.size() > kMaxWord) return "";
   const std::string_view present = present_name(written);
   if (!present.empty() && std::find(known.begin(), known.end(), present) != known.end()) return std::string(present);
   std::string nearest;

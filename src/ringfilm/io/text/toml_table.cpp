@@ -13,7 +13,7 @@ namespace {
 using Kind = TomlValue::Kind;
 
 /// Up to which each whole number is a double.
-constexpr std::uint64_t kLargestCount = std::uint64_t{1} << 53;
+constexpr std::uint64_t kMaxCount = std::uint64_t{1} << 53;
 
 /// "wear." of "[wear]", "duty.point." of "[[duty.point]]"; empty for a file as a whole, "a study".
 std::string prefix_of(std::string name) {
@@ -110,7 +110,7 @@ std::optional<double> TomlTable::quantity(const std::string& key, const TomlValu
 
 std::optional<std::uint64_t> TomlTable::count(const std::string& key) {
   const TomlValue* value = find(key);
-  return value == nullptr ? std::nullopt : count(key, *value, 0, kLargestCount);
+  return value == nullptr ? std::nullopt : count(key, *value, 0, kMaxCount);
 }
 
 std::optional<std::uint64_t> TomlTable::count(const std::string& key, const TomlValue& value, std::uint64_t fewest,
@@ -120,7 +120,7 @@ std::optional<std::uint64_t> TomlTable::count(const std::string& key, const Toml
     return static_cast<std::uint64_t>(number);
   }
   const std::string bounds =
-      most == kLargestCount ? fmt::format(", {} or above,", fewest) : fmt::format(" from {} to {}", fewest, most);
+      most == kMaxCount ? fmt::format(", {} or above,", fewest) : fmt::format(" from {} to {}", fewest, most);
   faults_.push_back(value_fault(prefix_ + key, value, "is not a whole number",
                                 fmt::format("a whole number{} is required here", bounds)));
   return std::nullopt;

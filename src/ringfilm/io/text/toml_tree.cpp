@@ -17,12 +17,12 @@ namespace {
 
 /// Each value keeps the line that it is in, so that thousands of them in one long line would fill the memory. Longer
 /// lines are lists of numbers, which people find by line and column.
-constexpr std::size_t kLongestKeptLine = 400;
+constexpr std::size_t kMaxKeptLine = 400;
 
 SourceMark mark_of(const SourceText& source, const toml::source_region& region) {
   const auto line = static_cast<int>(region.begin.line), column = static_cast<int>(region.begin.column);
   const auto i = static_cast<std::size_t>(line - 1);
-  if (i < source.lines.size() && source.lines[i].size() > kLongestKeptLine) return {source.path, line, column, ""};
+  if (i < source.lines.size() && source.lines[i].size() > kMaxKeptLine) return {source.path, line, column, ""};
   return source.mark(line, column);
 }
 
@@ -192,7 +192,7 @@ const TomlValue* TomlValue::find(const std::string& key) const {
 }
 
 std::string TomlValue::as_written() const {
-  constexpr std::size_t kLongest = 60;
+  constexpr std::size_t kMax = 60;
   std::string written;
   switch (kind) {
     case TomlValue::Kind::kText:
@@ -203,7 +203,7 @@ std::string TomlValue::as_written() const {
       return exact_text(number);
     case TomlValue::Kind::kList:
       for (const TomlValue& item : items) {
-        if (written.size() > kLongest) break;
+        if (written.size() > kMax) break;
         written += (written.empty() ? "" : ", ") + item.as_written();
       }
       written = "[" + written + "]";
@@ -213,7 +213,7 @@ std::string TomlValue::as_written() const {
     case TomlValue::Kind::kOther:
       return "(neither text nor number)";
   }
-  return written.size() <= kLongest ? written : written.substr(0, kLongest) + "...";
+  return written.size() <= kMax ? written : written.substr(0, kMax) + "...";
 }
 
 std::string control_character_words(const std::string& text, LinesAndTabs lines_and_tabs) {

@@ -247,8 +247,8 @@ Scale Units::scale(const std::string& written, const std::string& si_unit) const
                     "pressures are absolute here: add the atmosphere (1.01325 bar) and write bar");
   }
   if (si_unit == "K") return temperature_scale(unit);
-  constexpr std::size_t kLongestUnit = 60;
-  if (unit.size() > kLongestUnit) throw UnitError("has a text in place of its unit", "");
+  constexpr std::size_t kMaxUnit = 60;
+  if (unit.size() > kMaxUnit) throw UnitError("has a text in place of its unit", "");
   if (find_control_character(unit) != std::string::npos) throw UnitError("has a control character in its unit", "");
   if (unit == "1") throw UnitError("is dimensionless, not " + dimension_words(si_unit), "write its unit");
   if (holds_number(unit))

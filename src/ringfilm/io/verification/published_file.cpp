@@ -44,7 +44,7 @@ std::string unit_of(TomlTable& table, const std::string& quantity) {
 
 std::vector<study::PublishedValue> read_published(const std::string& path, const std::string& case_name,
                                                   const Units& units) {
-  const TomlValue root = parse_toml(read_source_text(path, path, kLargestToml));
+  const TomlValue root = parse_toml(read_source_text(path, path, kMaxToml));
   std::vector<Fault> faults;
   std::vector<study::PublishedValue> values;
   const TomlValue* tables = root.find("published");

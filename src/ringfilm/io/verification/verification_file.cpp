@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostCount = 100000;  // far more cells or steps than anyone waits for
-constexpr int kFewestCells = 2;               // one inner node
-constexpr int kFewestLevels = 3;              // an order from two runs alone could not be seen to bend
+constexpr std::uint64_t kMaxCount = 100000;  // far more cells or steps than anyone waits for
+constexpr int kMinCells = 2;                 // one inner node
+constexpr int kMinLevels = 3;                // an order from two runs alone could not be seen to bend
 
 std::vector<std::string> names_of(const std::vector<cycle::Quantity>& quantities) {
   std::vector<std::string> names;
@@ -109,7 +109,7 @@ class CheckTable : public TomlTable {
 
   int count_of(const std::string& key, const TomlValue& value, int fewest) {
     const auto least = static_cast<std::uint64_t>(fewest);
-    return static_cast<int>(count(key, value, least, kMostCount).value_or(least));
+    return static_cast<int>(count(key, value, least, kMaxCount).value_or(least));
   }
 
   std::string unit_of(const std::string& quantity, const std::optional<cycle::Quantity>& found) {
@@ -133,7 +133,7 @@ class VerificationReader {
   study::Verification read() {
     read_claim();
     const fs::path path = folder_ / "reference.toml";
-    const TomlValue root = parse_toml(read_source_text(path.string(), path.string(), kLargestToml));
+    const TomlValue root = parse_toml(read_source_text(path.string(), path.string(), kMaxToml));
     for (const auto& [name, tables] : root.members) {
       const auto reader = readers().find(name);
       const bool is_list = tables.kind == TomlValue::Kind::kList;
@@ -179,7 +179,7 @@ class VerificationReader {
   /// Heading and first paragraph of the README.
   void read_claim() {
     const fs::path path = folder_ / "README.md";
-    for (const std::string& line : read_source_text(path.string(), path.string(), kLargestToml).lines) {
+    for (const std::string& line : read_source_text(path.string(), path.string(), kMaxToml).lines) {
       if (verification_.title.empty()) {
         const std::size_t start = line.find_first_not_of("# ");
         if (start != std::string::npos) verification_.title = line.substr(start);
@@ -252,12 +252,12 @@ class VerificationReader {
       check.refinement = study::Refinement::kTimeStep;
       check.levels = is_run ? table.needed_numbers(steps, "s") : table.needed_counts(steps, 1);
       // A run has cells of its own, a manufactured film has none.
-      if (!is_run || table.find("cells") != nullptr) check.cells = table.needed_count("cells", kFewestCells);
+      if (!is_run || table.find("cells") != nullptr) check.cells = table.needed_count("cells", kMinCells);
     } else {
-      check.levels = table.needed_counts("cells", kFewestCells);
+      check.levels = table.needed_counts("cells", kMinCells);
     }
     const bool positive = std::all_of(check.levels.begin(), check.levels.end(), [](double level) { return level > 0; });
-    if (static_cast<int>(check.levels.size()) < kFewestLevels || !positive) {
+    if (static_cast<int>(check.levels.size()) < kMinLevels || !positive) {
       table.refuse_value(is_in_time ? steps : "cells", "is not a ladder",
                          "three positive numbers or more are required");
     }
@@ -271,7 +271,7 @@ class VerificationReader {
       table.refuse_value("quantity", "is not a length, which could be counted in cells", "a front, or peak_position");
     }
     check.exact = table.needed_number("expected", "m");
-    check.fewest_cells = table.needed_count("fewest_cells", kFewestCells);
+    check.fewest_cells = table.needed_count("fewest_cells", kMinCells);
     check.most_cells = table.needed_count("most_cells", check.fewest_cells);
     check.most = table.needed_number("absolute_tolerance", "1");
     verification_.bounds.push_back(std::move(check));
@@ -316,7 +316,7 @@ class VerificationReader {
     if (dry.profile == "parabola") dry.shape = table.needed_number("radius", "m");
     if (dry.profile == "roof") dry.shape = table.needed_number("slope", "1");
     if (dry.profile == "wave") dry.shape = table.needed_number("amplitude", "m");
-    dry.cells = table.needed_count("cells", kFewestCells);
+    dry.cells = table.needed_count("cells", kMinCells);
     dry.roughness = table.needed_number("roughness", "m");
     dry.width = table.needed_number("width", "m");
     dry.load = table.needed_number("load", "N/m");
@@ -346,10 +346,10 @@ class VerificationReader {
     check.quantity = table.needed_word("quantity", names_of(study::contact_form_quantities()));
     check.expected = table.needed_number("expected", "1");
     if (table.find("levels") != nullptr) {
-      check.levels = table.needed_counts("levels", kFewestCells);
+      check.levels = table.needed_counts("levels", kMinCells);
       check.order = table.needed_number("order", "1");
     } else if (form.surface != "persson") {
-      form.points = table.needed_count("points", kFewestCells);
+      form.points = table.needed_count("points", kMinCells);
     }
     check.tolerance = table.tolerance("1");
     verification_.contact.push_back(std::move(check));
@@ -452,7 +452,7 @@ std::vector<std::string> verification_folders() {
 }
 
 std::vector<study::NotCovered> read_not_covered(const std::string& path, const Units& units) {
-  const TomlValue root = parse_toml(read_source_text(path, path, kLargestToml));
+  const TomlValue root = parse_toml(read_source_text(path, path, kMaxToml));
   std::vector<Fault> faults;
   std::vector<study::NotCovered> all;
   for (const auto& [name, tables] : root.members) {

@@ -9,7 +9,7 @@
 namespace ringfilm::models {
 namespace {
 
-constexpr double kShortestArc = 1e-7;  // [rad]; a shorter one is a point
+constexpr double kMinArc = 1e-7;  // [rad]; a shorter one is a point
 constexpr double kForceTolerance = 1e-8;
 
 }  // namespace
@@ -178,12 +178,12 @@ double ClosureSearch::allowed_share(const std::vector<Unknown>& unknown, const s
 }
 
 bool ClosureSearch::find_edges() {
-  constexpr int kMostSteps = 60;
+  constexpr int kMaxSteps = 60;
   constexpr double kProbe = 1e-6, kEnough = 1e-11;
   const std::vector<Unknown> unknown = unknowns();
   const std::size_t n = unknown.size();
   update_spans();
-  for (int i = 0; i < kMostSteps && n > 0; ++i) {
+  for (int i = 0; i < kMaxSteps && n > 0; ++i) {
     const std::vector<double> miss = residuals(unknown);
     double reach = kProbe;
     for (const LiftOff& span : spans_) reach = std::min(reach, 0.1 * (span.to() - span.from()));
@@ -212,9 +212,9 @@ bool ClosureSearch::find_edges() {
     update_spans();
     if (longest < kEnough) return true;
     const bool closed = std::any_of(contacts_.begin(), contacts_.end(),
-                                    [](const auto& one) { return one.is_arc && one.to - one.from < kShortestArc; });
-    const bool joined = std::any_of(spans_.begin(), spans_.end(),
-                                    [](const LiftOff& one) { return one.to() - one.from() < kShortestArc; });
+                                    [](const auto& one) { return one.is_arc && one.to - one.from < kMinArc; });
+    const bool joined =
+        std::any_of(spans_.begin(), spans_.end(), [](const LiftOff& one) { return one.to() - one.from() < kMinArc; });
     if (closed || joined) return true;  // a repair makes it a point, or an arc
   }
   return n == 0;
@@ -244,7 +244,7 @@ double ClosureSearch::force_at_end(std::size_t contact) const {
 
 bool ClosureSearch::closed_arc_became_point() {
   for (SoughtContact& one : contacts_) {
-    if (!one.is_arc || one.to - one.from >= kShortestArc) continue;
+    if (!one.is_arc || one.to - one.from >= kMinArc) continue;
     one.is_arc = false;
     one.from = one.to = starts_at_tip(one) ? ring_->start() : ends_at_tip(one) ? ring_->end() : (one.from + one.to) / 2;
     return true;
@@ -258,11 +258,11 @@ bool ClosureSearch::joined_contacts() {
   std::vector<SoughtContact> joined;
   for (SoughtContact one : contacts_) {
     const SoughtContact as_found = one;
-    if (one.from - ring_->start() < kShortestArc) one.from = ring_->start();
-    if (ring_->end() - one.to < kShortestArc) one.to = ring_->end();
+    if (one.from - ring_->start() < kMinArc) one.from = ring_->start();
+    if (ring_->end() - one.to < kMinArc) one.to = ring_->end();
     if (!one.is_arc) one.from = one.to = one.to >= ring_->end() ? one.to : one.from;
     changed = changed || one.from != as_found.from || one.to != as_found.to;
-    if (joined.empty() || one.from - joined.back().to >= kShortestArc) {
+    if (joined.empty() || one.from - joined.back().to >= kMinArc) {
       joined.push_back(one);
       continue;
     }
@@ -395,9 +395,9 @@ bool ClosureSearch::repaired() {
 }
 
 bool ClosureSearch::solve(int n_steps) {
-  constexpr int kMostRepairs = 100;
+  constexpr int kMaxRepairs = 100;
   start_on_grid(n_steps);
-  for (int i = 0; i < kMostRepairs; ++i) {
+  for (int i = 0; i < kMaxRepairs; ++i) {
     joined_contacts();
     if (contacts_.empty() || !find_edges()) return false;
     if (!repaired()) return true;

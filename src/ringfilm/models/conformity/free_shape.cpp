@@ -111,11 +111,11 @@ void check_points(const RingBeamSize& size, const std::vector<ShapePoint>& point
 }
 
 void check_length(const RingBeamSize& size, const std::vector<double>& phi) {
-  constexpr double kMost = 2e-3;
+  constexpr double kMax = 2e-3;
   const double r = (size.bore - size.radial_thickness) / 2, length = r * (phi.back() - phi.front());
   const double expected = 2 * pi * r - size.end_gap;
   const bool rises = std::is_sorted(phi.begin(), phi.end());
-  if (rises && std::abs(length - expected) <= kMost * expected) return;
+  if (rises && std::abs(length - expected) <= kMax * expected) return;
   throw InputError("the free shape does not close: its centroid is " + number_text(length * 1e3) +
                        " mm long, that of the closed ring " + number_text(expected * 1e3) + " mm",
                    "give points of the running surface from one end of the ring to the other, in the sense of the "
@@ -148,9 +148,9 @@ class NearestShape {
 
   /// By Gauss and Newton. @returns whether nothing changes any more, at a shape of this ring
   bool solve() {
-    constexpr int kMostSteps = 40;
+    constexpr int kMaxSteps = 40;
     bool is_at_rest = false;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
       linearise();
       const Eigen::VectorXd change = A_.ldlt().solve(b_);
       double moved = 0;

@@ -176,12 +176,12 @@ GreenwoodTripp::Contact GreenwoodTripp::contact(double h) const {
 
 std::optional<SummitStatistics> summit_statistics(const GreenwoodTripp::Parameters& pair) {
   // Least bandwidth parameter of any isotropic Gaussian surface (Nayak 1971).
-  constexpr double kSmallestBandwidth = 1.5;
+  constexpr double kMinBandwidth = 1.5;
   const double root_m4 = 3 * std::sqrt(pi) / (8 * pair.beta);
   const double m4 = root_m4 * root_m4;
   const double m2 = m4 / (6 * pi * std::numbers::sqrt3 * pair.N);
   const double alpha = pair.sigma * pair.sigma * m4 / (m2 * m2);
-  if (!(alpha >= kSmallestBandwidth) || !std::isfinite(alpha)) return std::nullopt;
+  if (!(alpha >= kMinBandwidth) || !std::isfinite(alpha)) return std::nullopt;
   return SummitStatistics{alpha, std::sqrt(2 * m2), 4 * pair.sigma / std::sqrt(pi * alpha),
                           pair.sigma * std::sqrt(1 - 0.8968 / alpha)};
 }

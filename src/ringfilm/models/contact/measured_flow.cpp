@@ -10,13 +10,13 @@ namespace ringfilm::models {
 namespace {
 
 // Lengths S from far below any gap to far above it.
-constexpr double kSmallestLength = 1e-13, kLengthsPerDecade = 8;  // [m]
+constexpr double kMinLength = 1e-13, kLengthsPerDecade = 8;  // [m]
 constexpr int kLengths = 81;
 constexpr double kRoundingOfShares = 1e-6;
 // Lower bound of phi where the spots close the map: a film passes some oil around them.
-constexpr double kLeastFlow = 1e-4;
+constexpr double kMinFlow = 1e-4;
 
-double length_at(int k) { return kSmallestLength * std::pow(10.0, k / kLengthsPerDecade); }
+double length_at(int k) { return kMinLength * std::pow(10.0, k / kLengthsPerDecade); }
 
 [[noreturn]] void refuse(const char* what) {
   throw InputError(std::string("the flow factors of a contact law ") + what,
@@ -69,7 +69,7 @@ std::vector<double> limited_slopes(const std::vector<double>& x, const std::vect
 MeasuredFlow::MeasuredFlow(FlowTable table) : table_(std::move(table)) {
   check(table_);
   for (auto* const flow : {&table_.pressure_flow_x, &table_.pressure_flow_y}) {
-    for (double& phi : *flow) phi = std::max(phi, kLeastFlow);
+    for (double& phi : *flow) phi = std::max(phi, kMinFlow);
   }
   x_ = column(table_.pressure_flow_x);
   y_ = column(table_.pressure_flow_y);
@@ -144,7 +144,7 @@ double MeasuredFlow::mean_gap(double h) const { return h + beyond(value(excess_,
 double MeasuredFlow::sliding_stress(double h, double S) const {
   const double length = std::abs(S);
   if (!(length > 0)) return 1;
-  const double place = std::clamp(kLengthsPerDecade * std::log10(length / kSmallestLength), 0.0, kLengths - 1.0);
+  const double place = std::clamp(kLengthsPerDecade * std::log10(length / kMinLength), 0.0, kLengths - 1.0);
   const auto low = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(kLengths - 2));
   const auto of_row = [&](std::size_t k) {
     const auto& row = sliding_[k];
@@ -160,6 +160,6 @@ double MeasuredFlow::sliding_stress(double h, double S) const {
   return thick * std::asinh(length / h) * h / length;
 }
 
-double MeasuredFlow::mean_inverse_gap(double h) const { return sliding_stress(h, kSmallestLength); }
+double MeasuredFlow::mean_inverse_gap(double h) const { return sliding_stress(h, kMinLength); }
 
 }  // namespace ringfilm::models

@@ -121,7 +121,7 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
   const double height_of_u = 1.5 * m2 / m4;       // mean height of summits with this curvature over it
   const double s = std::sqrt(m0 - 1.5 * m2 * m2 / m4);
   constexpr int kTau = 48, kU = 40;
-  constexpr double kLargestU = 9;
+  constexpr double kMaxU = 9;
   struct Node {
     double height, load, area;
   };
@@ -132,7 +132,7 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
   }
   std::vector<Node> nodes;
   for (int i = 0; i < kU; ++i) {
-    const double u = (i + 0.5) / kU * kLargestU * spread_u;
+    const double u = (i + 0.5) / kU * kMaxU * spread_u;
     double load = 0, area = 0;
     for (int k = 0; k < kTau; ++k) {
       const double tau = (k + 0.5) / kTau, product = u * u * (1 - tau * tau);  // product of both principal curvatures
@@ -140,7 +140,7 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
       load += weight * std::pow(product, -0.25) * factors[k].load;
       area += weight * std::pow(product, -0.5) * factors[k].area;
     }
-    const double of_u = density(u, spread_u) * kLargestU * spread_u / kU / (2 * pi * m2);
+    const double of_u = density(u, spread_u) * kMaxU * spread_u / kU / (2 * pi * m2);
     nodes.push_back({height_of_u * u, of_u * load * 2.0 / 3.0 * pair.E_prime * s * std::sqrt(s), of_u * area * pi * s});
   }
   return [nodes, s](double h) {

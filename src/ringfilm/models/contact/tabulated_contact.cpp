@@ -11,14 +11,14 @@ namespace ringfilm::models {
 namespace {
 
 constexpr double kLeftAtReach = 1e-11;  // pressure at the reach over that at separation 0
-constexpr std::size_t kFewestRows = TabulatedContact::kFewestRows;
+constexpr std::size_t kMinRows = TabulatedContact::kMinRows;
 constexpr int kBefore = 8, kBeyond = 24;  // places before the first row and beyond the last one
 constexpr int kCubics = 256;
 constexpr double kTailWindow = 4.605170185988091;  // ln 100: rows whose slope and curvature the tail has
 
 void check_falling(const std::vector<double>& values, const std::vector<double>& h, const char* name) {
   const std::size_t rows = h.size();
-  if (rows < kFewestRows) {
+  if (rows < kMinRows) {
     throw InputError("a contact law of fewer than 4 rows with contact is not a law", "state more separations");
   }
   const auto refuse = [&](const std::string& where) {
@@ -171,7 +171,7 @@ TabulatedContact::TabulatedContact(const ContactTable& table, double trusted_up_
   check_falling(table.pressure, table.h, "pressure");
   check_falling(table.area_share, table.h, "area");
   ContactTable used = table;
-  while (used.h.size() > kFewestRows && used.h.back() > trusted_up_to_m) {
+  while (used.h.size() > kMinRows && used.h.back() > trusted_up_to_m) {
     for (auto* const column : {&used.h, &used.pressure, &used.area_share}) column->pop_back();
   }
   trusted_up_to_ = std::min(trusted_up_to_m, used.h.back());

@@ -18,8 +18,8 @@ struct ContactTable {
 /// that is trusted ln p continues, straight before and with the curvature of the last rows beyond.
 class TabulatedContact final : public AsperityContact {
  public:
-  static constexpr std::size_t kFewestRows = 4;
-  static constexpr double kMostError = 1e-3;  ///< largest permitted row_error(), relative to the pressure at a row [-]
+  static constexpr std::size_t kMinRows = 4;
+  static constexpr double kMaxError = 1e-3;  ///< largest permitted row_error(), relative to the pressure at a row [-]
 
   /// @param trusted_up_to_m last separation whose rows are used [m]
   /// Throws InputError for fewer than 4 such rows, and rows that do not fall.

@@ -146,7 +146,7 @@ bool covers_cycle(const std::vector<double>& crank_angle_deg) {
   if (crank_angle_deg.empty()) return false;
   const double wrap = crank_angle_deg.front() + base::kCycleDeg - crank_angle_deg.back();
   const double gap = crank_angle_deg.size() < 2 ? wrap : std::max(wrap, steps(crank_angle_deg).largest);
-  return gap <= kLargestSampleDistanceDeg * (1 + 1e-9);
+  return gap <= kMaxSampleDistanceDeg * (1 + 1e-9);
 }
 
 }  // namespace ringfilm::models

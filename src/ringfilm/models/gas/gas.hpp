@@ -25,7 +25,7 @@ class CyclePressure {
   std::vector<double> angle_, pressure_;
 };
 
-/// Does the trace cover the whole cycle? True if neighbouring samples, wrap included, are kLargestSampleDistanceDeg
+/// Does the trace cover the whole cycle? True if neighbouring samples, wrap included, are kMaxSampleDistanceDeg
 /// apart at most (trace_span.hpp).
 bool covers_cycle(const std::vector<double>& crank_angle_deg);
 

@@ -76,16 +76,16 @@ CyclePressure join_partial_trace(std::vector<double> crank_angle_deg, std::vecto
                      "check gas.angle_zero, or give the trace around the peak pressure");
   }
   const GasExchange exchange{
-      .exhaust_from = std::max(kBottom, last + kShortestBlendDeg),
+      .exhaust_from = std::max(kBottom, last + kMinBlendDeg),
       .overlap_begin = kJoinedOverlapBeginDeg,
       .overlap_end = kJoinedOverlapEndDeg,
-      .intake_until = std::min(base::kCycleDeg - kBottom, first + base::kCycleDeg - kShortestBlendDeg),
+      .intake_until = std::min(base::kCycleDeg - kBottom, first + base::kCycleDeg - kMinBlendDeg),
       .exhaust_pressure = exhaust_pressure,
       .intake_pressure = intake_pressure};
-  if (first < -kLongestPartialTraceDeg || last > kLongestPartialTraceDeg) {
+  if (first < -kMaxPartialTraceDeg || last > kMaxPartialTraceDeg) {
     throw InputError(range + ", which is neither the whole cycle nor leaves room to join it to the gas exchange" + half,
-                     "cut the trace to " + in_degrees(-kLongestPartialTraceDeg) + " to " +
-                         in_degrees(kLongestPartialTraceDeg) + " at the most, or give the whole cycle");
+                     "cut the trace to " + in_degrees(-kMaxPartialTraceDeg) + " to " + in_degrees(kMaxPartialTraceDeg) +
+                         " at the most, or give the whole cycle");
   }
   return closed_cycle(std::move(crank_angle_deg), std::move(pressure), exchange);
 }

@@ -10,24 +10,24 @@ namespace ringfilm::models {
 
 /// Largest distance between neighbouring samples, the last one and the first of the next cycle included [degree]. The
 /// pressure between samples is interpolated.
-inline constexpr double kLargestSampleDistanceDeg = 10;
+inline constexpr double kMaxSampleDistanceDeg = 10;
 
 /// A trace over part of the cycle is joined from exhaust to intake pressure between these angles [degree] ...
 inline constexpr double kJoinedOverlapBeginDeg = 340, kJoinedOverlapEndDeg = 380;
 /// ... and with each of the two over this angle at least [degree].
-inline constexpr double kShortestBlendDeg = 40;
+inline constexpr double kMinBlendDeg = 40;
 /// Such a trace lies between minus and plus this angle from firing TDC [degree].
-inline constexpr double kLongestPartialTraceDeg = kJoinedOverlapBeginDeg - kShortestBlendDeg;
-static_assert(kLongestPartialTraceDeg == base::kCycleDeg - kJoinedOverlapEndDeg - kShortestBlendDeg);
+inline constexpr double kMaxPartialTraceDeg = kJoinedOverlapBeginDeg - kMinBlendDeg;
+static_assert(kMaxPartialTraceDeg == base::kCycleDeg - kJoinedOverlapEndDeg - kMinBlendDeg);
 
 /// Such a trace covers this span at least [degree]: the valves of a four-stroke engine are closed over 200 degrees and
 /// more, and no blend of a few values makes up for compression and expansion.
-inline constexpr double kShortestPartialTraceDeg = 180;
+inline constexpr double kMinPartialTraceDeg = 180;
 
 /// By this share the span of samples may differ from whole revolutions, as where the last one is missing.
 inline constexpr double kScatterOfSpan = 0.05;
 /// Two revolutions in radians: numbers that span more are degrees.
-inline constexpr double kLongestSpanInRadians = 4 * std::numbers::pi * (1 + kScatterOfSpan);
+inline constexpr double kMaxSpanInRadians = 4 * std::numbers::pi * (1 + kScatterOfSpan);
 
 /// Do the samples span one or two revolutions in radians, while they are read as degrees? The last one may be missing.
 inline bool spans_radians(const std::vector<double>& crank_angle_deg) {
@@ -43,7 +43,7 @@ inline bool spans_radians(const std::vector<double>& crank_angle_deg) {
 inline bool covers_one_revolution(const std::vector<double>& crank_angle_deg) {
   constexpr double kRevolutionDeg = base::kCycleDeg / 2;
   return !crank_angle_deg.empty() &&
-         std::abs(crank_angle_deg.back() - crank_angle_deg.front() - kRevolutionDeg) <= kLargestSampleDistanceDeg;
+         std::abs(crank_angle_deg.back() - crank_angle_deg.front() - kRevolutionDeg) <= kMaxSampleDistanceDeg;
 }
 
 /// How messages name the span of such a trace.

@@ -136,13 +136,13 @@ Samples closed_part(const WiebeCycle& cycle, const ClosedCharge& charge, const C
 
 /// Valve angles in the order of the cycle: exhaust opens, the overlap, intake closes; checked.
 GasExchange gas_exchange(const WiebeCycle& cycle) {
-  constexpr double kBottom = 180, kShortestBlowDown = 40, kShortestOverlap = 20;  // [degree]
+  constexpr double kBottom = 180, kMinBlowDown = 40, kMinOverlap = 20;  // [degree]
   const double opening = in_one_cycle(cycle.exhaust_valve_opening_deg);
   const double one = in_one_cycle(cycle.exhaust_valve_closing_deg),
                other = in_one_cycle(cycle.intake_valve_opening_deg);
   const double middle = (one + other) / 2;
-  const double half = std::max(std::abs(one - other), kShortestOverlap) / 2;
-  const GasExchange exchange{.exhaust_from = std::max(kBottom, opening + kShortestBlowDown),
+  const double half = std::max(std::abs(one - other), kMinOverlap) / 2;
+  const GasExchange exchange{.exhaust_from = std::max(kBottom, opening + kMinBlowDown),
                              .overlap_begin = middle - half,
                              .overlap_end = middle + half,
                              .intake_until = in_one_cycle(cycle.intake_valve_closing_deg),

@@ -15,10 +15,10 @@ double ShearThinning::ratio(double rate) const {
 double ShearThinning::ratio(double slide, double stress) const {
   if (stress == 0) return ratio(slide);
   // From 1 down: a smaller viscosity makes the shear rate larger and the viscosity smaller again.
-  constexpr int kMost = 500;
+  constexpr int kMax = 500;
   constexpr double kEnough = 1e-13;
   double eta = 1;
-  for (int k = 0; k < kMost; ++k) {
+  for (int k = 0; k < kMax; ++k) {
     const double by_pressure = stress / eta;
     const double next = ratio(std::sqrt(slide * slide + by_pressure * by_pressure));
     if (eta - next <= kEnough * eta) return next;

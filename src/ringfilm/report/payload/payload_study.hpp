@@ -24,10 +24,10 @@ void add_study_points(const io::StudyRows& rows, nlohmann::ordered_json& payload
 void add_study_curves(const io::StudyRows& rows, const io::Units& units, nlohmann::ordered_json& payload);
 
 /// Points of single scenarios in one picture, at the most.
-inline constexpr std::size_t kMostDrawnPoints = 2000;
-/// Up to kFewScenarios that are not a sample, single curves are drawn in place of bands, at most kMostDrawnCurves.
-inline constexpr std::uint64_t kFewScenarios = 40, kMostDrawnCurves = 8;
+inline constexpr std::size_t kMaxDrawnPoints = 2000;
+/// Up to kFewScenarios that are not a sample, single curves are drawn in place of bands, at most kMaxDrawnCurves.
+inline constexpr std::uint64_t kFewScenarios = 40, kMaxDrawnCurves = 8;
 /// Points of a grid that a page carries, at the most.
-inline constexpr std::size_t kMostGridPoints = 20'000;
+inline constexpr std::size_t kMaxGridPoints = 20'000;
 
 }  // namespace ringfilm::report

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 constexpr int kBandDigits = 5;
 /// A chart has hardly more pixels across.
-constexpr std::size_t kMostAngles = 720;
+constexpr std::size_t kMaxAngles = 720;
 
 ordered_json every(const std::vector<double>& values, std::size_t stride) {
   ordered_json list = ordered_json::array();
@@ -34,7 +34,7 @@ ordered_json scenario_curves(const io::StudyRows& rows, std::size_t n_curves, st
   for (std::uint64_t i = 0; i < plan.size(); ++i) {
     if (std::isfinite(solved[i])) scenarios.push_back(i);
   }
-  const std::uint64_t n = scenarios.size(), n_drawn = std::min(n, kMostDrawnCurves);
+  const std::uint64_t n = scenarios.size(), n_drawn = std::min(n, kMaxDrawnCurves);
   ordered_json list = ordered_json::array();
   for (std::uint64_t k = 0; k < n_drawn; ++k) {
     const std::uint64_t i = scenarios[n_drawn == 1 ? 0 : k * (n - 1) / (n_drawn - 1)];
@@ -55,7 +55,7 @@ void add_study_curves(const io::StudyRows& rows, const io::Units& units, ordered
   const std::vector<io::CurveBand> bands = io::curve_bands(rows);
   if (bands.empty()) return;
   const std::vector<double> angles = io::kept_angles(rows.plan.study().keep);
-  const std::size_t stride = (angles.size() + kMostAngles - 1) / kMostAngles;
+  const std::size_t stride = (angles.size() + kMaxAngles - 1) / kMaxAngles;
   ordered_json described = ordered_json::array(), list = ordered_json::array();
   for (const io::CurveBand& band : bands) {
     if (band.curve == described.size()) {

@@ -50,7 +50,7 @@ std::optional<std::vector<Axis>> axes_of(const study::Plan& plan, std::size_t ba
     return n;
   };
   // Every other level of the longest axis goes, its ends stay, until the page holds what is left.
-  while (!axes.empty() && points() * plan.study().bases.size() > kMostGridPoints) {
+  while (!axes.empty() && points() * plan.study().bases.size() > kMaxGridPoints) {
     Axis& longest = *std::max_element(axes.begin(), axes.end(),
                                       [](const Axis& a, const Axis& b) { return a.kept.size() < b.kept.size(); });
     if (longest.kept.size() < 3) return std::nullopt;
@@ -112,7 +112,7 @@ ordered_json grid_object(const io::StudyRows& rows) {
   return {{"quantities", mapped}, {"bases", std::move(bases)}};
 }
 
-/// Scenarios that are drawn, by their number: each base's share of `kMostDrawnPoints`, evenly picked among its
+/// Scenarios that are drawn, by their number: each base's share of `kMaxDrawnPoints`, evenly picked among its
 /// scenarios that were solved.
 std::vector<std::uint64_t> drawn_scenarios(const study::Plan& plan, const std::vector<bool>& is_solved) {
   const std::size_t n_bases = plan.study().bases.size();
@@ -126,7 +126,7 @@ std::vector<std::uint64_t> drawn_scenarios(const study::Plan& plan, const std::v
   std::vector<std::vector<std::uint64_t>> picked(n_bases);
   for (std::size_t b = 0; b < n_bases; ++b) {
     const std::uint64_t most =
-        n_solved <= kMostDrawnPoints ? solved[b] : std::max<std::uint64_t>(1, kMostDrawnPoints * solved[b] / n_solved);
+        n_solved <= kMaxDrawnPoints ? solved[b] : std::max<std::uint64_t>(1, kMaxDrawnPoints * solved[b] / n_solved);
     picked[b] = evenly_picked(solved[b], most);
   }
   std::vector<std::size_t> next(n_bases);

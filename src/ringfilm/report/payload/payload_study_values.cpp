@@ -23,7 +23,7 @@ using nlohmann::ordered_json;
 
 constexpr int kValueDigits = 6;
 /// Numbers of factors that are held in memory at once, 8 MB.
-constexpr std::uint64_t kMostVariedNumbers = std::uint64_t{1} << 20;
+constexpr std::uint64_t kMaxVariedNumbers = std::uint64_t{1} << 20;
 /// Shares of the quantiles in the curves of convergence: 5 %, 50 %, 95 %.
 const std::vector<double> kConvergingShares = {0.05, 0.5, 0.95};
 
@@ -161,7 +161,7 @@ class MainValues {
   /// The factors' numbers of all scenarios may not fit into memory: of a large sample an even part of each base.
   void pick_for_sensitivities() {
     const study::Study& study = plan_.study();
-    const std::uint64_t most = kMostVariedNumbers / std::max<std::size_t>(study.factors.size() * study.bases.size(), 1);
+    const std::uint64_t most = kMaxVariedNumbers / std::max<std::size_t>(study.factors.size() * study.bases.size(), 1);
     varied_.resize(study.bases.size());
     for (std::size_t b = 0; b < study.bases.size(); ++b) {
       std::uint64_t n = 0;

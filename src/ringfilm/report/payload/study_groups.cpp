@@ -11,9 +11,9 @@
 namespace ringfilm::report {
 namespace {
 
-constexpr std::size_t kMostGroups = 30;
+constexpr std::size_t kMaxGroups = 30;
 /// Factors in the name of a scenario.
-constexpr std::size_t kMostNamed = 4;
+constexpr std::size_t kMaxNamed = 4;
 
 bool is_choice(const study::Factor& factor) { return std::holds_alternative<study::Choices>(factor.variation); }
 
@@ -74,7 +74,7 @@ std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io
   const study::Study& study = plan.study();
   const bool has_choice = std::any_of(study.factors.begin(), study.factors.end(), is_choice);
   const bool each_alone =
-      !has_choice && !study::has_sample(plan) && study.bases.size() == 1 && plan.size() <= kMostGroups;
+      !has_choice && !study::has_sample(plan) && study.bases.size() == 1 && plan.size() <= kMaxGroups;
   if (!has_choice && study.bases.size() == 1 && !each_alone) return {};
   std::vector<ComparisonGroup> groups;
   std::map<std::pair<std::size_t, std::vector<int>>, std::size_t> known;
@@ -94,7 +94,7 @@ std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io
       }
       const auto [found, is_first] = known.try_emplace(std::move(key), groups.size());
       if (is_first) {
-        if (groups.size() == kMostGroups) return {};
+        if (groups.size() == kMaxGroups) return {};
         const study::Point here = point ? *point : plan.point(i);
         groups.push_back({group_name(study, b, here), b, {}, false});
       }
@@ -118,7 +118,7 @@ std::string scenario_name(const study::Plan& plan, std::uint64_t scenario, const
     if (!point.values[j] || (start && point.values[j] == start->values[j])) continue;
     parts.push_back(study.factors[j].name + " " + shown_value(study.factors[j], *point.values[j], units));
   }
-  if (parts.size() > kMostNamed) return "scenario " + std::to_string(scenario);
+  if (parts.size() > kMaxNamed) return "scenario " + std::to_string(scenario);
   return parts.empty() ? "base" : fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -6,7 +6,7 @@
 namespace ringfilm::report {
 namespace {
 
-constexpr std::size_t kMostReasons = 1000;
+constexpr std::size_t kMaxReasons = 1000;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
@@ -39,7 +39,7 @@ void UnsolvedReasons::add(std::uint64_t scenario, const std::string& text) {
   ++count_;
   std::string words = words_of(text);
   // What numbers are in is bounded, the words of a reason are not.
-  const bool is_one_too_many = by_words_.size() >= kMostReasons && by_words_.find(words) == by_words_.end();
+  const bool is_one_too_many = by_words_.size() >= kMaxReasons && by_words_.find(words) == by_words_.end();
   if (is_one_too_many) words.clear();
   Reason& known = by_words_[words];
   if (known.count++ == 0) {

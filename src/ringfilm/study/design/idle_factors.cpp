@@ -12,7 +12,7 @@ namespace {
 
 /// Pairs of scenarios and factors that are remembered, to a factor of about one: 6 MB. Of longer plans every so-and-so
 /// set of other numbers is looked at, with all scenarios that have it.
-constexpr std::uint64_t kMostRemembered = std::uint64_t{1} << 16;
+constexpr std::uint64_t kMaxRemembered = std::uint64_t{1} << 16;
 
 std::uint64_t bits(const std::optional<double>& number) {
   return std::bit_cast<std::uint64_t>(number.value_or(std::numeric_limits<double>::quiet_NaN()));
@@ -40,7 +40,7 @@ std::uint64_t hash_without(const Point& point, std::size_t factor) {
 }
 
 std::uint64_t thinning_of_pairs(const Plan& plan) {
-  return std::max<std::uint64_t>(plan.size() * plan.study().factors.size() / kMostRemembered, 1);
+  return std::max<std::uint64_t>(plan.size() * plan.study().factors.size() / kMaxRemembered, 1);
 }
 
 IdleFactors::IdleFactors(const Plan& plan)

@@ -34,10 +34,10 @@ std::size_t first_sample(std::size_t n) { return (n + 1) / 2; }
 const std::vector<RingValue>& ring_curves() {
   using enum RingValue::Rails;
   static const std::vector<RingValue> curves = {
-      {"total_friction", kSum},        {"friction_on_liner", kSum}, {"boundary_friction", kSum},
-      {"viscous_friction", kSum},      {"power_loss", kSum},        {"applied_load", kSum},
-      {"hydrodynamic_load", kSum},     {"asperity_load", kSum},     {"archard_wear_load_rate", kSum},
-      {"min_film_thickness", kLowest}, {"lambda_ratio", kLowest},   {"peak_film_pressure", kHighest}};
+      {"total_friction", kSum},     {"friction_on_liner", kSum}, {"boundary_friction", kSum},
+      {"viscous_friction", kSum},   {"power_loss", kSum},        {"applied_load", kSum},
+      {"hydrodynamic_load", kSum},  {"asperity_load", kSum},     {"archard_wear_load_rate", kSum},
+      {"min_film_thickness", kMin}, {"lambda_ratio", kMin},      {"peak_film_pressure", kMax}};
   return curves;
 }
 
@@ -191,10 +191,10 @@ std::vector<Fault> faults_of_keep(const Study& study) {
       !divides(keep.crank_step_deg, cycle::kCycleDeg)) {
     faults.push_back({keep.crank_step_mark, step + "does not divide the cycle of 720 degrees",
                       "whole steps must make a cycle, for example \"2 degree\""});
-  } else if (numbers > static_cast<double>(kMostCurveNumbers)) {
+  } else if (numbers > static_cast<double>(kMaxCurveNumbers)) {
     faults.push_back({keep.crank_step_mark,
                       "the curves of a scenario are " + number_text(numbers) + " numbers, more than " +
-                          std::to_string(kMostCurveNumbers),
+                          std::to_string(kMaxCurveNumbers),
                       "keep fewer quantities, or a larger keep.crank_step"});
   } else {
     for (const Base& base : study.bases) {

@@ -10,7 +10,7 @@
 namespace ringfilm::study {
 
 /// The curves of a scenario are at most so many numbers, 128 kB: rows wait for the slowest in memory.
-inline constexpr std::size_t kMostCurveNumbers = std::size_t{1} << 15;
+inline constexpr std::size_t kMaxCurveNumbers = std::size_t{1} << 15;
 
 /// A curve that a study keeps: of one ring, or of a pack.
 struct KeptCurve {
@@ -43,7 +43,7 @@ std::vector<float> kept_numbers_of_pack(const Study& study, const std::vector<cy
 std::vector<float> no_kept_numbers(const Study& study);
 
 /// What is wrong with what is to be kept: no quantity, unknown ones, a step that does not divide the cycle or that
-/// parts the steps of a base's integration, more than kMostCurveNumbers.
+/// parts the steps of a base's integration, more than kMaxCurveNumbers.
 std::vector<Fault> faults_of_keep(const Study& study);
 
 }  // namespace ringfilm::study

@@ -249,7 +249,7 @@ std::vector<double> Plan::shares(std::uint64_t p) const {
       shares = trajectories_.point(p);
       for (std::size_t j = 0; j < n; ++j) {
         if (std::holds_alternative<Distribution>(study_.factors[j].variation))
-          shares[j] = kLowestShare + (kHighestShare - kLowestShare) * shares[j];
+          shares[j] = kMinShare + (kMaxShare - kMinShare) * shares[j];
       }
       break;
     case Method::kGrid:
@@ -317,7 +317,7 @@ std::vector<std::string> Plan::notes() const {
       return std::holds_alternative<Distribution>(factor.variation);
     });
     const bool one = sampling.method == Method::kOneAtATime;
-    const double low = one ? kLowShare : kLowestShare, high = one ? kHighShare : kHighestShare;
+    const double low = one ? kLowShare : kMinShare, high = one ? kHighShare : kMaxShare;
     if (has_distribution) {
       notes.push_back("distributions are taken from their " + number_text(100 * low) + " % to their " +
                       number_text(100 * high) + " % quantile");

@@ -100,7 +100,7 @@ class Plan {
 inline constexpr std::uint64_t kFewRows = 64;
 
 /// Where the numbers of a distribution lie in a plan that requires levels: shares of its probability [-].
-inline constexpr double kLowShare = 0.05, kHighShare = 0.95;          ///< one at a time, about the median
-inline constexpr double kLowestShare = 0.005, kHighestShare = 0.995;  ///< ends of a trajectory of Morris
+inline constexpr double kLowShare = 0.05, kHighShare = 0.95;   ///< one at a time, about the median
+inline constexpr double kMinShare = 0.005, kMaxShare = 0.995;  ///< ends of a trajectory of Morris
 
 }  // namespace ringfilm::study

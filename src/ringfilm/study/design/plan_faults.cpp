@@ -405,21 +405,21 @@ void check_sampling(const Study& study, Faults& faults) {
   const auto refuse = [&faults](const std::string& message, const std::string& remedy) {
     faults.push_back({{}, message, remedy});
   };
-  constexpr double kMost = static_cast<double>(SobolPoints::kMostPoints);
+  constexpr double kMax = static_cast<double>(SobolPoints::kMaxPoints);
   const bool is_sample = sampling.method == Method::kLatinHypercube || sampling.method == Method::kSobol;
-  if (is_sample && (sampling.scenarios == 0 || static_cast<double>(sampling.scenarios) > kMost)) {
+  if (is_sample && (sampling.scenarios == 0 || static_cast<double>(sampling.scenarios) > kMax)) {
     refuse("plan.scenarios = " + std::to_string(sampling.scenarios), "at least 1 and at most 2^32 are required");
   }
-  if (sampling.until && static_cast<double>(sampling.until->most) > kMost) {
+  if (sampling.until && static_cast<double>(sampling.until->most) > kMax) {
     refuse("plan.until: most = " + std::to_string(sampling.until->most), "at most 2^32 points can be distinguished");
   }
   if (sampling.indices != Indices::kNone && sampling.method != Method::kSobol) {
     refuse("plan.indices require Sobol points", "method = \"sobol\"");
   }
   const std::size_t n_sets = sampling.indices == Indices::kNone ? 1 : 2;
-  if (sampling.method == Method::kSobol && n_sets * study.factors.size() > SobolPoints::kMostDimensions) {
+  if (sampling.method == Method::kSobol && n_sets * study.factors.size() > SobolPoints::kMaxDimensions) {
     refuse(std::to_string(study.factors.size()) + " factors are more than there are direction numbers for",
-           "at most " + std::to_string(SobolPoints::kMostDimensions / n_sets) + ", or a Latin hypercube");
+           "at most " + std::to_string(SobolPoints::kMaxDimensions / n_sets) + ", or a Latin hypercube");
   }
   if (sampling.method == Method::kGrid) {
     for (const Factor& factor : study.factors) {
@@ -427,7 +427,7 @@ void check_sampling(const Study& study, Faults& faults) {
       faults.push_back({factor.mark, called(factor) + " has a distribution, which a grid cannot lay out",
                         "state values or a range, or sample: method = \"sobol\""});
     }
-    if (grid_points(study) > kMost) {
+    if (grid_points(study) > kMax) {
       refuse("the grid has " + number_text(grid_points(study)) + " points", "at most 2^32 can be distinguished");
     }
   }

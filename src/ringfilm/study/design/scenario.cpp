@@ -376,8 +376,8 @@ Case with_accuracy_of_study(Case c, const Study& study) {
 }
 
 std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base) {
-  constexpr std::uint64_t kMost = 16;
-  const std::uint64_t n = plan.n_points(base), tried = std::min(n, kMost);
+  constexpr std::uint64_t kMax = 16;
+  const std::uint64_t n = plan.n_points(base), tried = std::min(n, kMax);
   std::vector<std::uint64_t> scenarios;
   for (std::uint64_t k = 0; k < tried; ++k) {
     const std::uint64_t p = tried == 1 ? 0 : k * ((n - 1) / (tried - 1)) + std::min(k, (n - 1) % (tried - 1));
@@ -389,9 +389,9 @@ std::vector<std::uint64_t> spread_scenarios(const Plan& plan, std::size_t base) 
 namespace {
 
 /// Scenarios with a choice that are tried at most before it is refused.
-constexpr std::uint64_t kMostTriedOfChoice = 256;
+constexpr std::uint64_t kMaxTriedOfChoice = 256;
 /// Scenarios that are looked through for them: all of a usual plan.
-constexpr std::uint64_t kMostLookedAt = 100'000;
+constexpr std::uint64_t kMaxLookedAt = 100'000;
 
 /// A step through the plan that meets each scenario once, and early ones everywhere: near the golden section.
 std::uint64_t scattering_step(std::uint64_t size) {
@@ -405,7 +405,7 @@ std::optional<Fault> useless_choice(const Plan& plan, std::size_t factor, std::s
   const std::uint64_t size = plan.size(), step = scattering_step(size);
   std::string reason;
   std::uint64_t n_tried = 0;
-  for (std::uint64_t k = 0; k < std::min(size, kMostLookedAt) && n_tried < kMostTriedOfChoice; ++k) {
+  for (std::uint64_t k = 0; k < std::min(size, kMaxLookedAt) && n_tried < kMaxTriedOfChoice; ++k) {
     const Point point = plan.point(k * step % size);
     const std::optional<double> number = point.values[factor];
     if (!number || static_cast<std::size_t>(*number) != choice) continue;

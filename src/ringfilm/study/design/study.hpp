@@ -90,7 +90,7 @@ struct Accuracy {
   /// Scenarios that are integrated again on a finer grid; nothing: kUsualSample where an accuracy is asked for.
   std::optional<std::uint64_t> sample;
   static constexpr std::uint64_t kUsualSample = 16;
-  static constexpr std::uint64_t kLargestSample = 10'000;
+  static constexpr std::uint64_t kMaxSample = 10'000;
 };
 
 struct Study {

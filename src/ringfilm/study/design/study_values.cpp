@@ -74,16 +74,16 @@ const std::vector<RingValue>& ring_values() {
                                                 {"mean_boundary_power", kSum},
                                                 {"mean_viscous_power", kSum},
                                                 {"archard_wear_load", kSum},
-                                                {"min_film_thickness", kLowest},
-                                                {"min_lambda_ratio", kLowest},
-                                                {"mixed_share", kHighest},
-                                                {"peak_film_pressure", kHighest}};
+                                                {"min_film_thickness", kMin},
+                                                {"min_lambda_ratio", kMin},
+                                                {"mixed_share", kMax},
+                                                {"peak_film_pressure", kMax}};
   return values;
 }
 
 double together(RingValue::Rails rails, double a, double b) {
   if (rails == RingValue::Rails::kSum) return a + b;
-  return rails == RingValue::Rails::kLowest ? std::min(a, b) : std::max(a, b);
+  return rails == RingValue::Rails::kMin ? std::min(a, b) : std::max(a, b);
 }
 
 std::string ring_value_name(std::size_t ring, const std::string& name) {

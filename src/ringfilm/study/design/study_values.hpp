@@ -27,7 +27,7 @@ StudyValues study_values(const Study& study, const cycle::Case& base);
 
 /// A value of one ring of a pack, of all rails of an oil ring together.
 struct RingValue {
-  enum class Rails { kSum, kLowest, kHighest };
+  enum class Rails { kSum, kMin, kMax };
   const char* name;  ///< name of the value in cycle::cycle_quantities()
   Rails rails;
 };

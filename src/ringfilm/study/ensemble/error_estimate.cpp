@@ -26,7 +26,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// Safety factors of the grid convergence index: orders observed, and not.
 constexpr double kObserved = 1.25;
 constexpr double kNotObserved = 3;
-constexpr double kLowestOrder = 0.5;
+constexpr double kMinOrder = 0.5;
 constexpr double kFormalOrderInStep = 1;  // with BDF2, too, which has steps of first order
 /// Neighbours whose differences a curve shares: where a difference changes sign the error does not vanish.
 constexpr double kNeighboursDeg = 3;
@@ -61,7 +61,7 @@ Estimate without_order(double finer_change, double coarser_change) {
 Estimate estimate(double finer_change, double coarser_change, double formal_order) {
   if (!(coarser_change > finer_change) || finer_change == 0) return without_order(finer_change, coarser_change);
   const double observed = std::log2(coarser_change / finer_change);
-  const double order = std::clamp(observed, kLowestOrder, formal_order);
+  const double order = std::clamp(observed, kMinOrder, formal_order);
   // A change that is smaller than the formal order allows is taken for a chance.
   const double change = std::max(finer_change, coarser_change / std::exp2(formal_order));
   const double growth = std::exp2(order);

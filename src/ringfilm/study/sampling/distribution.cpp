@@ -177,8 +177,8 @@ std::vector<Complaint> complaints(const Distribution& d) {
     return {{"is truncated to " + number_text(*d.lowest) + " to " + number_text(*d.highest),
              "the first must be below the second"}};
   }
-  constexpr double kLeast = 1e-9;
-  if (kept(d).share() < kLeast) {
+  constexpr double kMin = 1e-9;
+  if (kept(d).share() < kMin) {
     return {{"has no support: its truncation leaves less than one part in 10^9",
              "check the bounds of `truncate` against the values that the distribution has"}};
   }

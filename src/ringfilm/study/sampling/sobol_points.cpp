@@ -15,7 +15,7 @@ constexpr unsigned kDigits = 32;
 SobolPoints::SobolPoints(std::size_t n_dimensions, std::uint64_t seed)
     : n_dimensions_(n_dimensions), seed_(seed), directions_(n_dimensions * kDigits) {
   if (n_dimensions == 0) return;
-  if (n_dimensions > kMostDimensions) throw std::invalid_argument("more dimensions than direction numbers");
+  if (n_dimensions > kMaxDimensions) throw std::invalid_argument("more dimensions than direction numbers");
   boost::random::sobol_engine<std::uint64_t, 64u> engine(n_dimensions);
   for (unsigned k = 0; k < kDigits; ++k) {
     // Point 2^(k+1) - 1 has the Gray code 2^k: it is the k-th direction number alone. The engine omits the origin.
@@ -35,7 +35,7 @@ std::uint32_t SobolPoints::digits(std::uint64_t point, std::size_t dimension) co
 }
 
 double SobolPoints::share(std::uint64_t point, std::size_t dimension) const {
-  if (point >= kMostPoints || dimension >= n_dimensions_) throw std::out_of_range("no such coordinate of a point");
+  if (point >= kMaxPoints || dimension >= n_dimensions_) throw std::out_of_range("no such coordinate of a point");
   return scrambled(digits(point, dimension), hash(seed_, dimension));
 }
 

@@ -13,15 +13,15 @@ namespace ringfilm::study {
 class SobolPoints {
  public:
   /// Most dimensions that there are direction numbers for.
-  static constexpr std::size_t kMostDimensions = 3667;
+  static constexpr std::size_t kMaxDimensions = 3667;
   /// Points from 0 on.
-  static constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 32;
+  static constexpr std::uint64_t kMaxPoints = std::uint64_t{1} << 32;
 
   SobolPoints() = default;
   /// Throws std::invalid_argument if there are more dimensions than direction numbers.
   SobolPoints(std::size_t n_dimensions, std::uint64_t seed);
 
-  /// Coordinate of a point, in (0, 1). @param point below kMostPoints
+  /// Coordinate of a point, in (0, 1). @param point below kMaxPoints
   double share(std::uint64_t point, std::size_t dimension) const;
   /// Coordinate before it is scrambled: 32 binary digits, the first the uppermost.
   std::uint32_t digits(std::uint64_t point, std::size_t dimension) const;

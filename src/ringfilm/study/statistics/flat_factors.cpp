@@ -11,9 +11,9 @@ namespace {
 
 constexpr const char* kMeasured[] = {"fmep", "min_film_thickness", "blow_by_per_cycle"};
 /// Listed numbers that a part of a range has at least.
-constexpr std::size_t kLeastOfPart = 3;
+constexpr std::size_t kMinOfPart = 3;
 /// More different numbers are those of a sample, not listed.
-constexpr std::size_t kMostListed = 64;
+constexpr std::size_t kMaxListed = 64;
 
 /// Largest difference of values between two numbers of the factor, over the largest value; nothing where fewer than
 /// two scenarios are between them.
@@ -75,12 +75,12 @@ void FlatFactors::append_ranges(std::size_t factor, std::size_t value, std::vect
   };
   const double first = *numbers.begin(), last = *numbers.rbegin();
   if (is_flat(curves, value, first, last)) return append(true, first, last);
-  if (numbers.size() > kMostListed) return;
+  if (numbers.size() > kMaxListed) return;
   const std::vector<double> listed(numbers.begin(), numbers.end());
-  for (std::size_t k = 1; k + kLeastOfPart <= listed.size(); ++k) {
+  for (std::size_t k = 1; k + kMinOfPart <= listed.size(); ++k) {
     if (is_flat(curves, value, listed[k], last)) return append(false, listed[k], last);
   }
-  for (std::size_t k = listed.size() - 1; k-- >= kLeastOfPart;) {
+  for (std::size_t k = listed.size() - 1; k-- >= kMinOfPart;) {
     if (is_flat(curves, value, first, listed[k])) return append(false, first, listed[k]);
   }
 }

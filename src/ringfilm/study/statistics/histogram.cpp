@@ -12,7 +12,7 @@ namespace {
 constexpr double kTail = 0.005;
 /// A range so many times that without the tails is cut down to it.
 constexpr double kThinned = 1.5;
-constexpr double kLeastBins = 8, kMostBins = 50;
+constexpr double kMinBins = 8, kMaxBins = 50;
 
 struct Limits {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -45,7 +45,7 @@ Histogram histogram(const std::vector<std::vector<double>>& sorted) {
     range = {range.low - half, range.high + half};
   }
   const double requested = std::sqrt(static_cast<double>(most));
-  const auto n_bins = static_cast<std::size_t>(std::clamp(requested, kLeastBins, kMostBins));
+  const auto n_bins = static_cast<std::size_t>(std::clamp(requested, kMinBins, kMaxBins));
   const double step = (range.high - range.low) / static_cast<double>(n_bins);
   for (std::size_t k = 0; k <= n_bins; ++k) result.edges.push_back(range.low + static_cast<double>(k) * step);
   result.edges.back() = range.high;

@@ -12,7 +12,7 @@
 namespace ringfilm::study {
 namespace {
 
-constexpr std::size_t kLeast = 3;
+constexpr std::size_t kMin = 3;
 
 double median(std::vector<double> values) { return quantile_of(sorted_values(values), 0.5).value; }
 
@@ -35,7 +35,7 @@ std::optional<OneAtATimeSensitivity> one_at_a_time_sensitivity(std::span<const d
     highest = std::max(highest, factor[i]);
     if (std::isfinite(values[i])) pairs.emplace_back(factor[i], values[i]);
   }
-  const std::size_t least = ends == SensitivityEnds::kThirds ? 3 * kLeast : 2 * kLeast;
+  const std::size_t least = ends == SensitivityEnds::kThirds ? 3 * kMin : 2 * kMin;
   if (pairs.size() < least || lowest == highest) return std::nullopt;
   std::sort(pairs.begin(), pairs.end());
   double low = lowest, high = highest;
@@ -52,7 +52,7 @@ std::optional<OneAtATimeSensitivity> one_at_a_time_sensitivity(std::span<const d
     if (x <= low) lows.push_back(y);
     if (x >= high) highs.push_back(y);
   }
-  if (low >= high || lows.size() < kLeast || highs.size() < kLeast) return std::nullopt;
+  if (low >= high || lows.size() < kMin || highs.size() < kMin) return std::nullopt;
   return OneAtATimeSensitivity{median(std::move(lows)), median(std::move(highs))};
 }
 

@@ -9,7 +9,7 @@
 namespace ringfilm::study {
 namespace {
 
-constexpr std::uint64_t kLeastRows = 8, kMostBlocks = 4096;
+constexpr std::uint64_t kMinRows = 8, kMaxBlocks = 4096;
 
 /// Sums over rows from which all indices follow: number of rows, f(A) + f(B), the squares of both, and for each group
 /// f(B) (f(A_B) - f(A)) and (f(A) - f(A_B))^2, all less the mean.
@@ -61,7 +61,7 @@ double mean_of_both(const Rows& rows) {
 
 std::vector<Sums> block_sums(const Rows& rows, double mean) {
   const std::size_t n_groups = rows.width - 2;
-  std::vector<Sums> blocks(std::min<std::size_t>(rows.begins.size(), kMostBlocks), Sums(3 + 2 * n_groups, 0.0));
+  std::vector<Sums> blocks(std::min<std::size_t>(rows.begins.size(), kMaxBlocks), Sums(3 + 2 * n_groups, 0.0));
   for (std::size_t i = 0; i < rows.begins.size(); ++i) {
     const double* row = rows.begins[i];
     const double a = row[0] - mean, b = row[1] - mean;
@@ -94,7 +94,7 @@ Interval interval_of(double value, const std::vector<double>& resampled, double 
 std::optional<SobolIndices> sobol_indices(std::span<const double> values, std::size_t n_groups,
                                           const IndexOptions& options) {
   const Rows rows = usable_rows(values, n_groups);
-  if (rows.begins.size() < kLeastRows) return std::nullopt;
+  if (rows.begins.size() < kMinRows) return std::nullopt;
   const double mean = mean_of_both(rows);
   const std::vector<Sums> blocks = block_sums(rows, mean);
   Sums all(3 + 2 * n_groups, 0.0);

@@ -12,7 +12,7 @@ namespace ringfilm::study {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-constexpr int kFewestAcross = 2;  // cells of a pad with a width, with however few along
+constexpr int kMinAcross = 2;  // cells of a pad with a width, with however few along
 
 double error_of(double expected, double got, Tolerance::Kind kind) {
   const double away = std::abs(got - expected);
@@ -203,7 +203,7 @@ class Runner {
   static void refine(cycle::Case& c, int n_cells) {
     if (c.problem == cycle::Problem::kPad && c.pad.width) {
       const double finer = static_cast<double>(n_cells) / c.solver.cells;
-      c.solver.cells_y = std::max(kFewestAcross, static_cast<int>(std::lround(c.solver.cells_y * finer)));
+      c.solver.cells_y = std::max(kMinAcross, static_cast<int>(std::lround(c.solver.cells_y * finer)));
     }
     c.solver.cells = n_cells;
   }

@@ -11,7 +11,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastStencils = 16;
+constexpr std::size_t kMinStencils = 16;
 
 /// A sum over complete stencils.
 struct Mean {
@@ -129,10 +129,10 @@ void add_seven_points(const Rows& rows, Sums& sums) {
 }
 
 void check_count(const Mean& mean, const char* axis, DifferenceScheme scheme) {
-  if (mean.count >= kLeastStencils) return;
+  if (mean.count >= kMinStencils) return;
   throw InputError("along " + std::string(axis) + " there are " + std::to_string(mean.count) +
                        " complete sets of points for " + scheme_text(scheme) + ", fewer than " +
-                       std::to_string(kLeastStencils),
+                       std::to_string(kMinStencils),
                    "take a larger region, or one with fewer missing points");
 }
 

@@ -14,13 +14,13 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr std::size_t kUsualSeparations = 16;
-constexpr double kSmallestUsual = 0.4;        // Sq
-constexpr double kLargestUsual = 0.97;        // share of the height of the highest point
-constexpr double kMostUsualArea = 1.0 / 3.0;  // rings remain below it
+constexpr double kMinUsual = 0.4;            // Sq
+constexpr double kMaxUsual = 0.97;           // share of the height of the highest point
+constexpr double kMaxUsualArea = 1.0 / 3.0;  // rings remain below it
 // Separations without contact over the height of the highest point.
 constexpr double kUsualOfFlow[] = {2.0, 1.6, 1.3, 1.1};
-constexpr double kSmallestGap = 1e-4;                  // Sq: first place of the distribution of the gap
-constexpr double kGapsPerDecade = 16, kMostGap = 100;  // places, and the last one over Sq or the largest separation
+constexpr double kMinGap = 1e-4;                      // Sq: first place of the distribution of the gap
+constexpr double kGapsPerDecade = 16, kMaxGap = 100;  // places, and the last one over Sq or the largest separation
 
 HeightMap sum_at(const SurfacePair& pair, std::size_t position) {
   if (!pair.second) return pair.first;
@@ -99,10 +99,10 @@ std::vector<double> open_gap(const RoughContact& contact) {
 
 /// Even in ln H, from far below the roughness to far above the largest separation.
 std::vector<double> gap_places(double Sq_m, std::span<const double> separations_m) {
-  const double largest = std::max(kMostGap * Sq_m, 2 * *std::max_element(separations_m.begin(), separations_m.end()));
+  const double largest = std::max(kMaxGap * Sq_m, 2 * *std::max_element(separations_m.begin(), separations_m.end()));
   std::vector<double> places;
   for (int k = 0; places.empty() || places.back() < largest; ++k) {
-    places.push_back(kSmallestGap * Sq_m * std::pow(10.0, k / kGapsPerDecade));
+    places.push_back(kMinGap * Sq_m * std::pow(10.0, k / kGapsPerDecade));
   }
   return places;
 }
@@ -311,15 +311,15 @@ std::vector<ContactAtSeparation> contact_of_first_position(const SurfacePair& pa
 
 std::vector<double> usual_separations(const SurfacePair& pair) {
   RoughContact contact = contact_at(pair, 0);
-  const double from = kLargestUsual * contact.highest_m();
-  const double to = std::min(kSmallestUsual * contact.rms_m(), from / 2);
+  const double from = kMaxUsual * contact.highest_m();
+  const double to = std::min(kMinUsual * contact.rms_m(), from / 2);
   std::vector<double> separations;
   if (pair.has_flow) {
     for (const double ratio : kUsualOfFlow) separations.push_back(ratio * contact.highest_m());
   }
   for (std::size_t k = 0; k < kUsualSeparations; ++k) {
     const double h = from + (to - from) * static_cast<double>(k) / (kUsualSeparations - 1);
-    if (k > 1 && contact.solve(h).pixel_share > kMostUsualArea) break;
+    if (k > 1 && contact.solve(h).pixel_share > kMaxUsualArea) break;
     separations.push_back(h);
   }
   return separations;

@@ -7,7 +7,7 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr double kFlowTolerance = 1e-7;  // residual over that at the start; conductances err by its square
-constexpr int kMostFlowIterations = 400;
+constexpr int kMaxFlowIterations = 400;
 constexpr std::size_t kCoarsest = 4;  // points along an axis
 constexpr int kCoarseVisits = 2;      // visits of a level per visit of the next finer one; one from the finest
 
@@ -224,7 +224,7 @@ class FlowCell {
     const double start = std::sqrt(dot(r, r));
     if (!(start > 0)) return;
     double former = 0, size = start;
-    for (int iteration = 0; iteration < kMostFlowIterations && size > kFlowTolerance * start; ++iteration) {
+    for (int iteration = 0; iteration < kMaxFlowIterations && size > kFlowTolerance * start; ++iteration) {
       precondition(r, z);
       const double product = dot(r, z), keep = former > 0 ? product / former : 0;
       for (std::size_t i = 0; i < n; ++i) p[i] = z[i] + keep * p[i];

@@ -12,8 +12,8 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr double kTolerance = 1e-6;       // residual, of the rms height
-constexpr int kMostIterations = 1000;     // 20 to 100 were needed
-constexpr double kMostMissing = 0.5;      // share of all points
+constexpr int kMaxIterations = 1000;      // 20 to 100 were needed
+constexpr double kMaxMissing = 0.5;       // share of all points
 constexpr double kDepthOfMissing = 1000;  // heights of the map below its mean: out of reach
 
 ContactGrid grid_of(const HeightMap& map, MapEdges edges) {
@@ -44,9 +44,9 @@ RoughContact::RoughContact(const HeightMap& sum, MapEdges edges, const ContactMa
   check_map(sum, 2);
   measured_points_ = static_cast<double>(surface::measured_points(sum));
   const double missing_share = 1 - measured_points_ / static_cast<double>(sum.points());
-  if (missing_share > kMostMissing) {
+  if (missing_share > kMaxMissing) {
     throw InputError(number_text(100 * missing_share, 3) + " % of the points of the pair have no height, more than " +
-                         number_text(100 * kMostMissing, 3) + " %",
+                         number_text(100 * kMaxMissing, 3) + " %",
                      "measure again, or take a region with fewer missing points");
   }
   double mean = 0;
@@ -95,7 +95,7 @@ int RoughContact::iterate(double separation_m, double& residual) {
   std::fill(direction_.begin(), direction_.end(), 0.0);
   std::fill(former_violation_.begin(), former_violation_.end(), 0.0);
   update_gap(separation_m);
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     residual = complementarity();
     if (residual < kTolerance) return iteration;
     half_space_.press(violation_, work_);
@@ -120,7 +120,7 @@ int RoughContact::iterate(double separation_m, double& residual) {
     update_gap(separation_m);
   }
   residual = complementarity();
-  return kMostIterations;
+  return kMaxIterations;
 }
 
 ContactAtSeparation RoughContact::solve(double separation_m) {
@@ -141,10 +141,10 @@ ContactAtSeparation RoughContact::solve(double separation_m) {
 
 void check_area(const ContactAtSeparation& contact) {
   constexpr double kPixels = 0.005;  // by which the area is uncertain
-  if (contact.area_share <= kMostContactArea + kPixels) return;
+  if (contact.area_share <= kMaxContactArea + kPixels) return;
   throw InputError("at a separation of " + length_text(contact.separation_m) + " the real contact area is " +
                        number_text(100 * contact.area_share, 3) + " % of the nominal one, more than " +
-                       number_text(100 * kMostContactArea, 3) + " %",
+                       number_text(100 * kMaxContactArea, 3) + " %",
                    "state larger separations: half-space theory ends here");
 }
 

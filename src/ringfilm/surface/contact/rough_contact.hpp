@@ -66,7 +66,7 @@ class RoughContact {
 };
 
 /// Share of the nominal area up to which half-space theory is used [-].
-inline constexpr double kMostContactArea = 0.5;
+inline constexpr double kMaxContactArea = 0.5;
 /// Throws InputError where more of the area touches.
 void check_area(const ContactAtSeparation& contact);
 

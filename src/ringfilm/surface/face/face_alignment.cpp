@@ -13,7 +13,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kMostPassesOfAlignment = 30;
+constexpr int kMaxPassesOfAlignment = 30;
 
 double interpolated(const Trace& trace, double x) {
   const auto above = std::upper_bound(trace.x_m.begin(), trace.x_m.end(), x);
@@ -115,7 +115,7 @@ Trace averaged(const Trace& trace, std::size_t group) {
 }
 
 Trace without_pores(Trace trace, double depth, double cutoff) {
-  for (int pass = 0; pass < kMostPassesOfAlignment; ++pass) {
+  for (int pass = 0; pass < kMaxPassesOfAlignment; ++pass) {
     const SmoothingSpline spline(trace.x_m, trace.height_m, cutoff);
     Trace kept{{trace.x_m.front()}, {trace.height_m.front()}};
     for (std::size_t i = 1; i < trace.x_m.size(); ++i) {

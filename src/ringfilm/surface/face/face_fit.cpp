@@ -15,8 +15,8 @@ namespace ringfilm::surface {
 namespace {
 
 /// A spline of so many points is a matter of milliseconds, and its equations are still far from singular.
-constexpr std::size_t kMostTracePoints = 8192;
-constexpr int kMostPassesOfFit = 80;
+constexpr std::size_t kMaxTracePoints = 8192;
+constexpr int kMaxPassesOfFit = 80;
 constexpr int kFreePasses = 8;  ///< steps of the slope itself between a tilt too small and one too large
 constexpr double kTiltSettled = 1e-10;
 
@@ -82,8 +82,8 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
     throw InputError("the tilt of the face is not a finite number", "a slope is required, for example 0.002");
   }
   // Heights are lowered by tilt * x, which is a rotation as long as its cosine is 1: at 0.1 lengths are 0.5 % off.
-  constexpr double kLargestTilt = 0.1;
-  if (std::abs(rule.tilt) > kLargestTilt) {
+  constexpr double kMaxTilt = 0.1;
+  if (std::abs(rule.tilt) > kMaxTilt) {
     throw InputError("the tilt of the face is " + number_text(rule.tilt) + " rad, more than any holder has",
                      "a slope of -0.1 to 0.1 is expected, for example 2 mrad");
   }
@@ -134,7 +134,7 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     fit.start_m = std::clamp(rule.start_m.value_or(found_start(whole, rule.width_m)), whole.x_m.front(),
                              std::max(whole.x_m.front(), whole.x_m.back() - rule.width_m));
     gap = window(whole, fit.start_m, rule.width_m);
-    fit.averaged = static_cast<int>((gap.x_m.size() - 1) / kMostTracePoints + 1);
+    fit.averaged = static_cast<int>((gap.x_m.size() - 1) / kMaxTracePoints + 1);
     if (fit.averaged > 1) gap = averaged(gap, static_cast<std::size_t>(fit.averaged));
     if (rule.pore_depth_m) {
       const std::size_t before = gap.x_m.size();
@@ -146,7 +146,7 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
     if (rule.levelling != FaceLevelling::kRunningSurface) break;
     const std::optional<double> tilt = search.next(fit.tilt, slope_over(gap, running_surface));
     if (!tilt) break;
-    if (pass == kMostPassesOfFit) {
+    if (pass == kMaxPassesOfFit) {
       throw InputError(
           "the running surface of the face cannot be made level: with each tilt another part of the trace is the "
           "running surface",
@@ -164,7 +164,7 @@ FaceFit fit_face(const Trace& trace, const FaceRule& rule) {
   }
   fit.running_surface_from_m = gap.x_m[running_surface.first];
   fit.running_surface_to_m = gap.x_m[running_surface.last];
-  if (rule.zero == FaceZero::kLowestPoint) {
+  if (rule.zero == FaceZero::kMinPoint) {
     const double lowest = *std::min_element(smooth.begin(), smooth.end());
     for (double& h : gap.height_m) h -= lowest;
     for (double& h : smooth) h -= lowest;

@@ -31,8 +31,8 @@ enum class FaceDirection {
 
 /// Where the face has its height zero.
 enum class FaceZero {
-  kLowestPoint,  ///< at the lowest point of the smoothed gap
-  kAsMeasured    ///< where the trace has it
+  kMinPoint,   ///< at the lowest point of the smoothed gap
+  kAsMeasured  ///< where the trace has it
 };
 
 /// What a trace does not show, and what may be stated about its fit.
@@ -43,7 +43,7 @@ struct FaceRule {
   FaceDirection direction = FaceDirection::kAsMeasured;      ///< which end of the trace becomes x = 0
   FaceLevelling levelling = FaceLevelling::kRunningSurface;  ///< how the tilt of the holder is removed
   double tilt = 0;                                           ///< slope of the gap to remove, of kStated [-]
-  FaceZero zero = FaceZero::kLowestPoint;                    ///< zero of the heights; the film does not depend on it
+  FaceZero zero = FaceZero::kMinPoint;                       ///< zero of the heights; the film does not depend on it
   double running_surface_height_m = 1e-6;  ///< the running surface is where the gap is at most this above its least [m]
   /// Points that lie deeper than the spline by more than this are pores and omitted [m]; absent: none is.
   std::optional<double> pore_depth_m;

@@ -11,7 +11,7 @@ namespace {
 /// Beyond so many standard errors a departure is not noise: some 20 independent places are looked at.
 constexpr double kSure = 4;
 /// Rounding of heights is not a departure, however quiet the trace [m].
-constexpr double kSmallest = 1e-10;
+constexpr double kMin = 1e-10;
 
 std::vector<double> difference(const Trace& gap, const FacePolynomial& polynomial) {
   std::vector<double> left(gap.x_m.size());
@@ -47,7 +47,7 @@ void Departure::append_departures(std::vector<FitArtifact>& all) const {
   FitArtifact* open = nullptr;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double size = std::abs(apart[i]);
-    if (size <= std::max(kSmallest, kSure * std::hypot(error_m(x[i]), polynomial_m_))) {
+    if (size <= std::max(kMin, kSure * std::hypot(error_m(x[i]), polynomial_m_))) {
       open = nullptr;
       continue;
     }
@@ -74,7 +74,7 @@ void Departure::append_turns(std::vector<FitArtifact>& all) const {
     const bool right_of_it = k >= lowest;
     const double inner = right_of_it ? turns[k] : turns[k + 1], outer = right_of_it ? turns[k + 1] : turns[k];
     const double fall = polynomial_.height_m(inner) - polynomial_.height_m(outer);
-    if (fall <= std::max(kSmallest, kSure * polynomial_m_)) continue;
+    if (fall <= std::max(kMin, kSure * polynomial_m_)) continue;
     const double traced_fall = traced_m(inner) - traced_m(outer);
     const bool in_trace = traced_fall > 2 * std::hypot(error_m(inner), error_m(outer));
     const bool reaches_edge = outer == 0 || outer == width;

@@ -10,7 +10,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kHighestFaceDegree = 12;
+constexpr int kMaxFaceDegree = 12;
 constexpr int kSearchSteps = 4000;
 
 /// Legendre polynomials of t from -1 to 1, up to `degree`, as rows of powers, lowest first.
@@ -46,10 +46,10 @@ std::vector<long double> shifted(const std::vector<long double>& c, long double 
 FacePolynomial FacePolynomial::fit(const std::vector<double>& x_m, const std::vector<double>& height_m, double width_m,
                                    int degree) {
   const int n = static_cast<int>(x_m.size());
-  if (degree < 1 || degree > kHighestFaceDegree || n < 2 * (degree + 1) || height_m.size() != x_m.size()) {
+  if (degree < 1 || degree > kMaxFaceDegree || n < 2 * (degree + 1) || height_m.size() != x_m.size()) {
     throw InputError(
         "a polynomial of degree " + std::to_string(degree) + " cannot be fitted to " + std::to_string(n) + " points",
-        "degrees 1 to " + std::to_string(kHighestFaceDegree) + " with two points or more a coefficient");
+        "degrees 1 to " + std::to_string(kMaxFaceDegree) + " with two points or more a coefficient");
   }
   Eigen::MatrixXd basis(n, degree + 1);
   Eigen::VectorXd heights(n);

@@ -14,14 +14,14 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kFewestSplinePoints = 8;
-constexpr double kFewestSteps = 4;
+constexpr std::size_t kMinSplinePoints = 8;
+constexpr double kMinSteps = 4;
 
 void check(const std::vector<double>& x, const std::vector<double>& height, double cutoff) {
-  if (x.size() != height.size() || x.size() < kFewestSplinePoints) {
+  if (x.size() != height.size() || x.size() < kMinSplinePoints) {
     throw InputError("a trace of " + std::to_string(x.size()) + " places and " + std::to_string(height.size()) +
                          " heights cannot be smoothed",
-                     "equally many of both are required, " + std::to_string(kFewestSplinePoints) + " or more");
+                     "equally many of both are required, " + std::to_string(kMinSplinePoints) + " or more");
   }
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::all_of(x.begin(), x.end(), finite) || !std::all_of(height.begin(), height.end(), finite)) {
@@ -31,7 +31,7 @@ void check(const std::vector<double>& x, const std::vector<double>& height, doub
     throw InputError("the places of the trace do not rise", "x must increase from point to point");
   }
   const double length = x.back() - x.front(), step = length / static_cast<double>(x.size() - 1);
-  if (!std::isfinite(cutoff) || cutoff < kFewestSteps * step || cutoff > length) {
+  if (!std::isfinite(cutoff) || cutoff < kMinSteps * step || cutoff > length) {
     throw InputError("a spline cannot be as stiff as a wavelength of " + std::to_string(cutoff * 1e6) +
                          " um: the trace is " + std::to_string(length * 1e6) + " um long with steps of " +
                          std::to_string(step * 1e6) + " um",

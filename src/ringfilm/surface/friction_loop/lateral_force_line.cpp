@@ -14,7 +14,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kMostLineSteps = 500;
+constexpr int kMaxLineSteps = 500;
 constexpr double kSlopeSettled = 1e-13;
 
 void check_points(const std::vector<LinePoint>& points) {
@@ -157,7 +157,7 @@ LineFit fit_line(const std::vector<LinePoint>& points, DeviationScale scale) {
   double slope = least_squares_slope(s.points);
   bool settled = false;
   York york{};
-  for (int step = 0; step < kMostLineSteps && !settled; ++step) {
+  for (int step = 0; step < kMaxLineSteps && !settled; ++step) {
     york = york_step(s.points, slope);
     if (!std::isfinite(york.slope)) break;
     settled = std::abs(york.slope - slope) <= kSlopeSettled * std::max(1.0, std::abs(york.slope));

@@ -10,10 +10,10 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kFewestLoopPoints = 8;
+constexpr int kMinLoopPoints = 8;
 /// Lags beyond this share of the line are not summed: so far apart the correlation is noise.
-constexpr double kLongestLag = 0.25;
-constexpr std::size_t kMostLags = 2000;
+constexpr double kMaxLag = 0.25;
+constexpr std::size_t kMaxLags = 2000;
 
 struct LoopMean {
   double value;
@@ -81,7 +81,7 @@ double independent_points(const std::vector<double>& values) {
   const double mean = mean_of(values);
   const double squares = sum_of_squares(values, mean);
   if (!(squares > 0)) return static_cast<double>(n);
-  const std::size_t last = std::min(kMostLags, static_cast<std::size_t>(kLongestLag * static_cast<double>(n)));
+  const std::size_t last = std::min(kMaxLags, static_cast<std::size_t>(kMaxLag * static_cast<double>(n)));
   double integral = 1;
   for (std::size_t lag = 1; lag <= last; ++lag) {
     double product = 0;
@@ -129,9 +129,9 @@ LoopFriction loop_friction(const FrictionLoop& loop, double end_share) {
       half_sum.push_back((loop.trace_V[i] + loop.retrace_V[i]) / 2);
     }
   }
-  if (half_difference.size() < kFewestLoopPoints) {
+  if (half_difference.size() < kMinLoopPoints) {
     throw InputError("a friction loop has " + std::to_string(half_difference.size()) +
-                         " points between its ends; the scatter requires at least " + std::to_string(kFewestLoopPoints),
+                         " points between its ends; the scatter requires at least " + std::to_string(kMinLoopPoints),
                      "give longer lines or cut a smaller share");
   }
   const LoopMean tmr = mean_along(half_difference), offset = mean_along(half_sum);

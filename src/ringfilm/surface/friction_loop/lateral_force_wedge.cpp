@@ -13,7 +13,7 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr double kSteepestFacet = 1.4;  // [rad]
-constexpr double kLowestFriction = 1e-6, kHighestFriction = 1.0 - 1e-9;
+constexpr double kMinFriction = 1e-6, kMaxFriction = 1.0 - 1e-9;
 
 /// Input of the wedge equations: slopes over load of the half width on the steep facet and of the difference of the
 /// offsets, and both angles. The steep facet climbs.
@@ -48,10 +48,10 @@ std::optional<Solution> solution(const Inputs& in) {
   const double measured = in[kOffsets] / in[kWidth];
   const auto difference = [&](double mu) { return ratio(in, mu) - measured; };
   // Beyond 1/tan(angle) a tip locks; the equations have no meaning there.
-  const double highest = std::min(kHighestFriction, (1.0 - 1e-9) / std::tan(in[kSteep]));
-  if (!(difference(kLowestFriction) > 0) || !(difference(highest) < 0)) return std::nullopt;
+  const double highest = std::min(kMaxFriction, (1.0 - 1e-9) / std::tan(in[kSteep]));
+  if (!(difference(kMinFriction) > 0) || !(difference(highest) < 0)) return std::nullopt;
   std::uintmax_t steps = 200;
-  const auto [low, high] = boost::math::tools::toms748_solve(difference, kLowestFriction, highest,
+  const auto [low, high] = boost::math::tools::toms748_solve(difference, kMinFriction, highest,
                                                              boost::math::tools::eps_tolerance<double>(48), steps);
   const double mu = (low + high) / 2;
   return Solution{width_slope(in[kSteep], mu) / in[kWidth], mu};

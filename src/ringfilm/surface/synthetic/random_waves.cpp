@@ -11,11 +11,11 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kMostWavePoints = std::size_t{1} << 28;
+constexpr std::size_t kMaxWavePoints = std::size_t{1} << 28;
 
 void check_grid(const SurfaceGrid& grid) {
   const auto is_step = [](double step) { return std::isfinite(step) && step > 0; };
-  if (grid.points_x < 2 || grid.points_y < 1 || grid.points_x > kMostWavePoints / grid.points_y ||
+  if (grid.points_x < 2 || grid.points_y < 1 || grid.points_x > kMaxWavePoints / grid.points_y ||
       !is_step(grid.step_x_m) || !is_step(grid.step_y_m)) {
     throw InputError("a surface of " + std::to_string(grid.points_x) + " x " + std::to_string(grid.points_y) +
                          " points cannot be made",

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kHurst = 0.8;
 constexpr double kSmallChange = 1e-5;  // change of a logarithm for the slopes of Newton's method
-constexpr double kLargestStep = 0.5;
+constexpr double kMaxStep = 0.5;
 constexpr double kClose = 1e-12;
-constexpr int kMostSearchSteps = 60;
+constexpr int kMaxSearchSteps = 60;
 
 /// Logarithms of roll-off and short wavelength, and of what they give: m2 and m4 over the squared roughness.
 using Pair = Eigen::Vector2d;
@@ -58,13 +58,13 @@ Pair expected_ratios(const Pair& lengths, double roughness_per_rms) {
 /// Newton's method with slopes by differences and steps of limited length; stops when close or when nothing improves.
 Pair solve(Pair at, const std::function<Pair(const Pair&)>& difference, double close) {
   Pair rest = difference(at);
-  for (int step = 0; step < kMostSearchSteps && rest.cwiseAbs().maxCoeff() > close; ++step) {
+  for (int step = 0; step < kMaxSearchSteps && rest.cwiseAbs().maxCoeff() > close; ++step) {
     Eigen::Matrix2d slopes;
     for (int k = 0; k < 2; ++k) slopes.col(k) = (difference(at + kSmallChange * Pair::Unit(k)) - rest) / kSmallChange;
     if (!(std::abs(slopes.determinant()) > 1e-12)) not_found();
     Pair change = -slopes.inverse() * rest;
     const double longest = change.cwiseAbs().maxCoeff();
-    if (longest > kLargestStep) change *= kLargestStep / longest;
+    if (longest > kMaxStep) change *= kMaxStep / longest;
     bool better = false;
     for (int halving = 0; halving < 6 && !better; ++halving, change *= 0.5) {
       const Pair trial = at + change, left = difference(trial);

@@ -14,7 +14,7 @@ using Parameters = CylinderForm::Parameters;
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
 
-constexpr int kMostNewtonSteps = 40;
+constexpr int kMaxNewtonSteps = 40;
 
 double from_centre(std::size_t i, std::size_t points, double step_m) {
   return (static_cast<double>(i) - 0.5 * static_cast<double>(points - 1)) * step_m;
@@ -121,7 +121,7 @@ CylinderForm fit_cylinder(const HeightMap& map) {
   std::optional<NormalEquations> sums = normal_equations(map, at);
   if (!sums) over_the_side();
   Matrix5 inverse;
-  for (int step = 0; step < kMostNewtonSteps; ++step) {
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
     Matrix5 products = is_free.asDiagonal() * sums->products * is_free.asDiagonal();
     Vector5 scale;
     for (int i = 0; i < 5; ++i) {

@@ -10,19 +10,19 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kLeastSteps = 2;
-constexpr double kLeastSupport = 1e-9;  // least sum of weights over that of a complete neighbourhood
+constexpr double kMinSteps = 2;
+constexpr double kMinSupport = 1e-9;  // least sum of weights over that of a complete neighbourhood
 // Tukey's biweight with 3 standard deviations, taken from the median of the deviations of a Gaussian: 3/0.6745.
 constexpr double kOutlier = 4.4478;
 constexpr double kSettled = 1e-3;
-constexpr int kMostIterations = 30;
+constexpr int kMaxIterations = 30;
 
 void check_cutoff(const HeightMap& map, double cutoff_m) {
   if (!(std::isfinite(cutoff_m) && cutoff_m > 0)) {
     throw InputError("a filter cut-off of " + length_text(cutoff_m) + " is not a positive length");
   }
   const auto check_axis = [&](double step_m, std::size_t points, const char* axis) {
-    if (cutoff_m < kLeastSteps * step_m * (1 - 1e-12)) {
+    if (cutoff_m < kMinSteps * step_m * (1 - 1e-12)) {
       throw InputError("a filter cut-off of " + length_text(cutoff_m) + " is below two steps of " +
                            length_text(step_m) + " along " + axis,
                        "such waves are not in the map; take " + length_text(5 * step_m) + " or more");
@@ -100,7 +100,7 @@ std::vector<double> robust(const Smoother& smoother, FilterApplied& applied) {
   std::vector<double> smooth = smoother.linear();
   double limit = outlier_height(map, smooth);
   std::vector<double> sum, weight(map.points());
-  while (limit > 0 && applied.iterations < kMostIterations) {
+  while (limit > 0 && applied.iterations < kMaxIterations) {
     ++applied.iterations;
     sum.assign(map.points(), 0.0);
     for (std::size_t i = 0; i < map.points(); ++i) {
@@ -116,7 +116,7 @@ std::vector<double> robust(const Smoother& smoother, FilterApplied& applied) {
     applied.points_without_support = 0;
     for (std::size_t i = 0; i < map.points(); ++i) {
       if (!map.measured(i)) continue;
-      if (weight[i] > kLeastSupport) {
+      if (weight[i] > kMinSupport) {
         smooth[i] = sum[i] / weight[i];
       } else {
         ++applied.points_without_support;  // the surface of the step before stays

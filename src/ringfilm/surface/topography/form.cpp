@@ -10,7 +10,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr int kHighestFormDegree = 12;
+constexpr int kMaxFormDegree = 12;
 
 /// Takes a form, which gives its heights row by row, off the measured points, and reports where and how large it was.
 template <class Form>
@@ -84,9 +84,9 @@ FormRemoved remove_form(HeightMap& map, const FormChoice& choice) {
     case FormKind::cylinder:
       return remove_cylinder(map);
     case FormKind::polynomial:
-      if (choice.degree < 0 || choice.degree > kHighestFormDegree) {
+      if (choice.degree < 0 || choice.degree > kMaxFormDegree) {
         throw InputError("a polynomial form of degree " + std::to_string(choice.degree) + " is not offered",
-                         "degrees from 0 to " + std::to_string(kHighestFormDegree));
+                         "degrees from 0 to " + std::to_string(kMaxFormDegree));
       }
       return remove_polynomial(map, FormKind::polynomial, choice.degree);
   }

@@ -9,8 +9,8 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr double kReach = 1.3;              // cut-offs
-constexpr std::size_t kLongestSummed = 48;  // steps to one side: there both ways take about as long
+constexpr double kReach = 1.3;          // cut-offs
+constexpr std::size_t kMaxSummed = 48;  // steps to one side: there both ways take about as long
 constexpr std::size_t kColumnsSummedAtATime = 16;
 constexpr std::size_t kPointsAtATime = 512;  // a piece of a line that stays close to the processor
 
@@ -69,7 +69,7 @@ LineConvolution::LineConvolution(std::span<const double> kernel, std::size_t poi
   // What lies further away than the line is long meets nothing.
   if (kernel_.size() > points) kernel_.resize(points);
   const std::size_t reach = kernel_.size() - 1;
-  if (reach <= kLongestSummed) {
+  if (reach <= kMaxSummed) {
     padded_.assign(points + 2 * reach, 0.0);
     return;
   }

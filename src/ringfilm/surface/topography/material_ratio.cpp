@@ -9,12 +9,12 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPointsOfMaterialRatio = 20;
-constexpr std::size_t kLeastPointsOfTwoLines = 100;
+constexpr std::size_t kMinPointsOfMaterialRatio = 20;
+constexpr std::size_t kMinPointsOfTwoLines = 100;
 constexpr double kCoreShare = 0.4;
 constexpr double kProbabilityRange = 3;  // standard deviations to both sides
 constexpr int kProbabilityPoints = 601;
-constexpr int kLeastPointsOfALine = 30;  // 0.3 standard deviations
+constexpr int kMinPointsOfALine = 30;  // 0.3 standard deviations
 // Largest ratio of the squares that two lines leave to those that one line leaves.
 constexpr double kWorthASecondLine = 0.5;
 
@@ -55,7 +55,7 @@ double ratio_at(std::span<const double> z, double height) {
 }  // namespace
 
 CoreRoughness core_roughness(std::span<const double> z) {
-  check_curve(z, kLeastPointsOfMaterialRatio);
+  check_curve(z, kMinPointsOfMaterialRatio);
   const std::size_t n = z.size(), width = std::max<std::size_t>(
                                       2, static_cast<std::size_t>(std::lround(kCoreShare * static_cast<double>(n))));
   std::size_t start = 0;
@@ -92,7 +92,7 @@ CoreRoughness core_roughness(std::span<const double> z) {
 }
 
 std::optional<ProbabilityRoughness> probability_roughness(std::span<const double> z) {
-  check_curve(z, kLeastPointsOfTwoLines);
+  check_curve(z, kMinPointsOfTwoLines);
   // The curve at even steps of normal probability, as far as it has points.
   const double root_of_two = std::sqrt(2.0);
   std::vector<double> s, height;
@@ -127,11 +127,11 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
     const double ss = b.ss - a.ss - n * ms * ms, sz = b.sz - a.sz - n * ms * mz, zz = b.zz - a.zz - n * mz * mz;
     return Line{sz / ss, mz - sz / ss * ms, std::max(0.0, zz - sz * sz / ss)};
   };
-  if (s.size() < 2 * kLeastPointsOfALine) return std::nullopt;
+  if (s.size() < 2 * kMinPointsOfALine) return std::nullopt;
   const double alone = line(0, s.size()).squares;
   double least = alone;
   std::size_t parting = 0;
-  for (std::size_t i = kLeastPointsOfALine; i + kLeastPointsOfALine <= s.size(); ++i) {
+  for (std::size_t i = kMinPointsOfALine; i + kMinPointsOfALine <= s.size(); ++i) {
     const double together = line(0, i).squares + line(i, s.size()).squares;
     if (together < least) {
       least = together;
@@ -147,7 +147,7 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
 }
 
 Cavities cavities(std::span<const double> z, CavityRule rule, double depth_m) {
-  check_curve(z, kLeastPointsOfMaterialRatio);
+  check_curve(z, kMinPointsOfMaterialRatio);
   const double median = height_at(z, 0.5);
   Cavities of;
   if (rule == CavityRule::below_core) {

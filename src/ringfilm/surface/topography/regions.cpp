@@ -9,7 +9,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPointsOfRegion = 8;
+constexpr std::size_t kMinPointsOfRegion = 8;
 constexpr double kHighShare = 0.1;
 
 /// Height that a share of the measured points exceeds.
@@ -71,12 +71,12 @@ Region region_in_metres(const HeightMap& map, double x_m, double y_m, double wid
 std::vector<Region> grid_regions(const HeightMap& map, std::size_t across, std::size_t down) {
   check_map(map);
   if (map.is_profile()) down = std::min<std::size_t>(down, 1);
-  const bool fits = across > 0 && down > 0 && map.points_x / across >= kLeastPointsOfRegion &&
-                    (map.is_profile() || map.points_y / down >= kLeastPointsOfRegion);
+  const bool fits = across > 0 && down > 0 && map.points_x / across >= kMinPointsOfRegion &&
+                    (map.is_profile() || map.points_y / down >= kMinPointsOfRegion);
   if (!fits) {
     throw InputError(std::to_string(across) + " x " + std::to_string(down) + " regions do not fit on a map of " +
                          std::to_string(map.points_x) + " x " + std::to_string(map.points_y) + " points",
-                     "each needs " + std::to_string(kLeastPointsOfRegion) + " points or more in a direction");
+                     "each needs " + std::to_string(kMinPointsOfRegion) + " points or more in a direction");
   }
   const std::size_t columns = map.points_x / across, rows = map.points_y / down;
   std::vector<Region> regions;
@@ -89,12 +89,12 @@ std::vector<Region> grid_regions(const HeightMap& map, std::size_t across, std::
 std::vector<Region> prominent_regions(const HeightMap& map, std::size_t count, std::size_t columns, std::size_t rows) {
   check_map(map);
   if (map.is_profile()) rows = 1;
-  if (columns < kLeastPointsOfRegion || (!map.is_profile() && rows < kLeastPointsOfRegion) || columns > map.points_x ||
+  if (columns < kMinPointsOfRegion || (!map.is_profile() && rows < kMinPointsOfRegion) || columns > map.points_x ||
       rows > map.points_y) {
     throw InputError("regions of " + std::to_string(columns) + " x " + std::to_string(rows) +
                          " points do not fit on a map of " + std::to_string(map.points_x) + " x " +
                          std::to_string(map.points_y) + " points",
-                     "each needs " + std::to_string(kLeastPointsOfRegion) + " points or more in a direction");
+                     "each needs " + std::to_string(kMinPointsOfRegion) + " points or more in a direction");
   }
   const double high = level(map, kHighShare);
   std::vector<Region> candidates;

@@ -12,8 +12,8 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPointsOfRoughness = 4;
-constexpr std::size_t kLeastPointsOfARow = 8;
+constexpr std::size_t kMinPointsOfRoughness = 4;
+constexpr std::size_t kMinPointsOfARow = 8;
 constexpr std::size_t kUsualSamplingLengths = 5;  // sampling lengths per evaluation length, ISO 21920-2 and ISO 4287
 
 /// Calls visit(heights of the measured points) row by row.
@@ -59,7 +59,7 @@ Extent extent(const HeightMap& map, std::size_t measured) {
 }  // namespace
 
 HeightStatistics height_statistics(const HeightMap& map) {
-  check_map(map, kLeastPointsOfRoughness);
+  check_map(map, kMinPointsOfRoughness);
   HeightStatistics of;
   of.points = measured_points(map);
   of.missing = map.points() - of.points;
@@ -92,7 +92,7 @@ HeightStatistics height_statistics(const HeightMap& map) {
 }
 
 SampledHeights sampled_heights(const HeightMap& profile, std::optional<double> sampling_length_m) {
-  check_map(profile, kLeastPointsOfRoughness);
+  check_map(profile, kMinPointsOfRoughness);
   if (!profile.is_profile()) {
     throw InputError("a map of several rows has no sampling lengths", "choose a profile, or use Sz of the map");
   }
@@ -141,7 +141,7 @@ RowRoughness row_roughness(const HeightMap& map) {
       sum += map.height_m[i];
       ++count;
     }
-    if (count < kLeastPointsOfARow) continue;
+    if (count < kMinPointsOfARow) continue;
     const double mean = sum / static_cast<double>(count);
     for (std::size_t i = begin; i < end; ++i) {
       if (!map.measured(i)) continue;
@@ -154,7 +154,7 @@ RowRoughness row_roughness(const HeightMap& map) {
     ++of.rows;
   }
   if (of.rows == 0) {
-    throw InputError("no row of the map has " + std::to_string(kLeastPointsOfARow) + " measured points",
+    throw InputError("no row of the map has " + std::to_string(kMinPointsOfARow) + " measured points",
                      "take a larger region");
   }
   of.Ra_m = absolute / static_cast<double>(of.rows);

@@ -15,7 +15,7 @@
 namespace ringfilm::surface {
 namespace {
 
-constexpr std::size_t kLeastPointsOfSpectrum = 16;
+constexpr std::size_t kMinPointsOfSpectrum = 16;
 constexpr std::size_t kLinesAtATime = 16;
 
 std::vector<double> hann(std::size_t points) {
@@ -28,7 +28,7 @@ std::vector<double> hann(std::size_t points) {
 }
 
 [[noreturn]] void too_short() {
-  throw InputError("no spectrum is found: a line needs " + std::to_string(kLeastPointsOfSpectrum) +
+  throw InputError("no spectrum is found: a line needs " + std::to_string(kMinPointsOfSpectrum) +
                        " points or more, half of them measured",
                    "take a larger region, or one with fewer missing points");
 }
@@ -55,7 +55,7 @@ class LinePower {
       weights += window_[i] * window_[i];
       ++count;
     }
-    if (count < kLeastPointsOfSpectrum || 2 * count < heights.size()) return;
+    if (count < kMinPointsOfSpectrum || 2 * count < heights.size()) return;
     const double mean = sum / static_cast<double>(count);
     for (std::size_t i = 0; i < heights.size(); ++i) line_[i] = measured[i] ? window_[i] * (heights[i] - mean) : 0.0;
     fft_.fwd(waves_.data(), line_.data(), static_cast<Eigen::Index>(length_));
@@ -92,7 +92,7 @@ LineSpectrum line_spectrum(const HeightMap& map, LineDirection direction) {
   check_map(map);
   const bool along_x = direction == LineDirection::x;
   const std::size_t points = along_x ? map.points_x : map.points_y, lines = along_x ? map.points_y : map.points_x;
-  if (points < kLeastPointsOfSpectrum) too_short();
+  if (points < kMinPointsOfSpectrum) too_short();
   LinePower power(points, along_x ? map.step_x_m : map.step_y_m);
   const std::size_t at_a_time = std::min(kLinesAtATime, lines);  // a long profile is one line
   std::vector<double> heights(at_a_time * points);
@@ -117,7 +117,7 @@ LineSpectrum line_spectrum(const HeightMap& map, LineDirection direction) {
 RadialSpectrum radial_spectrum(const HeightMap& map) {
   check_map(map);
   const std::size_t count = measured_points(map);
-  if (map.points_x < kLeastPointsOfSpectrum || map.points_y < kLeastPointsOfSpectrum || 2 * count < map.points())
+  if (map.points_x < kMinPointsOfSpectrum || map.points_y < kMinPointsOfSpectrum || 2 * count < map.points())
     too_short();
   const std::size_t length_x = transform_length(map.points_x), length_y = transform_length(map.points_y);
   double mean = 0;

@@ -94,7 +94,7 @@ TEST(GapMapFile, RefusesAStepAtASide) {
 TEST(GapMapFile, RefusesMorePlacesThanAreRead) {
   std::string text = kHead;
   for (const char* y : {"0", "1"}) {
-    for (std::size_t i = 0; i <= kMostGapPlaces; ++i) text += std::to_string(i) + "," + y + ",1\n";
+    for (std::size_t i = 0; i <= kMaxGapPlaces; ++i) text += std::to_string(i) + "," + y + ",1\n";
   }
   EXPECT_THAT(map_refusal(text), HasSubstr("the map has 4097 places along x"));
 }

@@ -175,11 +175,11 @@ TEST(SobolPoints, NeverTouchTheEnds) {
 }
 
 TEST(SobolPoints, ReportsWhatItCannotGive) {
-  EXPECT_NO_THROW(SobolPoints(SobolPoints::kMostDimensions, 1));
-  EXPECT_THROW(SobolPoints(SobolPoints::kMostDimensions + 1, 1), std::invalid_argument);
+  EXPECT_NO_THROW(SobolPoints(SobolPoints::kMaxDimensions, 1));
+  EXPECT_THROW(SobolPoints(SobolPoints::kMaxDimensions + 1, 1), std::invalid_argument);
   const SobolPoints points(2, 1);
-  EXPECT_NO_THROW(points.share(SobolPoints::kMostPoints - 1, 1));
-  EXPECT_THROW(points.share(SobolPoints::kMostPoints, 1), std::out_of_range);
+  EXPECT_NO_THROW(points.share(SobolPoints::kMaxPoints - 1, 1));
+  EXPECT_THROW(points.share(SobolPoints::kMaxPoints, 1), std::out_of_range);
   EXPECT_THROW(points.share(0, 2), std::out_of_range);
 }
 
