@@ -159,7 +159,7 @@ void bind_oil(py::module_& part) {
       .def(
           "__repr__",
           [](const Oil& self) {
-            return "<ringfilm.laws.Oil at " + number_text(self.temperature - 273.15) +
+            return "<ringfilm.laws.Oil at " + number_text(self.temperature - base::kZeroCelsius) +
                    " degC: " + number_text(self.oil->density(self.ambient_pressure)) + " kg/m3, " +
                    number_text(self.oil->viscosity(self.ambient_pressure) * 1e3) + " mPa s at ambient pressure>";
           },

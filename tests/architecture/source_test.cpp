@@ -74,6 +74,29 @@ TEST(SourceTree, WritableStateIsReported) {
   EXPECT_FALSE(declares_writable_state("inline double square(double x) { return x * x; }"));
 }
 
+TEST(Architecture, TextsOfNumbersAndUnitsHaveOnePlace) {
+  static const std::regex by_hand(R"(\bv?sn?printf\b|\b273\.15\b|\b6e4\b)");
+  for (const SourceFile& file : product_sources()) {
+    if (std::regex_search(file.path, std::regex(R"(/base/(number_text\.cpp|constants\.hpp)$)"))) continue;
+    for (std::size_t i = 0; i < file.code.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(file.code[i], by_hand))
+          << file.at(static_cast<int>(i) + 1)
+          << ": base/number_text.hpp, base/constants.hpp or io/text/units.hpp has it";
+    }
+  }
+}
+
+TEST(Architecture, BoundsAreNamedMinAndMax) {
+  static const std::regex other(
+      R"(\bk(Least|Fewest|Smallest|Shortest|Lowest|Most|Largest|Longest|Highest)([A-Z]\w*)?\b)");
+  for (const SourceFile& file : product_sources()) {
+    for (std::size_t i = 0; i < file.code.size(); ++i) {
+      EXPECT_FALSE(std::regex_search(file.code[i], other))
+          << file.at(static_cast<int>(i) + 1) << ": name it kMin... or kMax...";
+    }
+  }
+}
+
 TEST(Architecture, TheSolverUsesNothingThatAnOlderLibraryLacks) {
   static const std::regex lacking(
       R"(std::(bit_cast|views|ranges|format|print|cout|cerr|clog|fopen|printf|puts|FILE|from_chars)\b)");

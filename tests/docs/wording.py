@@ -12,6 +12,7 @@ from pathlib import Path
 
 # (regular expression, replacement). Letters of both cases match where the expression has no capital.
 RULES = [
+    (r"//[/!]?<? ?(of|that of|the same|likewise|as above)\b", "a phrase that stands alone"),
     (r"\b(told|tells?|telling)\b", "report, print, list"),
     (r"\b(said|says|saying)\b|(?<!, )(?<!to )\bsay\b(?!,)|\bto say\b", "state, report, print"),
     (r"\b(wants?|wanted)\b", "require, expect; requested, target"),
@@ -48,6 +49,7 @@ RULES = [
 
 # Where an expression may stand: (path, text of the line). Names of earlier versions, quotations, other programs.
 EXCEPTIONS = [
+    (r"^(tests|benchmarks|cases|examples)/", r"(?i)//[/!]?<? ?(of|that of|the same|likewise|as above)\b"),
     (r"^tests/docs/wording\.py$", r""),
     (r"^(verification|tests/unit/(pad|film))/", r"(?i)\bland\b"),  # of a step bearing
     (r"^docs/glossary\.md$", r"^\| (`lambda_ratio`|running surface) \|"),  # synonyms

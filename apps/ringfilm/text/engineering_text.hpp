@@ -2,6 +2,7 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/text/units.hpp"
@@ -36,9 +37,9 @@ constexpr double in_um_mm(double area) { return area * 1e9; }         ///< worn 
 constexpr double in_mg(double mass) { return mass * 1e6; }            ///< mass [kg] in mg, or flow [kg/s] in mg/s
 constexpr double in_bar(double pressure) { return pressure * 1e-5; }  ///< pressure [Pa] in bar
 constexpr double in_kpa(double pressure) { return pressure / 1e3; }   ///< pressure [Pa] in kPa
-constexpr double in_degc(double temperature) { return temperature - 273.15; }        ///< temperature [K] in degC
-constexpr double in_rpm(double speed) { return speed * 30 / std::numbers::pi; }      ///< speed [rad/s] in rpm
-constexpr double in_degree(double angle) { return angle * 180 / std::numbers::pi; }  ///< angle [rad] in degree
+constexpr double in_degc(double temperature) { return temperature - base::kZeroCelsius; }  ///< temperature [K] in degC
+constexpr double in_rpm(double speed) { return speed * 30 / std::numbers::pi; }            ///< speed [rad/s] in rpm
+constexpr double in_degree(double angle) { return angle * 180 / std::numbers::pi; }        ///< angle [rad] in degree
 
 /// The entry of cycle::cycle_quantities() of that name; a name that is not there is a bug.
 const cycle::CycleQuantity& cycle_quantity(const std::string& name);

@@ -4,15 +4,17 @@
 #include <array>
 #include <string_view>
 
+#include "ringfilm/base/constants.hpp"
+
 namespace ringfilm::cycle {
 namespace {
 
-constexpr double kCelsius = 273.15;
+using base::kZeroCelsius;
 
 // Typical, assumed (docs/manual/guide/typical-inputs.md): full load.
-constexpr double kOilRingFilm = 2e-6, kOilRingReach = 10e-3;                   // [m]
-constexpr double kRing = 190 + kCelsius, kLinerAtTdc = 180 + kCelsius;         // [K]
-constexpr double kLinerBelow = 115 + kCelsius, kDistanceOfLinerBelow = 80e-3;  // [K], [m]
+constexpr double kOilRingFilm = 2e-6, kOilRingReach = 10e-3;                       // [m]
+constexpr double kRing = 190 + kZeroCelsius, kLinerAtTdc = 180 + kZeroCelsius;     // [K]
+constexpr double kLinerBelow = 115 + kZeroCelsius, kDistanceOfLinerBelow = 80e-3;  // [K], [m]
 
 }  // namespace
 

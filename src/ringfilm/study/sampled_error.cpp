@@ -20,7 +20,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// 2^p / (2^p - 1) of the lowest order of the schemes, p = 1; eq-sampled-error.
 constexpr double kBeyondFiner = 2;
 /// Share of the largest value of a sample below which a value counts as zero, as boundary friction in full films.
-constexpr double kMinShare = 1e-6;
+constexpr double kNegligible = 1e-6;
 /// Keeps the draw apart from those of the plan, which have the same seed.
 constexpr std::uint64_t kStream = 0x5a;
 
@@ -110,7 +110,7 @@ SampledError compared(const StudyValues& values, const std::vector<std::uint64_t
     for (const std::size_t k : used) largest = std::max(largest, std::isnan(finer[k][i]) ? 0 : std::abs(finer[k][i]));
     std::vector<double> errors;
     for (const std::size_t k : used) {
-      const double one = relative_error(own[k][i], finer[k][i], scale_of(values, i, finer[k]), kMinShare * largest);
+      const double one = relative_error(own[k][i], finer[k][i], scale_of(values, i, finer[k]), kNegligible * largest);
       if (std::isnan(one)) continue;
       errors.push_back(one);
       if (!asked[k]) continue;

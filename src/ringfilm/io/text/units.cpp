@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/printable_text.hpp"
 #include "ringfilm/base/trimmed.hpp"
@@ -175,7 +176,7 @@ UnitError wrong_dimension(const std::string& unit, const std::string& si_unit) {
 Scale temperature_scale(const std::string& unit) {
   if (is_one_of(unit, {"K", "kelvin", "Kelvin", "degK"})) return {};
   if (is_one_of(unit, {"degC", "celsius", "Celsius", "degree_Celsius", "degrees_Celsius", "degree_C", "deg_C"})) {
-    return {1, 1, 273.15};
+    return {1, 1, base::kZeroCelsius};
   }
   if (is_one_of(unit, {"degF", "fahrenheit", "Fahrenheit", "degree_Fahrenheit", "degree_F", "deg_F"})) {
     return {5, 9, 459.67 * 5 / 9};

@@ -1,13 +1,9 @@
 #include "ringfilm/study/design/wording.hpp"
 
-#include <cstdio>
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::study {
 
-std::string exact(double number) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%a", number);
-  return text;
-}
+std::string exact(double number) { return formatted("%a", number); }
 
 }  // namespace ringfilm::study

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "ringfilm/base/constants.hpp"
 #include "ringfilm/case/conditions.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
@@ -29,7 +30,7 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
 
 constexpr Unit kMicrometre{"um", 1e-6}, kNanometre{"nm", 1e-9}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5},
     kNewton{"N", 1}, kMm{"mm", 1e-3};
-constexpr Unit kCelsius{"degC", 1, 273.15}, kPlain{"", 1};
+constexpr Unit kCelsius{"degC", 1, base::kZeroCelsius}, kPlain{"", 1};
 
 void append(std::vector<Alternative> more, std::vector<Alternative>& others) {
   std::move(more.begin(), more.end(), std::back_inserter(others));
@@ -214,7 +215,7 @@ Assumption oil_temperature(const Case& c) {
   std::vector<Alternative> others = other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20});
   append(heating, others);
   return assumption(
-      "oil-temperature", fmt::format("the walls of all oil are at {:.4g} degC; {}", T - 273.15, words),
+      "oil-temperature", fmt::format("the walls of all oil are at {:.4g} degC; {}", T - base::kZeroCelsius, words),
       "the walls carry the heat of shear away; the temperatures of ring and liner decide, and they vary along the "
       "stroke",
       std::move(others));
