@@ -41,10 +41,7 @@ class BadCase(program.ProgramTest):
         )
 
     def test_a_choice_of_earlier_versions_is_refused_with_the_present_one(self):
-        self.refuse(
-            'is not known; did you mean "coupled-newton"?',
-            words=("--set", "solver.method=nested-secant"),
-        )
+        self.refuse('is not known; did you mean "coupled-newton"?', words=("--set", "solver.method=nested-secant"))
 
     def test_missing_key(self):
         self.refuse_case(replaced('bore = "89 mm"\n', ""), "engine.bore")

@@ -414,7 +414,8 @@ def test_an_object_that_was_never_constructed_is_a_type_error():
     assert done.returncode == 0, done.stderr[-300:]
     n, *unrefused = done.stdout.splitlines()
     assert int(n) > 1000
-    assert unrefused == ["Result __contains__((1,))"]  # a number is the name of nothing, whatever the result holds
+    # A number is the name of nothing, whatever the result holds.
+    assert unrefused == ["PackResult __contains__((1,))", "Result __contains__((1,))"]
     with pytest.raises(TypeError, match="made by __new__ alone"):
         ringfilm.Result.__new__(ringfilm.Result).fmep
     with pytest.raises(TypeError, match="made by __new__ alone"):

@@ -53,7 +53,8 @@ export function slider(id, label, spoken, count, index, act) {
 /** The crank angle of a figure: that of its slider, or under the cursor of the charts over the cycle. */
 export class AngleSlider {
   /**
-   * @param angles in any order @param at where it begins @param group charts whose cursors it moves and follows, or null
+   * @param angles in any order @param at where it begins
+   * @param group charts whose cursors it moves and follows, or null
    * @param show draws the figure anew @param isFree may the cursor move it?
    */
   constructor({ id, spoken, angles, at, group = null, show, more = [], isFree = () => true }) {

@@ -66,8 +66,8 @@ export function faceFigure(life, k) {
       },
     ],
     caption:
-      `The face after ${hoursText(state.hours)} (${kStateOrigins[state.state_origin]}) and at the start (dotted), each ` +
-      'counted from its own lowest point. Heights are the gap to a straight liner: where a face wears they grow.' +
+      `The face after ${hoursText(state.hours)} (${kStateOrigins[state.state_origin]}) and at the start (dotted), ` +
+      'each counted from its own lowest point. Heights are the gap to a straight liner: where a face wears they grow.' +
       (measured ? ' Dots: the face that was measured after this time.' : ''),
   };
 }
