@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/number_text.hpp"
@@ -153,16 +156,34 @@ constexpr double kMaxEndGap = 0.01;  // share of the bore
 /// Mean effective pressure that an engine delivers, about [Pa]: no single ring takes as much.
 constexpr double kWholeEngine = 1e6;
 
+/// The crank angles [degree] between which all samples lie that satisfy a condition: what is outside is the longest
+/// stretch of the cycle without one. Nothing where none does.
+template <class Condition>
+std::optional<std::pair<double, double>> span_of(const std::vector<Sample>& samples, const Condition& condition) {
+  std::vector<double> angles;
+  for (const Sample& sample : samples) {
+    if (condition(sample)) angles.push_back(sample.crank_angle_deg);
+  }
+  if (angles.empty()) return std::nullopt;
+  std::size_t first = 0;
+  double longest = angles.front() + base::kCycleDeg - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    if (angles[i] - angles[i - 1] <= longest) continue;
+    longest = angles[i] - angles[i - 1];
+    first = i;
+  }
+  return std::pair(angles[first], angles[(first + angles.size() - 1) % angles.size()]);
+}
+
 void append_breakthrough_note(const Case& c, const std::vector<Sample>& base, std::vector<Note>& notes) {
   const auto broken = [](const Sample& s) { return s.gas_breakthrough > 0; };
-  const auto first = std::find_if(base.begin(), base.end(), broken);
-  if (first == base.end()) return;
-  const auto last = std::find_if(base.rbegin(), base.rend(), broken);
+  const auto span = span_of(base, broken);
+  if (!span) return;
   notes.push_back(
       {"gas-breaks-through",
        formatted("gas of an edge reaches the lowest place of the face, first at %.0f and last at %.0f degree: the "
                  "film does not hold it there%s",
-                 first->crank_angle_deg, last->crank_angle_deg,
+                 span->first, span->second,
                  c.gas_path.passes_films() ? "" : ", and how much gas blows through is not computed"),
        count(base, broken)});
 }
