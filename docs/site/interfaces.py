@@ -147,6 +147,8 @@ MODULES = {
     "ringfilm::cycle": ("The case, the cycle and its result", "cycle"),
     "ringfilm::gas_path": ("Gas between the rings", "gas_path"),
     "ringfilm::pad": ("Pads", "pad"),
+    "ringfilm::life": ("The life of a ring", "life"),
+    "ringfilm::run": ("The driver: a case to its result", "run"),
     "ringfilm::study": ("Batches and studies", "study"),
     "ringfilm::io": ("Files and units", "io"),
     "ringfilm::instrument": ("Instrument files", "instrument"),

@@ -38,6 +38,7 @@
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
+#include "ringfilm/life/life.hpp"
 #include "ringfilm/life/life_run.hpp"
 #include "ringfilm/pad/solve_pad.hpp"
 #include "ringfilm/run/run.hpp"

@@ -83,6 +83,7 @@ struct ChannelFound {
   std::optional<std::size_t> index;  ///< the only channel of the name, else the one of the number, from 1; or nothing
   std::size_t n_named = 0;           ///< channels of the name
 };
+/// The channel that `requested` names or numbers.
 ChannelFound find_channel(const std::vector<Channel>& channels, const std::string& requested);
 
 /// A table of the channels for a person: number, name, unit, points.

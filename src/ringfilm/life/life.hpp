@@ -42,8 +42,8 @@ enum class TimeScale {
 
 /// An interpolation between measured states.
 struct Interpolation {
-  TimeScale scale = TimeScale::kLogarithmic;
-  double time_constant = kHour;  ///< tau of kLogarithmic [s]
+  TimeScale scale = TimeScale::kLogarithmic;  ///< how the running time enters
+  double time_constant = kHour;               ///< tau of kLogarithmic [s]
 };
 
 /// What the heights of all measured faces count from.
@@ -61,13 +61,13 @@ struct MeasuredState {
 
 /// A running time that is reported.
 struct ReportedTime {
-  double time = 0;  ///< [s]
-  SourceMark mark;
+  double time = 0;  ///< running time [s]
+  SourceMark mark;  ///< place in the file
 };
 
 /// Speed, gas and oil at which the ring runs for a share of the time.
 struct OperatingPoint {
-  std::string name;
+  std::string name;   ///< as results call it
   double share = 1;   ///< share of the running time; 0: reported, not part of the duty [-]
   cycle::Case input;  ///< with the ring of the base case
 };
@@ -92,19 +92,19 @@ enum class WornOrientations {
 
 /// Where a wear coefficient comes from.
 enum class CoefficientSource {
-  kStated,
-  kFitted  ///< to the measured states: a range
+  kStated,  ///< given
+  kFitted   ///< to the measured states: a range
 };
 
 /// Archard wear of the face.
 struct Wear {
-  CoefficientSource source = CoefficientSource::kStated;
-  double coefficient = 0;                        ///< k: depth per pressure and sliding length [m2/N]
-  std::optional<double> running_in_coefficient;  ///< k_0, until running_in_time; absent: k all the time [m2/N]
-  double running_in_time = 10 * kHour;           ///< [s]
-  WornSurface surface = WornSurface::kFrozen;
-  WornOrientations orientations = WornOrientations::kGiven;
-  WearScheme scheme = WearScheme::kHeun;
+  CoefficientSource source = CoefficientSource::kStated;  ///< given or fitted
+  double coefficient = 0;                                 ///< k: depth per pressure and sliding length [m2/N]
+  std::optional<double> running_in_coefficient;           ///< k_0, until running_in_time; absent: k all the time [m2/N]
+  double running_in_time = 10 * kHour;                    ///< [s]
+  WornSurface surface = WornSurface::kFrozen;             ///< roughness and shear strength
+  WornOrientations orientations = WornOrientations::kGiven;  ///< chamber edge of the face
+  WearScheme scheme = WearScheme::kHeun;                     ///< integration over the running time
   std::optional<int> jumps;        ///< equal ones over the time to the last reported one; absent: as the two below ask
   double largest_depth = 0.15e-6;  ///< largest depth worn in a jump [m]
   double jump_error = 0.02e-6;     ///< by which the two stages of a jump may differ [m]; Heun
@@ -127,8 +127,8 @@ enum class RingPressures {
 struct RingPack {
   cycle::Case input;     ///< a pack or a single ring whose gas path is computed; speed and gas are those of the points
   std::size_t ring = 1;  ///< which of its rings wears, from the chamber
-  RingPressures pressures = RingPressures::kGiven;
-  SourceMark mark;  ///< place of its case in the file
+  RingPressures pressures = RingPressures::kGiven;  ///< gas pressures of the ring
+  SourceMark mark;                                  ///< place of its case in the file
 };
 
 /// A limit that ends a life as its user states it; from whichever side its value starts.
@@ -139,8 +139,8 @@ struct EndRule {
 
 /// What a life is computed from.
 struct Life {
-  std::string title;
-  Mode mode = Mode::kMeasuredPath;
+  std::string title;                  ///< as pages show it
+  Mode mode = Mode::kMeasuredPath;    ///< path or scenario
   std::vector<ReportedTime> times;    ///< increasing
   std::vector<MeasuredState> states;  ///< anchors of the path, in the order of their running times
   Interpolation path;                 ///< between them

@@ -9,8 +9,8 @@ namespace ringfilm::life {
 
 /// A cycle that a life requires.
 struct CycleRequest {
-  cycle::Case input;
-  std::string name;  ///< for messages, e.g. "10 h, idle"
+  cycle::Case input;  ///< a case of one ring or a pack
+  std::string name;   ///< for messages, e.g. "10 h, idle"
 };
 
 /// Integrates cycles; results in the order of the requests. Throws ConvergenceError with the name of a request that

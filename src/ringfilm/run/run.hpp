@@ -45,7 +45,7 @@ class Observer : public cycle::Observer, public pad::Observer {
 
 /// A case of one ring or of a ring pack, with what is to be known of it.
 struct Request {
-  cycle::Case input;
+  cycle::Case input;            ///< a cycle, not a pad, a closure or gas alone
   std::string name;             ///< for the progress
   bool ledger = false;          ///< as in Options
   bool error_estimate = false;  ///< as in Options
@@ -54,9 +54,9 @@ struct Request {
 
 /// One engine cycle, and why its integration stopped early if it did; the document then holds all up to there.
 struct CycleOutcome {
-  io::ResultDocument document;
-  std::optional<ConvergenceError> stopped;
-  std::optional<cycle::Case> input;  ///< case of one ring with its gas, where the document does not describe it
+  io::ResultDocument document;              ///< the result, of a pack with its rings
+  std::optional<ConvergenceError> stopped;  ///< why the integration stopped early
+  std::optional<cycle::Case> input;         ///< case of one ring with its gas, where the document does not describe it
 };
 
 /// Integrates each case, then all that ledgers and error estimates require in one batch. A pack is computed with its
@@ -69,6 +69,7 @@ std::vector<CycleOutcome> run_cycles(const std::vector<Request>& requested, int 
 /// in its bore.
 using Result = std::variant<io::ResultDocument, io::PadDocument, io::GasPathDocument, cycle::StaticClosure>;
 
+/// What run_case() found, and why it stopped early if it did.
 struct Outcome {
   Result result;                            ///< what was found; where a cycle or a pad stopped, all up to there
   std::optional<ConvergenceError> stopped;  ///< why it did

@@ -28,7 +28,10 @@ std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* obser
                                        OilIteration iteration = OilIteration::kMixed);
 
 /// Are the rings after one that stopped integrated as well?
-enum class AtStop { kEnd, kContinue };
+enum class AtStop {
+  kEnd,      ///< they are not
+  kContinue  ///< each ring is integrated, whatever the others do
+};
 
 /// Integrates all rings of a case whose pressures are known, from the chamber to the crankcase: one after another, or
 /// with `simulate_pack` where they share the oil on the liner. @returns the one ring of a case that is not a pack

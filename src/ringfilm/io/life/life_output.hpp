@@ -9,9 +9,9 @@ namespace ringfilm::io {
 
 /// A life with what it gave.
 struct LifeDocument {
-  LifeFile file;
-  life::LifeResult result;
-  Provenance provenance;
+  LifeFile file;            ///< as it was read
+  life::LifeResult result;  ///< values over the running time
+  Provenance provenance;    ///< program, commit and kernels
 };
 
 /// The life as one JSON object, SI, running times in hours: title, mode, and a list `states` with, for each reported
