@@ -125,8 +125,7 @@ py::object variable(const DatasetWriter& writer, const std::string& name) {
   if (const auto spelling = spelling_of(name, variables)) return variables[py::str(*spelling)].cast<py::tuple>()[1];
   std::vector<std::string> names;
   for (const auto& entry : variables) names.push_back(py::cast<std::string>(entry.first));
-  const std::string near = io::nearest_word(name, names);
-  throw py::key_error("this result has no " + name + (near.empty() ? "" : "; did you mean " + near + "?"));
+  throw py::key_error("this result has no " + name + io::did_you_mean(name, names));
 }
 
 py::object item(const py::object& self, const GivenText& given) {

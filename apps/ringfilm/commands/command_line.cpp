@@ -76,11 +76,6 @@ void add_commands(Program& program) {
   add_data_commands(program);
 }
 
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& known) {
-  const std::string near = io::nearest_word(word, known);
-  return near.empty() ? "" : "; did you mean " + near + "?";
-}
-
 /// The first of the arguments after a command that begins as an option and is not one of its options.
 std::optional<InputError> unknown_option(const CLI::App& command, const std::vector<std::string>& arguments) {
   std::vector<std::string> names;
@@ -91,7 +86,7 @@ std::optional<InputError> unknown_option(const CLI::App& command, const std::vec
     if (word == "--") return std::nullopt;  // what follows is for another program
     const std::string name = word.substr(0, word.find('='));
     if (name.rfind("--", 0) != 0 || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    return InputError(name + ": ringfilm " + command.get_name() + " has no such option" + did_you_mean(name, names),
+    return InputError(name + ": ringfilm " + command.get_name() + " has no such option" + io::did_you_mean(name, names),
                       "ringfilm " + command.get_name() + " --help lists its options");
   }
   return std::nullopt;
@@ -147,7 +142,7 @@ std::optional<InputError> misspelt_word(const CLI::App& program, const std::vect
     names.push_back(command->get_name());
   }
   if (first.rfind('-', 0) == 0) return std::nullopt;
-  return InputError("ringfilm " + first + ": this is not a command" + did_you_mean(first, names),
+  return InputError("ringfilm " + first + ": this is not a command" + io::did_you_mean(first, names),
                     "one of: " + joined(names, ", "));
 }
 
