@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-/// The scanner of UDUNITS 2.2.28 loses the copy of an identifier where it does not know the text of a unit.
+/// The scanner of UDUNITS 2.2.28 loses the copy of an identifier in a text that names no unit.
 extern "C" const char* __lsan_default_suppressions() { return "leak:utlex"; }
 
 namespace ringfilm::fuzz {
