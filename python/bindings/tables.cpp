@@ -120,7 +120,7 @@ a whole, "derived" constants of a case, "unrolled_curve", "unrolled_cycle", "pad
   module.def(
       "_unit_scale",
       [](const std::string& display_unit, const std::string& unit) {
-        const io::Scale scale = io::Units().scale(display_unit, unit);
+        const Scale scale = io::Units().scale(display_unit, unit);
         return py::make_tuple(scale.factor / scale.divisor, scale.offset);
       },
       py::arg("display_unit"), py::arg("unit"), "SI = value * first + second, of a value in the display unit.");

@@ -25,7 +25,7 @@ std::string EngineeringText::operator()(const std::string& cycle_quantity, doubl
 
 std::string EngineeringText::operator()(const std::string& name, double value_si, double error_si) const {
   const cycle::CycleQuantity& quantity = app::cycle_quantity(name);
-  const io::Scale scale = units_.scale(quantity.display_unit, quantity.unit);
+  const Scale scale = units_.scale(quantity.display_unit, quantity.unit);
   const double value = scale.from_si(value_si);
   const double error = scale.from_si(error_si) - scale.from_si(0);
   if (!(error > 0) || !std::isfinite(value) || !std::isfinite(error)) return (*this)(quantity, value_si);

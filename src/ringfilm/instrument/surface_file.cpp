@@ -8,6 +8,7 @@
 #include <limits>
 #include <memory>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/formats/digital_surf_file.hpp"
 #include "ringfilm/instrument/formats/gwy_file.hpp"
@@ -98,8 +99,8 @@ struct Record {
 };
 
 /// The scale of a unit of length to metres.
-io::Scale length_scale(const std::string& path, const std::string& unit, const std::string& what,
-                       const std::string& remedy, const io::Units& units) {
+Scale length_scale(const std::string& path, const std::string& unit, const std::string& what,
+                   const std::string& remedy, const io::Units& units) {
   if (!is_length(unit, units))
     refuse(path, fmt::format("{} \"{}\", which is not a unit of length", what, unit), remedy);
   return units.scale(unit, "m");
@@ -116,12 +117,12 @@ bool same_unit(const std::string& a, const std::string& b, const io::Units& unit
          (is_length(a, units) && is_length(b, units) && units.scale(a, "m").to_si(1) == units.scale(b, "m").to_si(1));
 }
 
-io::Scale height_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
-                       const io::Units& units, Record& record) {
+Scale height_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+                   const io::Units& units, Record& record) {
   const std::string& stated = values.channel.unit;
   if (options.height_unit) {
-    const io::Scale scale = length_scale(path, *options.height_unit, "the stated unit of heights is",
-                                         "give a length, for example " + options.names.height_unit, units);
+    const Scale scale = length_scale(path, *options.height_unit, "the stated unit of heights is",
+                                     "give a length, for example " + options.names.height_unit, units);
     record.notes.push_back(fmt::format("unit of heights: {} as the user states", *options.height_unit));
     if (!stated.empty() && !same_unit(stated, *options.height_unit, units)) {
       record.doubts.push_back(against_unit("the heights", stated, *options.height_unit));
@@ -159,8 +160,8 @@ bool count_points(const std::vector<double>& places) {
 }
 
 /// The scale of places and steps to metres.
-io::Scale lateral_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
-                        const io::Units& units, Record& record) {
+Scale lateral_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+                    const io::Units& units, Record& record) {
   if (options.lateral_unit) {
     record.notes.push_back(fmt::format("unit of x and y: {} as the user states", *options.lateral_unit));
     if (!values.step_unit.empty() && !same_unit(values.step_unit, *options.lateral_unit, units)) {
@@ -237,7 +238,7 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
       refuse(path, "the file does not state the step between its points",
              "state it, for example " + options.names.step_x);
     }
-    const io::Scale scale = lateral_scale(path, values, options, units, record);
+    const Scale scale = lateral_scale(path, values, options, units, record);
     if (needs_x) steps.x_m = scale.to_si(values.step_x);
     if (needs_y) steps.y_m = scale.to_si(values.step_y);
   }
@@ -258,7 +259,7 @@ void turn_column(ChannelValues& values) {
   values.notes.push_back("the map has one column: it was read as a profile");
 }
 
-void scale_heights(const std::string& path, ChannelValues& values, const io::Scale& scale, const OptionNames& names) {
+void scale_heights(const std::string& path, ChannelValues& values, const Scale& scale, const OptionNames& names) {
   double largest = 0;
   std::optional<std::size_t> highest;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
@@ -309,7 +310,7 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
   origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
   loaded.doubts = loaded.values.doubts;
   Record record = loaded.record();
-  const io::Scale scale = height_scale(path, loaded.values, options, units, record);
+  const Scale scale = height_scale(path, loaded.values, options, units, record);
   loaded.unit = {options.height_unit.value_or(loaded.values.channel.unit), scale.to_si(1)};
   scale_heights(path, loaded.values, scale, options.names);
   origin.sha256 = io::file_sha256(path);
@@ -337,9 +338,8 @@ void check_heights(const surface::HeightMap& map, Loaded& loaded) {
 
 std::string shown_length(double length_m) {
   const double size = std::abs(length_m);
-  if (size >= 1e-3) return fmt::format("{:.5g} mm", length_m * 1e3);
-  if (size >= 1e-7 || size == 0) return fmt::format("{:.5g} um", length_m * 1e6);
-  return fmt::format("{:.5g} nm", length_m * 1e9);
+  const bool is_tiny = size != 0 && size < 1e-7;
+  return text_in(length_m, size >= 1e-3 ? kMillimetre : is_tiny ? kNanometre : kMicrometre, 5);
 }
 
 }  // namespace
@@ -403,7 +403,7 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
            "export one profile from it");
   }
   TraceFile result;
-  io::Scale scale;
+  Scale scale;
   double step_m = 0;
   Record record = loaded.record();
   set_step_of_places(values, options, record);

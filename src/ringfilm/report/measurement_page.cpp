@@ -39,7 +39,7 @@ class Shown {
 
  private:
   std::string unit_;
-  io::Scale scale_;
+  Scale scale_;
 };
 
 ordered_json value_object(const io::MeasuredValue& value, const io::Units& units) {

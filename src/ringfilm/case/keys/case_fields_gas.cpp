@@ -25,8 +25,6 @@ constexpr When kWiebeOrPartial{[](const Case& c) { return c.gas.model == GasMode
 void append_gas_fields(std::vector<Field>& fields) {
   const Range pressure = above(0, 1e6);
   const Range valve_angle = between(0, 720);
-  const Unit degree{"degree", "degree"};
-  const Unit bar{"Pa", "bar"};
   fields.insert(
       fields.end(),
       {
@@ -106,7 +104,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.peak_pressure",
                  .kind = NumberKind{member<&Case::gas, &Gas::peak_pressure>},
-                 .unit = bar,
+                 .unit = kBar,
                  .range = above(0, 1e8),
                  .when = kWiebe,
                  .help = "highest cylinder pressure, absolute",
@@ -114,7 +112,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.peak_angle",
                  .kind = NumberKind{member<&Case::gas, &Gas::peak_angle_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = strictly_between(0, 90),
                  .when = kWiebe,
                  .help = "crank angle of the highest pressure after firing TDC",
@@ -122,7 +120,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.burn_duration",
                  .kind = NumberKind{member<&Case::gas, &Gas::burn_duration_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = between(1, 180),
                  .when = kWiebe,
                  .help = "length of the heat release",
@@ -130,7 +128,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.exhaust_valve_opening",
                  .kind = NumberKind{member<&Case::gas, &Gas::exhaust_valve_opening_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = valve_angle,
                  .when = kWiebe,
                  .help = "exhaust valve opens, counted from firing TDC",
@@ -138,7 +136,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.exhaust_valve_closing",
                  .kind = NumberKind{member<&Case::gas, &Gas::exhaust_valve_closing_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = valve_angle,
                  .when = kWiebe,
                  .help = "exhaust valve closes, counted from firing TDC",
@@ -146,7 +144,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.intake_valve_opening",
                  .kind = NumberKind{member<&Case::gas, &Gas::intake_valve_opening_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = valve_angle,
                  .when = kWiebe,
                  .help = "intake valve opens, counted from firing TDC",
@@ -154,7 +152,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.intake_valve_closing",
                  .kind = NumberKind{member<&Case::gas, &Gas::intake_valve_closing_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = valve_angle,
                  .when = kWiebe,
                  .help = "intake valve closes, counted from firing TDC",
@@ -162,7 +160,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.intake_pressure",
                  .kind = OptionalNumberKind{member<&Case::gas, &Gas::intake_pressure>},
-                 .unit = bar,
+                 .unit = kBar,
                  .range = pressure,
                  .need = Need::kOptional,
                  .when = kWiebeOrPartial,
@@ -171,7 +169,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .uses = {.gas = true}}),
           field({.key = "gas.exhaust_pressure",
                  .kind = OptionalNumberKind{member<&Case::gas, &Gas::exhaust_pressure>},
-                 .unit = bar,
+                 .unit = kBar,
                  .range = pressure,
                  .need = Need::kOptional,
                  .when = kWiebeOrPartial,
@@ -181,7 +179,7 @@ void append_gas_fields(std::vector<Field>& fields) {
           field({.key = "gas.crankcase_pressure",
                  .kind = NumberOrFileKind{member<&Case::gas, &Gas::crankcase_pressure>,
                                           member<&Case::gas, &Gas::crankcase_pressure_file>},
-                 .unit = bar,
+                 .unit = kBar,
                  .range = pressure,
                  .help =
                      "pressure under the ring, absolute, or a CSV file like the cylinder pressure; assumed atmospheric",

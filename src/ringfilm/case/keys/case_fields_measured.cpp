@@ -3,9 +3,6 @@
 namespace ringfilm::cycle::table {
 namespace {
 
-constexpr Unit kMillimetre{"m", "mm"};
-constexpr Unit kMicrometre{"m", "um"};
-
 template <auto Member>
 Field text(const char* key, const char* help, const char* example) {
   return field({.key = std::string("contact.measured.") + key,
@@ -17,7 +14,7 @@ Field text(const char* key, const char* help, const char* example) {
 }
 
 template <auto Member>
-Field number(const char* key, Unit unit, Range range, const char* help, const char* example) {
+Field number(const char* key, const DisplayUnit& unit, Range range, const char* help, const char* example) {
   return field({.key = std::string("contact.measured.") + key,
                 .kind = OptionalNumberKind{member<&Case::contact, &Contact::measured, Member>},
                 .unit = unit,
@@ -74,7 +71,7 @@ void append_measured_fields(std::vector<Field>& fields) {
           text<&M::difference_scheme>("difference_scheme", "how slopes and curvatures were made of heights",
                                       "\"central, 3 points\""),
           number<&M::regions>("regions", kPlainNumber, between(1, 1e9), "how many regions were measured", "12"),
-          number<&M::asperity_density_deviation>("asperity_density_deviation", {"m-2", "um-2"}, between(0, 1e18),
+          number<&M::asperity_density_deviation>("asperity_density_deviation", kPerSquareMicrometre, between(0, 1e18),
                                                  "standard deviation of N between the regions", "\"0.01 um-2\""),
           number<&M::asperity_radius_deviation>("asperity_radius_deviation", kMicrometre, between(0, 1e-2),
                                                 "standard deviation of beta between the regions", "\"0.2 um\""),

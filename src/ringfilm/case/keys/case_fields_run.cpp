@@ -37,7 +37,6 @@ std::string edge_help(const std::string& edge, const std::string& stroke) {
 }  // namespace
 
 void append_run_fields(std::vector<Field>& fields) {
-  const Unit degree{"degree", "degree"};
   fields.insert(
       fields.end(),
       {
@@ -55,7 +54,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  .uses = {.pad = true}}),
           field({.key = "film.cavitation_pressure",
                  .kind = NumberKind{member<&Case::film, &Film::cavitation_pressure>},
-                 .unit = {"Pa", "bar"},
+                 .unit = kBar,
                  .range = between(-1e9, 1e9),
                  .help = "pressure at which the film ruptures, p_c; never above the pressures at the edges; absolute "
                          "for a ring",
@@ -91,7 +90,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  .uses = {.cycle = false, .pad = true}}),
           field({.key = "film.supply_left",
                  .kind = OptionalNumberKind{member<&Case::film, &Film::supply_left>},
-                 .unit = {"m", "um"},
+                 .unit = kMicrometre,
                  .range = above(0, 1),
                  .need = Need::kRequired,
                  .when = kInletLeft,
@@ -100,7 +99,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  .uses = {.cycle = false, .pad = true}}),
           field({.key = "film.supply_right",
                  .kind = OptionalNumberKind{member<&Case::film, &Film::supply_right>},
-                 .unit = {"m", "um"},
+                 .unit = kMicrometre,
                  .range = above(0, 1),
                  .need = Need::kRequired,
                  .when = kInletRight,
@@ -156,7 +155,7 @@ void append_run_fields(std::vector<Field>& fields) {
                .uses = {.pad = true}}),
           field({.key = "supply.film",
                  .kind = StrokeValuesKind{member<&Case::supply, &Supply::film>},
-                 .unit = {"m", "um"},
+                 .unit = kMicrometre,
                  .range = above(0, 1e-3),
                  .need = Need::kOptional,
                  .when = kNotFlooded,
@@ -169,7 +168,7 @@ void append_run_fields(std::vector<Field>& fields) {
           field(
               {.key = "supply.reach",
                .kind = OptionalNumberKind{member<&Case::supply, &Supply::reach>},
-               .unit = {"m", "mm"},
+               .unit = kMillimetre,
                .range = between(0, 5),
                .need = Need::kOptional,
                .when = kFilmOnLiner,
@@ -188,7 +187,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  .example = "\"bead\""}),
           field({.key = "solver.accuracy",
                  .kind = OptionalNumberKind{member<&Case::solver, &Solver::accuracy>},
-                 .unit = {"%", "%"},
+                 .unit = si_unit("%"),
                  .range = between(0.05, 10),
                  .need = Need::kOptional,
                  .when = kFaceFilm,
@@ -219,7 +218,7 @@ void append_run_fields(std::vector<Field>& fields) {
           field(
               {.key = "solver.end_cell",
                .kind = OptionalNumberKind{member<&Case::solver, &Solver::end_cell>},
-               .unit = {"m", "um"},
+               .unit = kMicrometre,
                .range = above(0, 1),
                .need = Need::kOptional,
                .when = kGapEnds,
@@ -227,7 +226,7 @@ void append_run_fields(std::vector<Field>& fields) {
                .example = "\"24 um\""}),
           field({.key = "solver.crank_step",
                  .kind = NumberKind{member<&Case::solver, &Solver::crank_step_deg>},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = above(0, 15),
                  .help = "crank step of the integration; whole steps must make 720 degrees",
                  .example = "\"1 degree\""}),
@@ -279,14 +278,14 @@ void append_run_fields(std::vector<Field>& fields) {
                .example = "\"fitted\""}),
           field({.key = "output.crank_angles",
                  .kind = AnglesKind{},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .range = above(0, 90),
                  .help = "crank angles of the result: a step, or a list of angles counted from firing TDC",
                  .example = "\"1 degree\"",
                  .is_for_record = true}),
           field({.key = "output.fields",
                  .kind = FieldAnglesKind{},
-                 .unit = degree,
+                 .unit = si_unit("degree"),
                  .help = "pressure and film along the face: \"none\", \"all\", or a list of crank angles",
                  .example = "\"none\"",
                  .is_for_record = true}),

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 
 /// How the sections of the table of case keys are written down; only the files case_fields*.cpp include this.
@@ -43,14 +44,6 @@ ChoiceKind choice_in_order(const std::vector<std::string>& names) {
   return choice<Path...>(std::move(named));
 }
 
-/// SI unit and the unit in which people write it.
-struct Unit {
-  const char* si;
-  const char* display;
-};
-inline constexpr Unit kNoUnit{"", ""};
-inline constexpr Unit kPlainNumber{"1", "1"};
-
 /// When a key is in use, as a rule and in words; the default means always.
 struct When {
   bool (*holds)(const Case&) = nullptr;
@@ -65,7 +58,7 @@ inline Range strictly_between(double low, double high) { return {low, high, true
 struct Row {
   std::string key;
   Kind kind;
-  Unit unit = kNoUnit;
+  DisplayUnit unit = si_unit("");
   std::optional<Range> range = std::nullopt;
   Need need = Need::kDefault;
   When when = {};
@@ -76,7 +69,7 @@ struct Row {
 };
 
 inline Field field(Row row) {
-  return {std::move(row.key), std::move(row.kind), row.unit.si,    row.unit.display,    row.range,
+  return {std::move(row.key), std::move(row.kind), row.unit.si,    row.unit.name,       row.range,
           row.need,           row.when.holds,      row.when.words, std::move(row.help), std::move(row.example),
           row.uses,           row.is_for_record};
 }
@@ -103,7 +96,6 @@ std::vector<Field> face_fields(const FaceText& text) {
                           return form == FaceForm::kParabola || form == FaceForm::kCosine;
                         },
                         crowned.c_str()};
-  const Unit mm{"m", "mm"}, um{"m", "um"};
   return {
       field({.key = key("coefficients"),
              .kind = NumberListKind{member<Path..., &FaceShape::coefficients>},
@@ -115,7 +107,7 @@ std::vector<Field> face_fields(const FaceText& text) {
              .uses = text.uses}),
       field({.key = key("length_unit"),
              .kind = UnitNameKind{member<Path..., &FaceShape::length_unit>},
-             .unit = mm,
+             .unit = kMillimetre,
              .range = above(0, 1),
              .need = Need::kRequired,
              .when = is_polynomial,
@@ -124,7 +116,7 @@ std::vector<Field> face_fields(const FaceText& text) {
              .uses = text.uses}),
       field({.key = key("height_unit"),
              .kind = UnitNameKind{member<Path..., &FaceShape::height_unit>},
-             .unit = um,
+             .unit = kMicrometre,
              .range = above(0, 1),
              .need = Need::kRequired,
              .when = is_polynomial,
@@ -133,7 +125,7 @@ std::vector<Field> face_fields(const FaceText& text) {
              .uses = text.uses}),
       field({.key = key("crown_height"),
              .kind = NumberKind{member<Path..., &FaceShape::crown_height>},
-             .unit = um,
+             .unit = kMicrometre,
              .range = above(0, text.highest),
              .need = Need::kRequired,
              .when = is_crowned,

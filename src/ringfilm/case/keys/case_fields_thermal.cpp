@@ -10,14 +10,13 @@ constexpr When kWallTemperatures{[](const Case& c) { return c.thermal.is_stated(
 }  // namespace
 
 void append_thermal_fields(std::vector<Field>& fields) {
-  const Unit kelvin{"K", "degC"};
   const Range temperature = strictly_between(models::kColdestOil, models::kHottestOil);
   fields.insert(
       fields.end(),
       {
           field({.key = "thermal.ring",
                  .kind = OptionalNumberKind{member<&Case::thermal, &Thermal::ring>},
-                 .unit = kelvin,
+                 .unit = kCelsius,
                  .range = temperature,
                  .need = Need::kOptional,
                  .help = "temperature of the ring's face, or of a pad",
@@ -26,7 +25,7 @@ void append_thermal_fields(std::vector<Field>& fields) {
           field(
               {.key = "thermal.liner",
                .kind = StrokeValuesKind{member<&Case::thermal, &Thermal::liner>},
-               .unit = kelvin,
+               .unit = kCelsius,
                .range = temperature,
                .need = Need::kOptional,
                .help =

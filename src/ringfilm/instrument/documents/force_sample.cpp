@@ -111,7 +111,7 @@ std::vector<double> volts(const ChannelValues& signal, const std::string& path, 
                        unit.empty() ? "without a unit" : "in \"" + unit + "\", which is not a voltage"),
            "choose another channel with --channels, or state the unit: --signal-unit mV");
   }
-  const io::Scale scale = units.scale(unit, "V");
+  const Scale scale = units.scale(unit, "V");
   std::vector<double> values = signal.value;
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = signal.is_missing(i) ? std::numeric_limits<double>::quiet_NaN() : scale.to_si(values[i]);

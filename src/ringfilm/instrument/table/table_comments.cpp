@@ -36,7 +36,7 @@ double rounding_of(std::string_view number) {
 /// A stated length in metres; nothing where its unit is not a length.
 std::optional<StatedLength> in_metres(const StatedLength& length, const io::Units& units) {
   if (!units.measures(length.unit, "m")) return std::nullopt;
-  const io::Scale scale = units.scale(length.unit, "m");
+  const Scale scale = units.scale(length.unit, "m");
   return StatedLength{scale.to_si(length.value), scale.to_si(length.rounding), "m"};
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
+
 /// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, Grad, rev, bara, psia. A
 /// no-break space is a space.
 namespace ringfilm::io {
@@ -15,17 +17,6 @@ class UnitError : public std::runtime_error {
   UnitError(const std::string& predicate, const std::string& what_to_write)
       : std::runtime_error(predicate), remedy(what_to_write) {}
   std::string remedy;  ///< may be empty
-};
-
-/// The line from a unit to SI: SI = value * factor / divisor + offset. Decimal prefixes are whole factors or divisors,
-/// so that they round once: "82.5 mm" is 0.0825 to the last bit or the one before.
-struct Scale {
-  double factor = 1;   ///< [SI unit/unit], with the divisor
-  double divisor = 1;  ///< [-]
-  double offset = 0;   ///< SI value of the zero of the unit, e.g. 273.15 for degC [SI unit]
-
-  double to_si(double value) const { return value * factor / divisor + offset; }      ///< value in SI
-  double from_si(double value) const { return (value - offset) * divisor / factor; }  ///< value in this unit
 };
 
 /// Reads units, of a system that all share: to read it takes some milliseconds.

@@ -118,6 +118,21 @@ TEST(Units, ShowTheUnitThatPeopleRead) {
   EXPECT_EQ(units.shown(0.3, "1", "1"), "0.3");
 }
 
+TEST(Units, ConvertAsMessagesDo) {
+  const Units units;
+  for (const DisplayUnit& unit :
+       {kPlainNumber, kNanometre, kMicrometre, kMillimetre, kSquareMillimetre, kWornArea, kCubicMillimetre,
+        kPerSquareMicrometre, kBar, kKilopascal, kMegapascal, kGigapascal, kNanonewton, kNewtonPerMillimetre, kGram,
+        kMilligram, kMilligramPerSecond, kLitrePerMinute, kMillipascalSecond, kSquareMillimetrePerSecond, kCelsius,
+        kDegree, kArcMinute, kMilliradian, kRpm}) {
+    const Scale scale = units.scale(unit.name, unit.si);
+    EXPECT_DOUBLE_EQ(unit.scale.to_si(3), scale.to_si(3)) << unit.name;
+    EXPECT_DOUBLE_EQ(number_in(3, unit), scale.from_si(3)) << unit.name;
+  }
+  EXPECT_EQ(text_in(1.5e-6, kMicrometre), "1.5 um");
+  EXPECT_EQ(range_in(0, 0.0123456, kMillimetre, 3), "0 to 12.3 mm");
+}
+
 TEST(Units, ReadBackTheirOwnSiTextBitByBit) {
   const Units units;
   for (const double value : {0.1, 1.0 / 3.0, 157.07963267948966, 9.7e10, 1e-300}) {
