@@ -15,7 +15,6 @@
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/io/verification/verification_file.hpp"
 #include "ringfilm/report/verification_page.hpp"
-#include "text/engineering_text.hpp"
 #include "text/shared_options.hpp"
 
 namespace ringfilm::app {
@@ -67,26 +66,26 @@ void check_page(const NamedOutput& page, const std::vector<std::string>& folders
 }
 
 /// A number of a row in the unit that people read.
-std::string shown(const study::VerificationRow& row, double value, int digits, const EngineeringText& in_words) {
-  return std::isnan(value) ? "none" : in_words(value, row.unit, row.display_unit, digits);
+std::string shown(const study::VerificationRow& row, double value, int digits, const io::Units& units) {
+  return std::isnan(value) ? "none" : units.shown(value, row.unit, row.display_unit, digits);
 }
 
 /// An error or a tolerance: a share in per cent, or an amount.
-std::string shown_error(const study::VerificationRow& row, double error, const EngineeringText& in_words) {
+std::string shown_error(const study::VerificationRow& row, double error, const io::Units& units) {
   if (std::isnan(error)) return "none";
   constexpr double kRounding = 1e-12;  // digits below are those of the machine
   if (row.tolerance.kind == Tolerance::Kind::kRelative) {
     return error < kRounding ? "< 1e-10 %" : fmt::format("{:.2g} %", 100 * error);
   }
-  return shown(row, error, 2, in_words);
+  return shown(row, error, 2, units);
 }
 
-void print_case(const study::VerificationOutcome& outcome, const EngineeringText& in_words) {
+void print_case(const study::VerificationOutcome& outcome, const io::Units& units) {
   std::cout << outcome.name << ": " << outcome.title << "\n";
   for (const study::VerificationRow& row : outcome.rows) {
-    std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", row.label, shown(row, row.expected, 7, in_words),
-                             shown(row, row.got, 7, in_words), shown_error(row, row.error, in_words),
-                             shown_error(row, row.tolerance.value, in_words),
+    std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", row.label, shown(row, row.expected, 7, units),
+                             shown(row, row.got, 7, units), shown_error(row, row.error, units),
+                             shown_error(row, row.tolerance.value, units),
                              row.verdict == Verdict::kHolds ? "holds" : "FAILS");
   }
   for (const std::string& stop : outcome.stops) std::cout << "  NO SOLUTION: " << stop << "\n";
@@ -135,7 +134,6 @@ void verify(const VerifyOptions& options) {
     result.not_covered =
         io::read_not_covered((fs::path(io::shipped_folder()) / "verification" / "not-covered.toml").string(), units);
   }
-  const EngineeringText in_words;
   const bool is_table = options.requested == VerifyRequest::kTable;
   if (is_table) {
     std::cout << fmt::format("  {:<52}{:>20}{:>20}{:>14}{:>14}  {}\n", "check", "expected", "got", "error", "tolerance",
@@ -143,7 +141,7 @@ void verify(const VerifyOptions& options) {
   }
   for (const study::Verification& verification : verifications) {
     result.cases.push_back(study::verify(verification));
-    if (is_table) print_case(result.cases.back(), in_words);
+    if (is_table) print_case(result.cases.back(), units);
   }
   const bool holds = std::all_of(result.cases.begin(), result.cases.end(),
                                  [](const auto& outcome) { return outcome.verdict() == Verdict::kHolds; });

@@ -7,12 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "ringfilm/io/text/units.hpp"
 #include "ringfilm/study/sampling/morris.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
 #include "ringfilm/study/statistics/values_of_base.hpp"
 #include "ringfilm/study/statistics/weighted_mean.hpp"
-#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
@@ -126,7 +126,7 @@ class Summary {
 
   std::string shown(const cycle::Quantity& quantity, double value) const {
     constexpr int kDigits = 5;
-    return in_words_(value, quantity.unit, quantity.display_unit, kDigits);
+    return units_.shown(value, quantity.unit, quantity.display_unit, kDigits);
   }
 
   /// Factors by the size of their elementary effects, strongest first.
@@ -207,7 +207,7 @@ class Summary {
 
   const io::StudyRows& rows_;
   const study::Plan& plan_;
-  EngineeringText in_words_;
+  io::Units units_;
   std::string text_, indices_;
 };
 

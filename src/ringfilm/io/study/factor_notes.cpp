@@ -8,15 +8,6 @@
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {
-namespace {
-
-std::string number(double value, const study::Factor& factor, const Units& units) {
-  if (factor.unit == "1" || factor.unit.empty()) return fmt::format("{:.4g}", value);
-  const double shown = units.scale(factor.display_unit, factor.unit).from_si(value);
-  return fmt::format("{:.4g} {}", shown, factor.display_unit);
-}
-
-}  // namespace
 
 std::vector<std::string> flat_notes(const study::Plan& plan, const std::vector<study::FlatRange>& ranges,
                                     double tolerance) {
@@ -29,7 +20,8 @@ std::vector<std::string> flat_notes(const study::Plan& plan, const std::vector<s
       const study::Factor& factor = plan.study().factors[range.factor];
       factors += fmt::format("{}\"{}\"", factors.empty() ? "" : ", ", factor.name);
       if (range.is_whole) continue;
-      factors += fmt::format(" from {} to {}", number(range.low, factor, units), number(range.high, factor, units));
+      const auto end = [&](double x) { return units.shown(x, factor.unit, factor.display_unit, 4); };
+      factors += " from " + end(range.low) + " to " + end(range.high);
     }
     if (factors.empty()) continue;
     const std::string name = plan.values().quantities[value].long_name;

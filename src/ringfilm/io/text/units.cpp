@@ -302,9 +302,10 @@ double Units::quantity(const std::string& text, const std::string& si_unit, cons
   }
 }
 
-std::string Units::shown(double value_in_si, const std::string& si_unit, const std::string& display_unit) const {
-  const std::string number = fmt::format("{:.8g}", scale(display_unit, si_unit).from_si(value_in_si));
-  return si_unit == "1" ? number : number + " " + display_unit;
+std::string Units::shown(double value_in_si, const std::string& si_unit, const std::string& display_unit,
+                         int max_digits) const {
+  const std::string number = number_text(scale(display_unit, si_unit).from_si(value_in_si), max_digits);
+  return display_unit.empty() || display_unit == "1" ? number : number + " " + display_unit;
 }
 
 std::pair<double, std::string> leading_number(const std::string& text, const std::string& requested) {

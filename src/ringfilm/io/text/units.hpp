@@ -35,8 +35,9 @@ class Units {
   /// Is `unit` a unit of the dimension of `si_unit`? False also where it is not a unit at all.
   bool measures(const std::string& unit, const std::string& si_unit) const;
 
-  /// The value [si_unit] in the unit that people read, with up to 8 digits: "89 mm".
-  std::string shown(double value_in_si, const std::string& si_unit, const std::string& display_unit) const;
+  /// The value [si_unit] in the unit that people read: "89 mm"; the number alone where that unit is "1" or empty.
+  std::string shown(double value_in_si, const std::string& si_unit, const std::string& display_unit,
+                    int max_digits = 8) const;
 
  private:
   struct System;

@@ -71,12 +71,10 @@ class VariationText {
   }
 
  private:
-  std::string value(double x) const { return shown(x, factor_.display_unit); }
+  std::string value(double x) const { return units_.shown(x, factor_.unit, factor_.display_unit, 5); }
   /// A difference of temperatures is one in kelvin.
-  std::string difference(double x) const { return shown(x, factor_.unit == "K" ? "K" : factor_.display_unit); }
-  std::string shown(double x, const std::string& display_unit) const {
-    if (factor_.unit == "1" || factor_.unit.empty()) return fmt::format("{:.5g}", x);
-    return fmt::format("{:.5g} {}", units_.scale(display_unit, factor_.unit).from_si(x), display_unit);
+  std::string difference(double x) const {
+    return units_.shown(x, factor_.unit, factor_.unit == "K" ? "K" : factor_.display_unit, 5);
   }
   static std::string cut(const std::string& words, std::size_t n) {
     return n > kListedValues ? fmt::format("{}, ... ({} values)", words, n) : words;

@@ -49,8 +49,7 @@ std::string group_name(const study::Study& study, std::size_t base, const study:
 std::string shown_value(const study::Factor& factor, double value, const io::Units& units) {
   if (const auto* choices = std::get_if<study::Choices>(&factor.variation))
     return short_name(choices->values.at(static_cast<std::size_t>(value)).text);
-  if (factor.unit.empty() || factor.unit == "1") return fmt::format("{:.4g}", value);
-  return fmt::format("{:.4g} {}", units.scale(factor.display_unit, factor.unit).from_si(value), factor.display_unit);
+  return units.shown(value, factor.unit, factor.display_unit, 4);
 }
 
 bool is_paired(const study::Plan& plan, const ComparisonGroup& first, const ComparisonGroup& other) {
