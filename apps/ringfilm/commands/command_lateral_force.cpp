@@ -216,9 +216,9 @@ void declare_lateral_force(CommandOptions& add, LateralForceRequest& request) {
   const CLI::Option* angle =
       add.read_each("--wedge-angle", "\"54.7 deg +- 0.5 deg\"", "angle of each facet to the base; twice",
                     [&](const std::string& text) {
-                      constexpr double kDegree = std::numbers::pi / 180;
+                      constexpr double kOneDegree = std::numbers::pi / 180;  // [rad]
                       const surface::Uncertain one = add.uncertain_of("--wedge-angle", text, "degree", "54.7 deg");
-                      request.angles_rad.push_back({one.value * kDegree, one.deviation * kDegree});
+                      request.angles_rad.push_back({one.value * kOneDegree, one.deviation * kOneDegree});
                     });
   add.text("--calibration", request.calibration_name, "NAME",
            "its name in the record; samples that share it are correlated (default made of the files)");

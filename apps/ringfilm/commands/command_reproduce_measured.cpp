@@ -14,6 +14,7 @@
 #include "measured_chain.hpp"
 #include "output_names.hpp"
 #include "reproduction.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/instrument/documents/contact_measurement.hpp"
 #include "ringfilm/io/measurement/measurement_text.hpp"
@@ -140,7 +141,7 @@ double height_um(const std::vector<double>& coefficients, double x_mm) {
 /// Largest distance of the two polynomials over the face [um].
 double distance_um(const RingPair& of) {
   constexpr int kPlaces = 1200;
-  const double width_mm = in_mm(of.target.ring.face_width);
+  const double width_mm = number_in(of.target.ring.face_width, kMillimetre);
   double largest = 0;
   for (int k = 0; k <= kPlaces; ++k) {
     const double x = width_mm * k / kPlaces;
@@ -185,7 +186,8 @@ class TargetAndResult {
       const std::string name = fmt::format("{} {}", k == 0 ? "Table 4:" : "        ", static_cast<char>('a' + k));
       row(name, of.target.ring.face.coefficients[k], of.result.ring.face.coefficients[k], true, "");
     }
-    const double distance = distance_um(of), noise = in_um(of.result.ring.face.measured.residual_rms.value_or(0));
+    const double distance = distance_um(of),
+                 noise = number_in(of.result.ring.face.measured.residual_rms.value_or(0), kMicrometre);
     text_ += fmt::format("{:<29}{:>12}{:>14.4f}{:>12}  noise {:.2g} um{}\n", "         largest distance [um]", "0",
                          distance, "", noise, verdict(distance <= noise));
   }

@@ -13,6 +13,7 @@
 #include "commands/commands.hpp"
 #include "faults.hpp"
 #include "output_names.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
@@ -131,7 +132,7 @@ void check_curves(const StudyOptions& options, const study::Plan& plan) {
   if (options.yes || bytes <= kMaxCurves) return;
   throw InputError(
       fmt::format("the curves of {} scenarios take {:.1f} GB on the disk, and as much again where all are kept",
-                  plan.most(), bytes / 1e9),
+                  plan.most(), number_in(bytes, kGigabyte)),
       "add --yes if that is meant, or keep fewer quantities, a larger keep.crank_step, or curves = \"none\"");
 }
 

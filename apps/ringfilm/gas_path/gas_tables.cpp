@@ -16,7 +16,7 @@ constexpr double kRounding = 1e-9;
 
 std::string twist_cell(const gas_path::RingMotionValues& ring) {
   if (!ring.largest_static_twist) return "";
-  const double twist = in_degree(*ring.largest_static_twist);
+  const double twist = number_in(*ring.largest_static_twist, kDegree);
   if (twist == 0) return "       none";
   return fmt::format("{:>11.2g} degree at {:.0f}", twist, ring.largest_static_twist_angle_deg.value_or(0));
 }
@@ -33,8 +33,8 @@ std::string blow_by_text(const gas_path::GasSums& sums) {
 std::string regions_table(const io::PackGas& gas) {
   std::string text = fmt::format("{:<14}{:>16}{:>16}{:>16}\n", "region", "peak", "at", "mean");
   for (const gas_path::RegionValues& region : gas.regions) {
-    text += fmt::format("{:<14}{:>12.4g} bar{:>9.1f} degree{:>12.4g} bar\n", region.name, in_bar(region.peak_pressure),
-                        region.peak_pressure_angle_deg, in_bar(region.mean_pressure));
+    text += fmt::format("{:<14}{:>16}{:>9.1f} degree{:>16}\n", region.name, text_in(region.peak_pressure, kBar, 4),
+                        region.peak_pressure_angle_deg, text_in(region.mean_pressure, kBar, 4));
   }
   return text;
 }
@@ -45,7 +45,7 @@ std::string paths_table(const io::PackGas& gas) {
     largest = std::max({largest, path.mass_forward_per_cycle.value_or(0), path.mass_back_per_cycle.value_or(0)});
   }
   const auto cell = [largest](double mass) {
-    return fmt::format("{:>13.4g}", std::abs(mass) < kRounding * largest ? 0.0 : in_mg(mass));
+    return fmt::format("{:>13.4g}", std::abs(mass) < kRounding * largest ? 0.0 : number_in(mass, kMilligram));
   };
   std::string text = fmt::format("{:<18}{:>13}{:>13}{:>13}   mg per cycle and cylinder, to the crankcase\n", "path",
                                  "forward", "back", "net");

@@ -1,23 +1,22 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <numbers>
 
 #include "life/command_life.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/io/life/face_comparison.hpp"
-#include "text/engineering_text.hpp"
 
 namespace ringfilm::app {
 namespace {
 
-constexpr double kArcMinute = std::numbers::pi / 180 / 60;
-
 std::string row(const io::FacePair& pair, std::size_t k) {
   const life::WearBound &level = pair.level[k], &tilted = pair.tilted[k], &turned = pair.turned[k];
   return fmt::format("{:>10.3f} {:>8.2f} {:>8.2f} {:>10.2f} {:>8.2f} {:>7.1f} {:>10.2f} {:>8.2f} {:>7.1f}\n",
-                     in_mm(level.margin), in_um(level.depth_at_middle), in_um_mm(level.area),
-                     in_um(tilted.depth_at_middle), in_um_mm(tilted.area), tilted.tilt / kArcMinute,
-                     in_um(turned.depth_at_middle), in_um_mm(turned.area), turned.tilt / kArcMinute);
+                     number_in(level.margin, kMillimetre), number_in(level.depth_at_middle, kMicrometre),
+                     number_in(level.area, kWornArea), number_in(tilted.depth_at_middle, kMicrometre),
+                     number_in(tilted.area, kWornArea), number_in(tilted.tilt, kArcMinute),
+                     number_in(turned.depth_at_middle, kMicrometre), number_in(turned.area, kWornArea),
+                     number_in(turned.tilt, kArcMinute));
 }
 
 std::string table(const io::FaceComparison& comparison) {
@@ -33,7 +32,8 @@ std::string table(const io::FaceComparison& comparison) {
       text += fmt::format(
           "{}: from {:.3f} to {:.3f} mm the face is {:.2f} um above its convex hull: no straight liner "
           "touches it there, and wear by it cannot make that shape\n",
-          comparison.faces[i].name, in_mm(stretch.from), in_mm(stretch.to), in_um(stretch.height));
+          comparison.faces[i].name, number_in(stretch.from, kMillimetre), number_in(stretch.to, kMillimetre),
+          number_in(stretch.height, kMicrometre));
     }
   }
   return text +

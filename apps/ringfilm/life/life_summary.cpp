@@ -23,18 +23,19 @@ std::string band_text(const life::LifeState& state, std::size_t quantity) {
 std::string row(const life::LifeState& state) {
   const auto value = [&state](const char* name) { return state.values[index_of(name)]; };
   return fmt::format("{:>8.6g} {:<13} {:>8.4g} {:>8.4g} {:>7.2f} {:>15} {:>7.2f} {:>7.0f} {:>7.3f} {:>7.4f}\n",
-                     state.time / life::kHour, io::state_origin_word(state.state_origin), in_um(state.ring.roughness),
-                     state.ring.boundary_shear_strength_coefficient, value("mean_power_loss"),
-                     band_text(state, index_of("mean_power_loss")), in_kpa(value("fmep")),
-                     in_mg(value("mean_absolute_oil_flow")), value("lambda_ratio_at_peak_pressure"),
-                     value("peak_friction_coefficient_firing"));
+                     state.time / life::kHour, io::state_origin_word(state.state_origin),
+                     number_in(state.ring.roughness, kMicrometre), state.ring.boundary_shear_strength_coefficient,
+                     value("mean_power_loss"), band_text(state, index_of("mean_power_loss")),
+                     number_in(value("fmep"), kKilopascal),
+                     number_in(value("mean_absolute_oil_flow"), kMilligramPerSecond),
+                     value("lambda_ratio_at_peak_pressure"), value("peak_friction_coefficient_firing"));
 }
 
 std::string turned_line(const life::LifeState& state) {
   if (state.turned.empty()) return "";
   const std::size_t power = index_of("mean_power_loss"), flow = index_of("mean_absolute_oil_flow");
   return fmt::format("{:>8.6g} h, ring turned over: {:.2f} W, {:.0f} mg/s\n", state.time / life::kHour,
-                     state.turned[power], in_mg(state.turned[flow]));
+                     state.turned[power], number_in(state.turned[flow], kMilligramPerSecond));
 }
 
 std::string worn_table(const io::LifeDocument& document) {
@@ -68,8 +69,9 @@ std::string points_table(const io::LifeDocument& document) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto value = [&](const char* name) { return state.points[i][index_of(name)]; };
       text += fmt::format("{:>8.6g} {:<24} {:>7.3g} {:>8.2f} {:>8.2f} {:>9.3f} {:>9.0f}\n", state.time / life::kHour,
-                          points[i].name, 100 * points[i].share, value("mean_power_loss"), in_kpa(value("fmep")),
-                          in_um(value("min_film_thickness")), in_mg(value("mean_absolute_oil_flow")));
+                          points[i].name, 100 * points[i].share, value("mean_power_loss"),
+                          number_in(value("fmep"), kKilopascal), number_in(value("min_film_thickness"), kMicrometre),
+                          number_in(value("mean_absolute_oil_flow"), kMilligramPerSecond));
     }
   }
   return text;
@@ -82,7 +84,7 @@ std::string least_wear_line(const life::LifeState& state) {
                           [](const life::WearBound& a, const life::WearBound& b) { return a.area < b.area; });
   return fmt::format(
       "{:>8.6g} h: the face has lost at least {:.2g} to {:.2g} um mm, by how much of its edges is trusted\n",
-      state.time / life::kHour, in_um_mm(low->area), in_um_mm(high->area));
+      state.time / life::kHour, number_in(low->area, kWornArea), number_in(high->area, kWornArea));
 }
 
 std::string fit_table(const life::CoefficientFit& fit) {
@@ -90,10 +92,11 @@ std::string fit_table(const life::CoefficientFit& fit) {
                                  "rms um", "coefficient m2/N");
   for (const life::FittedCoefficient& row : fit.rows) {
     const bool is_bound = row.basis == life::FitBasis::kMinWear;
-    const std::string basis = is_bound ? fmt::format("least wear, edges - {:.3g} mm", in_mm(row.trusted))
-                                       : fmt::format("closest face, +-{:.2g} mm", in_mm(row.trusted));
+    const std::string basis = is_bound ? "least wear, edges - " + text_in(row.trusted, kMillimetre, 3)
+                                       : "closest face, +-" + text_in(row.trusted, kMillimetre, 2);
     text += fmt::format("{:>8.6g} {:<26} {:>16.3g} {:>8} {:>16}\n", row.time / life::kHour, basis,
-                        in_um_mm(row.worn_area), row.rms ? fmt::format("{:.2f}", in_um(*row.rms)) : "",
+                        number_in(row.worn_area, kWornArea),
+                        row.rms ? fmt::format("{:.2f}", number_in(*row.rms, kMicrometre)) : "",
                         row.coefficient ? fmt::format("{:.2g}", *row.coefficient)
                         : row.is_flat   ? "face is flat"
                                         : "not determined");
@@ -108,8 +111,9 @@ std::string wear_table(const io::LifeDocument& document) {
   std::string text;
   for (const life::LifeState& state : document.result.states) {
     for (const life::FaceDistance& distance : state.from_measured) {
-      text += fmt::format("{:>8.6g} h: {:.3g} um rms from the measured face within {:.2g} mm of the middle\n",
-                          state.time / life::kHour, in_um(distance.rms), in_mm(distance.half_width));
+      text += fmt::format("{:>8.6g} h: {} rms from the measured face within {} of the middle\n",
+                          state.time / life::kHour, text_in(distance.rms, kMicrometre, 3),
+                          text_in(distance.half_width, kMillimetre, 2));
     }
   }
   if (const auto& implied = document.result.wear->implied) {
@@ -117,8 +121,9 @@ std::string wear_table(const io::LifeDocument& document) {
                         implied->low, implied->high);
   }
   if (const auto& fit = document.result.wear->fit) text += fit_table(*fit);
-  return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {:.2g} um, volumes by {:.1g}\n",
-                            effort.jumps, effort.rejected_jumps, in_um(effort.stage_difference), effort.balance_error);
+  return text + fmt::format("{} jumps, {} rejected; stages of a jump differ by up to {}, volumes by {:.1g}\n",
+                            effort.jumps, effort.rejected_jumps, text_in(effort.stage_difference, kMicrometre, 2),
+                            effort.balance_error);
 }
 
 std::string when(const std::optional<double>& time) {

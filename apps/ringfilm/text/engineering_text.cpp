@@ -48,12 +48,6 @@ std::string EngineeringText::operator()(const std::string& name, double value_si
   return quantity.display_unit == "1" ? number : number + " " + quantity.display_unit;
 }
 
-std::string EngineeringText::operator()(double value_si, const std::string& unit, const std::string& display_unit,
-                                        int digits) const {
-  const std::string number = fmt::format("{:.{}g}", units_.scale(display_unit, unit).from_si(value_si), digits);
-  return display_unit == "1" ? number : number + " " + display_unit;
-}
-
 const cycle::CycleQuantity& cycle_quantity(const std::string& name) {
   const std::optional<std::size_t> found = cycle::cycle_quantity_index(name);
   if (!found) throw std::logic_error("no cycle value is called " + name);

@@ -44,8 +44,9 @@ std::string pad_summary(const cycle::Case& input, const io::PadDocument& documen
   const pad::PadResult& result = document.result;
   const pad::Sample& last = result.samples.back();
   const cycle::Pad& pad = input.pad;
-  const std::string size = pad.width ? fmt::format("{:.6g} x {:.6g} mm", in_mm(pad.length), in_mm(*pad.width))
-                                     : fmt::format("{:.6g} mm", in_mm(pad.length));
+  const std::string size =
+      pad.width ? fmt::format("{:.6g} x {}", number_in(pad.length, kMillimetre), text_in(*pad.width, kMillimetre))
+                : text_in(pad.length, kMillimetre);
   std::string text =
       fmt::format("{}\npad of {}, {:.6g} m/s towards {}; {}\n\n", document.title, size, pad.speed,
                   pad.direction == cycle::Direction::kPlusX ? "+x" : "-x",

@@ -83,14 +83,14 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
 /// What only an unrolled film has: its grid, and what the ends of the gap do.
 std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& result) {
   const EngineeringText in_words;
-  std::string text = fmt::format("film on the unrolled ring: {} x {} cells, {:.6g} mm around", input.solver.cells,
-                                 input.solver.cells_y, in_mm(input.ring_length()));
+  std::string text = fmt::format("film on the unrolled ring: {} x {} cells, {} around", input.solver.cells,
+                                 input.solver.cells_y, text_in(input.ring_length(), kMillimetre));
   const auto shown = [&](const char* name) {
     const auto& all = cycle::unrolled_cycle_quantities();
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == name; });
     return in_words(*found, result.unrolled_values.*found->value);
   };
-  text += input.ring.end_gap ? fmt::format(", gap of {:.4g} mm at {:.4g} degree", in_mm(*input.ring.end_gap),
+  text += input.ring.end_gap ? fmt::format(", gap of {} at {:.4g} degree", text_in(*input.ring.end_gap, kMillimetre, 4),
                                            input.ring.gap_position_deg)
                              : ", joined without a gap";
   if (input.bends() && result.complete) {
@@ -160,7 +160,7 @@ std::string note_lines(const io::ResultDocument& document) {
 }
 
 std::string oil_temperature(const cycle::Case& c) {
-  if (!c.thermal.is_stated()) return fmt::format("oil at {:.6g} degC", in_degc(c.operating.oil_temperature));
+  if (!c.thermal.is_stated()) return "oil at " + text_in(c.operating.oil_temperature, kCelsius);
   return fmt::format("oil film at the temperature of {}", c.thermal.film == cycle::FilmTemperature::kRing ? "the ring"
                                                           : c.thermal.film == cycle::FilmTemperature::kLiner
                                                               ? "the liner"
@@ -170,9 +170,9 @@ std::string oil_temperature(const cycle::Case& c) {
 std::string ring_shares(const std::vector<io::RingSums>& rings, double whole) {
   std::string text;
   for (const io::RingSums& ring : rings) {
-    text +=
-        fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring, in_kpa(ring.values.fmep),
-                    ring.values.mean_power_loss, percent(ring.values.mean_power_loss, whole));
+    text += fmt::format("  ring {}: {:>8.4g} kPa FMEP, {:>8.4g} W, {} of the pack\n", ring.ring,
+                        number_in(ring.values.fmep, kKilopascal), ring.values.mean_power_loss,
+                        percent(ring.values.mean_power_loss, whole));
   }
   return text;
 }
@@ -181,11 +181,11 @@ std::string pack_oil_lines(const io::ResultDocument& pack) {
   const std::optional<io::PackOil> oil = io::pack_oil(pack);
   if (!oil) return "";
   return wrapped(words(fmt::format(
-      "oil on the liner above the first ring: {:.4g} um after the power stroke, {:.4g} um after the intake stroke; it "
-      "leaves {:.3g} mg at TDC per cycle; upper bound of oil to the chamber: {:.3g} mg per cycle (all oil that it "
-      "leaves on the liner on downstrokes)",
-      in_um(oil->film_after_power_stroke), in_um(oil->film_after_intake_stroke), in_mg(oil->left_at_tdc),
-      in_mg(oil->to_chamber_upper_bound))));
+      "oil on the liner above the first ring: {} after the power stroke, {} after the intake stroke; it leaves {} at "
+      "TDC per cycle; upper bound of oil to the chamber: {} per cycle (all oil that it leaves on the liner on "
+      "downstrokes)",
+      text_in(oil->film_after_power_stroke, kMicrometre, 4), text_in(oil->film_after_intake_stroke, kMicrometre, 4),
+      text_in(oil->left_at_tdc, kMilligram, 3), text_in(oil->to_chamber_upper_bound, kMilligram, 3))));
 }
 
 std::string pack_gas_lines(const io::ResultDocument& pack) {
@@ -193,7 +193,7 @@ std::string pack_gas_lines(const io::ResultDocument& pack) {
   std::string text = "blow-by per cylinder " + blow_by_text(pack.gas->sums) + "; peaks of pressure";
   for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
     const gas_path::RegionValues& region = pack.gas->regions[i];
-    text += fmt::format("{} {} {:.3g} bar", i > 1 ? "," : "", region.name, in_bar(region.peak_pressure));
+    text += fmt::format("{} {} {}", i > 1 ? "," : "", region.name, text_in(region.peak_pressure, kBar, 3));
   }
   text = wrapped(words(text));
   for (const std::string& table : {paths_table(*pack.gas), ring_motion_table(*pack.gas)}) {
@@ -229,8 +229,8 @@ std::string pack_summary(const io::ResultDocument& pack) {
 
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
   std::string text = document.title + "\n";
-  text += fmt::format("{:.6g} rpm, {}; cylinder pressure: {}\n\n", in_rpm(input.operating.speed),
-                      oil_temperature(input), pressure_origin(input.gas));
+  text += fmt::format("{}, {}; cylinder pressure: {}\n\n", text_in(input.operating.speed, kRpm), oil_temperature(input),
+                      pressure_origin(input.gas));
   const cycle::CycleResult& result = document.result;
   if (!result.complete) {
     text += fmt::format(
