@@ -1,9 +1,8 @@
 #include "ringfilm/study/ensemble/alternatives.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -64,14 +63,15 @@ std::vector<Alternative> other_choices(const std::string& key, const Case& c) {
   return kept_if_allowed(c, std::move(others));
 }
 
-std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use, const Unit& unit,
-                                       std::initializer_list<double> values) {
+std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use,
+                                       const DisplayUnit& unit, std::initializer_list<double> values) {
   std::vector<Alternative> others;
   for (const double requested : values) {
-    const std::string number = fmt::format("{:.4g}", (requested - unit.zero) / unit.size);
-    const double value = std::strtod(number.c_str(), nullptr) * unit.size + unit.zero;
+    const std::string number = number_text(number_in(requested, unit), 4);
+    const double value = unit.scale.to_si(std::strtod(number.c_str(), nullptr));
     if (same(value, in_use) || !in_range(key, value)) continue;
-    const std::string written = *unit.name ? "\"" + number + " " + unit.name + "\"" : number;
+    const bool is_bare = std::string_view(unit.name) == kPlainNumber.name;
+    const std::string written = is_bare ? number : "\"" + number + " " + unit.name + "\"";
     others.push_back({key + " = " + written, [key, value](Case& x) { set_number(key, x, value); }});
   }
   return kept_if_allowed(c, std::move(others));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/case.hpp"
 
 /// Other settings of the keys of a case, written and applied by the one table of keys (cycle/case/case_fields.hpp).
@@ -22,17 +23,10 @@ std::string chosen(const std::string& key, const cycle::Case& c);
 /// The choices of `key` that `c` does not make.
 std::vector<Alternative> other_choices(const std::string& key, const cycle::Case& c);
 
-/// The unit in which a number is written: SI value = number * size + zero.
-struct Unit {
-  const char* name;  ///< empty for dimensionless keys
-  double size;
-  double zero = 0;
-};
-
 /// Other values [SI] of `key`, each rounded to four digits in `unit` before it is applied: what a setting states is
 /// what is run. Values within a thousandth of `in_use` [SI] are omitted.
-std::vector<Alternative> other_numbers(const std::string& key, const cycle::Case& c, double in_use, const Unit& unit,
-                                       std::initializer_list<double> values);
+std::vector<Alternative> other_numbers(const std::string& key, const cycle::Case& c, double in_use,
+                                       const DisplayUnit& unit, std::initializer_list<double> values);
 
 /// `value`, or `instead` if the case uses `value` already.
 double other_than(double in_use, double value, double instead);

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <utility>
 
-#include "ringfilm/base/constants.hpp"
 #include "ringfilm/case/conditions.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
@@ -27,10 +26,6 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   entry.can_be_lifted = !alternatives.empty();
   return {std::move(entry), std::move(alternatives)};
 }
-
-constexpr Unit kMicrometre{"um", 1e-6}, kNanometre{"nm", 1e-9}, kGPa{"GPa", 1e9}, kMPa{"MPa", 1e6}, kBar{"bar", 1e5},
-    kNewton{"N", 1}, kMm{"mm", 1e-3};
-constexpr Unit kCelsius{"degC", 1, base::kZeroCelsius}, kPlain{"", 1};
 
 void append(std::vector<Alternative> more, std::vector<Alternative>& others) {
   std::move(more.begin(), more.end(), std::back_inserter(others));
@@ -94,7 +89,8 @@ Assumption composite_modulus(const cycle::Setup& setup) {
     const char* key = "ring.coating.contact_modulus";
     const bool of_coating = c.ring.coating.contact_modulus == cycle::ContactModulus::kCoating;
     return assumption("composite-modulus",
-                      fmt::format("E' is {:.1f} GPa, with the modulus of the {}", setup.ring.E_prime / 1e9,
+                      fmt::format("E' is {:.1f} GPa, with the modulus of the {}",
+                                  number_in(setup.ring.E_prime, kGigapascal),
                                   of_coating ? "coating" : "ring below its coating"),
                       "contact spots are far smaller than the coating is thick: the modulus of the coating counts",
                       other_choices(key, c));
@@ -102,36 +98,36 @@ Assumption composite_modulus(const cycle::Setup& setup) {
   const double other = other_than(setup.ring.E_prime, 190e9, 135e9);
   return assumption(
       "composite-modulus",
-      fmt::format("E' is {:.1f} GPa, {}", setup.ring.E_prime / 1e9,
+      fmt::format("E' is {:.1f} GPa, {}", number_in(setup.ring.E_prime, kGigapascal),
                   c.contact.composite_modulus ? "as stated" : "of ring and liner uncoated"),
       "contact spots are far smaller than a coating is thick: on a coated ring the modulus of the coating counts "
       "(ring.coating.youngs_modulus)",
-      other_numbers("contact.composite_modulus", setup.input, setup.ring.E_prime, kGPa, {other}));
+      other_numbers("contact.composite_modulus", setup.input, setup.ring.E_prime, kGigapascal, {other}));
 }
 
 /// 20 % to either side of whatever states the tension; the elastic pressure is proportional to each of them.
 std::vector<Alternative> other_tensions(const cycle::Ring& ring, const Case& c) {
-  const auto scaled = [&](const char* key, double value, const Unit& unit) {
+  const auto scaled = [&](const char* key, double value, const DisplayUnit& unit) {
     return other_numbers(key, c, value, unit, {0.8 * value, 1.2 * value});
   };
-  if (ring.elastic_pressure) return scaled("ring.elastic_pressure", *ring.elastic_pressure, kMPa);
-  if (ring.tangential_force) return scaled("ring.tangential_force", *ring.tangential_force, kNewton);
-  if (ring.expander_force) return scaled("ring.expander_force", *ring.expander_force, kNewton);
+  if (ring.elastic_pressure) return scaled("ring.elastic_pressure", *ring.elastic_pressure, kMegapascal);
+  if (ring.tangential_force) return scaled("ring.tangential_force", *ring.tangential_force, si_unit("N"));
+  if (ring.expander_force) return scaled("ring.expander_force", *ring.expander_force, si_unit("N"));
   if (ring.free_shape) return {};
-  return scaled("ring.free_gap", ring.free_gap.value(), kMm);
+  return scaled("ring.free_gap", ring.free_gap.value(), kMillimetre);
 }
 
 Assumption elastic_pressure(const cycle::Setup& setup) {
   return assumption(
       "ring-tension",
-      fmt::format("the ring presses with {:.3g} MPa by its own tension", setup.ring.elastic_pressure / 1e6), "",
+      "the ring presses with " + text_in(setup.ring.elastic_pressure, kMegapascal, 3) + " by its own tension", "",
       other_tensions(setup.input.ring, setup.input));
 }
 
 Assumption cavitation_pressure(const Case& c) {
   const double p = c.film.cavitation_pressure;
   return assumption("cavitation-pressure",
-                    fmt::format("the film ruptures at {:.3g} bar absolute, or at the lower edge pressure", p / 1e5), "",
+                    "the film ruptures at " + text_in(p, kBar, 3) + " absolute, or at the lower edge pressure", "",
                     other_numbers("film.cavitation_pressure", c, p, kBar, {other_than(p, 0.2e5, 1.013e5)}));
 }
 
@@ -149,7 +145,7 @@ Assumption pressure_behind_ring(const Case& c) {
                                       "acts behind the ring at once",
                                       100 * share),
                     "the groove fills through the side clearance, with a delay and a loss",
-                    other_numbers("gas.pressure_behind_ring", c, share, kPlain, {other_than(share, 1.0, 0.9)}));
+                    other_numbers("gas.pressure_behind_ring", c, share, kPlainNumber, {other_than(share, 1.0, 0.9)}));
 }
 
 /// How the gas comes between the rings.
@@ -168,15 +164,16 @@ Assumption gas_path(const Case& c) {
 Assumption gas_sizes(const Case& c) {
   const cycle::RingGasPath& gas = c.ring.gas_path;
   const double gap = gas.gap_area ? *gas.gap_area : c.ring.end_gap.value_or(0) * gas.land_clearance.value_or(0);
-  std::string sizes = fmt::format("end gap of {:.3g} mm2", gap * 1e6);
+  std::string sizes = "end gap of " + text_in(gap, kSquareMillimetre, 3);
   if (gas.kind == cycle::RingKind::kCompression) {
     sizes +=
-        fmt::format(", groove of {:.3g} mm3 at {:.4g} K, side clearance of {:.3g} um",
-                    gas.groove_volume.value_or(0) * 1e9, gas.groove_temperature, gas.side_clearance.value_or(0) * 1e6);
+        fmt::format(", groove of {} at {:.4g} K, side clearance of {}",
+                    text_in(gas.groove_volume.value_or(0), kCubicMillimetre, 3), gas.groove_temperature,
+                    text_in(gas.side_clearance.value_or(0), kMicrometre, 3));
   }
   if (gas.volume_below > 0) {
-    sizes +=
-        fmt::format(", piston land below of {:.3g} mm3 at {:.4g} K", gas.volume_below * 1e9, gas.temperature_below);
+    sizes += fmt::format(", piston land below of {} at {:.4g} K", text_in(gas.volume_below, kCubicMillimetre, 3),
+                         gas.temperature_below);
   }
   return assumption("gas-volumes", "the gas at the ring has an " + sizes,
                     "those of a hot engine are rarely known and differ from the drawing: end gaps close, blow-by is "
@@ -195,7 +192,7 @@ Assumption pressure_under_ring(const Case& c) {
   }
   return assumption("pressure-under-ring",
                     "the pressure straight under the ring is that of the crankcase" +
-                        (c.gas.crankcase_trace ? " trace" : fmt::format(", {:.3g} bar", p / 1e5)),
+                        (c.gas.crankcase_trace ? " trace" : ", " + text_in(p, kBar, 3)),
                     "the second land holds gas at a pressure between chamber and crankcase", std::move(others));
 }
 
@@ -215,7 +212,7 @@ Assumption oil_temperature(const Case& c) {
   std::vector<Alternative> others = other_numbers("operating.oil_temperature", c, T, kCelsius, {T - 20, T + 20});
   append(heating, others);
   return assumption(
-      "oil-temperature", fmt::format("the walls of all oil are at {:.4g} degC; {}", T - base::kZeroCelsius, words),
+      "oil-temperature", fmt::format("the walls of all oil are at {}; {}", text_in(T, kCelsius, 4), words),
       "the walls carry the heat of shear away; the temperatures of ring and liner decide, and they vary along the "
       "stroke",
       std::move(others));
@@ -232,7 +229,7 @@ std::vector<Alternative> other_supplies(const Case& c) {
   }
   if (c.supply.reach) {
     const double reach = *c.supply.reach;
-    append(other_numbers("supply.reach", c, reach, kMm, {0.5 * reach}), others);
+    append(other_numbers("supply.reach", c, reach, kMillimetre, {0.5 * reach}), others);
   }
   append(other_choices("film.supply", c), others);
   return others;
@@ -246,13 +243,13 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   if (c.film.supply_at_inlet() != cycle::OilSupply::kFlooded) {
     append(other_supplies(c), others);
     const bool follows = c.film.supply == cycle::OilSupply::kFilmOnLiner;
-    const double film = 1e6 * along_stroke(c.supply.film, 0.5 * c.engine.stroke);
+    const std::string film = text_in(along_stroke(c.supply.film, 0.5 * c.engine.stroke), kMicrometre, 3);
     return assumption(
         topic,
-        follows ? fmt::format("the ring finds on the liner what earlier strokes left, and below {:.3g} mm the film "
-                              "of the oil ring, {:.3g} um at midstroke",
-                              1e3 * *c.supply.reach, film)
-                : fmt::format("a film of {:.3g} um at midstroke is ahead of the ring on every stroke", film),
+        follows ? fmt::format("the ring finds on the liner what earlier strokes left, and below {} the film of the oil "
+                              "ring, {} at midstroke",
+                              text_in(*c.supply.reach, kMillimetre, 3), film)
+                : "a film of " + film + " at midstroke is ahead of the ring on every stroke",
         "what the oil ring leaves is seldom known; below half of the film at which the asperities carry "
         "the load alone the ring runs dry",
         std::move(others));
@@ -279,8 +276,8 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
   }
   return assumption(
       topic,
-      fmt::format("both edges are flooded with oil; at the chamber edge its pressure is up to {:.3g} bar",
-                  setup.ring.lands.above.peak() / 1e5),
+      "both edges are flooded with oil; at the chamber edge its pressure is up to " +
+          text_in(setup.ring.lands.above.peak(), kBar, 3),
       "physically that is gas, which takes viscous friction away, and a thinner supply of oil, which adds boundary "
       "friction: friction may err either way; oil flow is an upper bound of that with less oil at the inlet",
       others);
@@ -305,10 +302,9 @@ Assumption ring_gap(const Case& c) {
   }
   return assumption(
       topic,
-      fmt::format("the ring has a gap of {:.4g} mm, at whose ends the film has the mean of the pressures at its edges; "
-                  "gas that "
-                  "blows through it is not computed",
-                  *c.ring.end_gap * 1e3),
+      fmt::format("the ring has a gap of {}, at whose ends the film has the mean of the pressures at its edges; gas "
+                  "that blows through it is not computed",
+                  text_in(*c.ring.end_gap, kMillimetre, 4)),
       "oil that leaves the film for the gap, or comes from there, is reported; that the gap holds oil is an assumption "
       "like "
       "that of flooded edges",
@@ -349,8 +345,8 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
   std::string statement = "asperities are Gaussian, in contact after \"" + chosen("contact.model", setup.input) +
                           (is_elastic ? "\", elastic" : "\", flowing at the hardness");
   if (contact.area_share > 0) {
-    statement += fmt::format(", with {:.3g} GPa on the real area (at a lambda ratio of {:.0f})",
-                             contact.pressure / contact.area_share / 1e9, kLambda);
+    statement += fmt::format(", with {} on the real area (at a lambda ratio of {:.0f})",
+                             text_in(contact.pressure / contact.area_share, kGigapascal, 3), kLambda);
   }
   return assumption("contact-law", statement,
                     "run-in and plateau-honed surfaces are skewed: ringfilm contact computes the law of measured ones. "
@@ -392,7 +388,7 @@ Assumption smooth_gap_flow(const Case& c) {
                       others);
   }
   const double gamma = c.film.orientation;
-  append(other_numbers("film.orientation", c, gamma, kPlain, {1.0 / 3, 1, 3}), others);
+  append(other_numbers("film.orientation", c, gamma, kPlainNumber, {1.0 / 3, 1, 3}), others);
   return assumption(topic,
                     fmt::format("roughness changes the flow by pressure as that of an orientation of {:.3g}", gamma),
                     "the factors are fits to Gaussian surfaces that may overlap and do not deform; below a lambda "
@@ -441,7 +437,7 @@ Assumption boundary_friction(const Case& c) {
   if (c.contact.friction_pair) {
     const models::FrictionPair& pair = *c.contact.pair;
     statement += " (\"" + pair.name + "\": " + pair.source + ")";
-    if (pair.low) others = other_numbers(key, c, zeta, kPlain, {*pair.low, *pair.high});
+    if (pair.low) others = other_numbers(key, c, zeta, kPlainNumber, {*pair.low, *pair.high});
   }
   return assumption("boundary-shear-strength", statement,
                     "boundary friction is proportional to it; a value of lateral force microscopy is that of dry "
@@ -492,7 +488,7 @@ std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
   add_if_used("lambda-ratio", "contact.lambda_ratio", "contact is summed over the face with the", " lambda ratio",
               "nominal puts the whole face at the minimum film");
   add_if_used("roughness-measure", "contact.roughness_measure",
-              fmt::format("the roughness {:.3g} um is used", c.contact.roughness * 1e6), "",
+              "the roughness " + text_in(c.contact.roughness, kMicrometre, 3) + " is used", "",
               "a root-sum-square of Ra is sqrt(2/pi) = 0.80 of the rms height that the contact model expects");
   all.push_back(oil_laws(c));
   return all;

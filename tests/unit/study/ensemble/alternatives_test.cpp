@@ -1,3 +1,4 @@
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/study/ensemble/alternatives.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,6 @@ using study::other_choices;
 using study::other_numbers;
 using study::testing::coarse_case;
 
-constexpr study::Unit kMm{"mm", 1e-3}, kPlain{"", 1};
-
 TEST(Alternatives, ThatBreakARuleAreNotOffered) {
   cycle::Case c = coarse_case();
   c.lubricant.viscosity_temperature = cycle::ViscosityTemperature::kHoupert;
@@ -24,7 +23,7 @@ TEST(Alternatives, ThatBreakARuleAreNotOffered) {
   ASSERT_TRUE(cycle::broken_rules(c).empty());
   EXPECT_TRUE(other_choices("lubricant.viscosity_temperature", c).empty());
   // A rod no longer than the crank radius, 39.75 mm, would not turn.
-  const auto rods = other_numbers("engine.connecting_rod_length", c, 0.1381, kMm, {0.039, 0.150});
+  const auto rods = other_numbers("engine.connecting_rod_length", c, 0.1381, kMillimetre, {0.039, 0.150});
   ASSERT_EQ(rods.size(), 1u);
   EXPECT_EQ(rods.front().setting, "engine.connecting_rod_length = \"150 mm\"");
 }
@@ -32,14 +31,14 @@ TEST(Alternatives, ThatBreakARuleAreNotOffered) {
 TEST(Alternatives, KeepToTheRangeOfTheirKeyWithOrWithoutItsEnds) {
   const cycle::Case c = coarse_case();
   // 0 to 5 with both ends; above 0 to 2 m.
-  EXPECT_EQ(other_numbers("contact.boundary_shear_strength_coefficient", c, 0.3581, kPlain, {-1, 0, 5, 5.01}).size(),
-            2u);
-  EXPECT_EQ(other_numbers("engine.bore", c, 0.089, kMm, {0, 2, 2.01}).size(), 1u);
+  const char* friction = "contact.boundary_shear_strength_coefficient";
+  EXPECT_EQ(other_numbers(friction, c, 0.3581, kPlainNumber, {-1, 0, 5, 5.01}).size(), 2u);
+  EXPECT_EQ(other_numbers("engine.bore", c, 0.089, kMillimetre, {0, 2, 2.01}).size(), 1u);
 }
 
 TEST(Alternatives, AreRoundedBeforeTheyAreApplied) {
   cycle::Case c = coarse_case();
-  const auto bores = other_numbers("engine.bore", c, c.engine.bore, kMm, {0.1234567});
+  const auto bores = other_numbers("engine.bore", c, c.engine.bore, kMillimetre, {0.1234567});
   ASSERT_EQ(bores.size(), 1u);
   EXPECT_EQ(bores.front().setting, "engine.bore = \"123.5 mm\"");
   bores.front().apply(c);
