@@ -3,8 +3,7 @@
 #include "case_object.hpp"
 #include "measurement/height_maps.hpp"
 #include "record.hpp"
-#include "ringfilm/base/constants.hpp"
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/models/contact/asperity_contact.hpp"
@@ -159,9 +158,9 @@ void bind_oil(py::module_& part) {
       .def(
           "__repr__",
           [](const Oil& self) {
-            return "<ringfilm.laws.Oil at " + number_text(self.temperature - base::kZeroCelsius) +
-                   " degC: " + number_text(self.oil->density(self.ambient_pressure)) + " kg/m3, " +
-                   number_text(self.oil->viscosity(self.ambient_pressure) * 1e3) + " mPa s at ambient pressure>";
+            return "<ringfilm.laws.Oil at " + text_in(self.temperature, kCelsius) + ": " +
+                   number_text(self.oil->density(self.ambient_pressure)) + " kg/m3, " +
+                   text_in(self.oil->viscosity(self.ambient_pressure), kMillipascalSecond) + " at ambient pressure>";
           },
           "Temperature, and what it is at ambient pressure.");
   part.def("oil", &oil_of, py::arg("case"),

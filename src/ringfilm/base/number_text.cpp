@@ -18,6 +18,4 @@ std::string formatted(const char* format, ...) {
 
 std::string number_text(double value, int digits) { return formatted("%.*g", digits, value); }
 
-std::string in_mm(double length) { return number_text(length * 1e3) + " mm"; }
-
 }  // namespace ringfilm

@@ -10,7 +10,4 @@ namespace ringfilm {
 /// @param digits at the most
 std::string number_text(double value, int digits = 6);
 
-/// A length [m] with its unit: "1.2 mm".
-std::string in_mm(double length);
-
 }  // namespace ringfilm

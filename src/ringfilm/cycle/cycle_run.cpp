@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/advice/validity.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
@@ -174,7 +174,7 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
   const film::FilmGrid grid = face_grid(graded);
   const std::string cells =
       formatted("computed on %d cells that are graded towards the lowest places of the face, down to %.3g um, since ",
-                grid.n_cells(), *std::min_element(grid.spacing.begin(), grid.spacing.end()) * 1e6);
+                grid.n_cells(), number_in(*std::min_element(grid.spacing.begin(), grid.spacing.end()), kMicrometre));
   graded.notes.push_back({kCellsGraded, cells + stop.message, 1});
   return graded;
 }

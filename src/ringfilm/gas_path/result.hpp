@@ -72,9 +72,6 @@ struct GasPathResult {
 /// The gas of the crankcase at 25 degC and standard atmosphere, in which blow-by is stated.
 inline constexpr double kBlowByTemperature = 298.15;  ///< [K]
 
-/// The unit in which blow-by is read [m3/s].
-inline constexpr double kLitrePerMinute = 1e-3 / 60;
-
 /// Blow-by as a volume flow at kBlowByTemperature and base::kAtmosphere [m3/s]. @param gas_constant [J/(kg K)]
 double volume_flow(const GasPathResult& result, double gas_constant);
 

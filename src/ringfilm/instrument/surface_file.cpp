@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 
-#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/formats/digital_surf_file.hpp"
 #include "ringfilm/instrument/formats/gwy_file.hpp"

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/life/coefficient_fit.hpp"
@@ -125,10 +124,9 @@ void Scenario::append_tilt_note() {
   const double radius = radius_at_lowest(last.x, last.face_height);
   const double allowed = 0.5 * std::sqrt(2 * wear_.roughness_at(last.time) / radius);
   if (spacing <= allowed) return;
-  constexpr double kArcMinute = std::numbers::pi / 180 / 60;
-  result_.notes.push_back({"tilt-samples-few", "tilts are " + number_text(spacing / kArcMinute) +
+  result_.notes.push_back({"tilt-samples-few", "tilts are " + number_text(number_in(spacing, kArcMinute)) +
                                                    " arc minutes apart; the worn face needs " +
-                                                   number_text(allowed / kArcMinute) +
+                                                   number_text(number_in(allowed, kArcMinute)) +
                                                    " or less: take more wear.tilt_samples"});
 }
 
@@ -142,13 +140,13 @@ void Scenario::append_jump_note() {
   if (const auto& depth = result_.wear->effort.coarse_depth) {
     result_.notes.push_back(
         {"jumps-coarse", "the coating lasts to no later reported time: its end was found by jumps of " +
-                             number_text(*depth * 1e6) + " um, within a few per cent; report earlier hours"});
+                             text_in(*depth, kMicrometre) + ", within a few per cent; report earlier hours"});
   }
   const double difference = result_.wear->effort.stage_difference, allowed = Wear{}.jump_error;
   if (!life_.wear.jumps || difference <= 1.5 * allowed) return;
-  result_.notes.push_back({"jumps-few", "the stages of a jump differ by up to " + number_text(difference * 1e6) +
-                                            " um, more than " + number_text(allowed * 1e6) +
-                                            " um: take more wear.jumps, or leave them out"});
+  result_.notes.push_back({"jumps-few", "the stages of a jump differ by up to " + text_in(difference, kMicrometre) +
+                                            ", more than " + text_in(allowed, kMicrometre) +
+                                            ": take more wear.jumps, or leave them out"});
 }
 
 /// @param which scenario, e.g. " with the ring turned over"; empty: the one that is reported
@@ -157,7 +155,7 @@ void append_coating_note(const Life& life, const std::optional<WearThrough>& end
   if (!end) return;
   const auto& stated = life.wear.coating_thickness;
   const double thickness = stated.value_or(kAssumedCoating);
-  result.notes.push_back({"coating-worn-through", "the coating of " + number_text(thickness * 1e6) + " um" +
+  result.notes.push_back({"coating-worn-through", "the coating of " + text_in(thickness, kMicrometre) +
                                                       (stated ? "" : " (assumed: state wear.coating_thickness)") +
                                                       " is worn through after " + hours_text(end->time) + which +
                                                       "; nothing later was computed"});

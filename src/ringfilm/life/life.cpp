@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/life/wear/wear_bounds.hpp"
 
@@ -55,8 +55,8 @@ void check_rings_of_states(const Life& life, std::vector<Fault>& faults) {
     const double width = state.input.ring.face_width;
     if (width != base.ring.face_width) {
       faults.push_back({state.mark,
-                        "the ring of this state has a face of " + number_text(width * 1e3) +
-                            " mm, that of the base case one of " + number_text(base.ring.face_width * 1e3) + " mm",
+                        "the ring of this state has a face of " + text_in(width, kMillimetre) +
+                            ", that of the base case one of " + text_in(base.ring.face_width, kMillimetre),
                         "a life is that of one ring: give both the same ring.face_width"});
     }
     if (state.input.ring.face.orientation != life.states.front().input.ring.face.orientation) {
@@ -110,8 +110,8 @@ void check_gains(const Life& life, std::vector<Fault>& faults) {
                                    face_heights(now.input, cycle::HeightZero::kAsGiven));
     if (gain.height <= kNoise) continue;
     faults.push_back({now.mark,
-                      "the face after " + hours_text(now.time) + " has gained " + number_text(gain.height * 1e6) +
-                          " um of material at " + number_text(gain.x * 1e3) + " mm since " + hours_text(before.time) +
+                      "the face after " + hours_text(now.time) + " has gained " + text_in(gain.height, kMicrometre) +
+                          " of material at " + text_in(gain.x, kMillimetre) + " since " + hours_text(before.time) +
                           ", and with path.datum = \"common\" material only disappears",
                       "leave path.datum out unless all scans count from one datum on the ring"});
   }
@@ -130,7 +130,7 @@ void check_fit(const Life& life, std::vector<Fault>& faults) {
   if (difference > kSameFace) {
     faults.push_back({first.mark,
                       "the face of the base case and that of the first state differ by up to " +
-                          number_text(difference * 1e6) + " um, and a fit wears the one to compare it with the others",
+                          text_in(difference, kMicrometre) + ", and a fit wears the one to compare it with the others",
                       "name the same case in both, with the same ring.face.orientation"});
     return;
   }
@@ -180,8 +180,8 @@ void check_engine_of_pack(const Life& life, std::vector<Fault>& faults) {
   const auto compare = [&](const char* key, double pack, double ring) {
     if (pack == ring) return;
     faults.push_back({life.pack->mark,
-                      std::string("the pack has ") + key + " = " + number_text(pack * 1e3) + " mm, the base case " +
-                          number_text(ring * 1e3) + " mm",
+                      std::string("the pack has ") + key + " = " + text_in(pack, kMillimetre) + ", the base case " +
+                          text_in(ring, kMillimetre),
                       "a ring and its pack are of one engine: give both the same"});
   };
   compare("engine.bore", of_pack.bore, of_ring.bore);

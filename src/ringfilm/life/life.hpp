@@ -11,8 +11,8 @@
 namespace ringfilm::life {
 
 inline constexpr double kHour = 3600;  ///< [s]
-/// Longest running time of a life, more than a century [s].
-inline constexpr double kMaxTime = 1e6 * kHour;
+/// Longest running time of a life [s]: a million hours, more than a century.
+inline constexpr double kMaxTime = 3.6e9;
 /// Depth at which a scenario of wear ends where nothing states a coating: a usual one of molybdenum [m].
 inline constexpr double kAssumedCoating = 100e-6;
 /// More jumps than a life can need: a coating of 1 mm takes a tenth.

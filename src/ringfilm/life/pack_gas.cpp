@@ -6,8 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -65,8 +65,8 @@ const PackGas::PointGas& PackGas::gas(std::size_t point, double growth) {
   try {
     gas.result = gas_path::solve_gas_path(gas.pack);
   } catch (const ConvergenceError& stopped) {
-    throw ConvergenceError("the gas of the pack, " + at.name + ", end gap opened by " + number_text(growth * 1e3) +
-                               " mm: " + stopped.what(),
+    throw ConvergenceError("the gas of the pack, " + at.name + ", end gap opened by " + text_in(growth, kMillimetre) +
+                               ": " + stopped.what(),
                            stopped.crank_angle_deg());
   }
   if (!gas.result.repeats) ++n_not_periodic_;

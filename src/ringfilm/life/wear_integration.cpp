@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::life {
 namespace {
@@ -133,7 +133,7 @@ class Integration {
   }
 
   static std::string where(const WornDepths& now) {
-    return "after " + hours_text(now.time) + " of wear, " + number_text(largest(now.face) * 1e6) + " um deep";
+    return "after " + hours_text(now.time) + " of wear, " + text_in(largest(now.face), kMicrometre) + " deep";
   }
 
   void keep(Jump jump) {

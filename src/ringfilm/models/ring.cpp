@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
 
 namespace ringfilm::models {
@@ -19,7 +19,7 @@ namespace {
 
 void check_width(double face_width) {
   if (!(face_width > 0) || !std::isfinite(face_width)) {
-    throw InputError("ring.face_width = " + in_mm(face_width) + " is not a positive length",
+    throw InputError("ring.face_width = " + text_in(face_width, kMillimetre) + " is not a positive length",
                      "give the axial width of the running face, for example \"1.2 mm\"");
   }
 }
@@ -68,8 +68,9 @@ RingFace RingFace::points(std::vector<double> x, std::vector<double> height, dou
   }
   const double rounding = 1e-9 * face_width;  // what converting units may remove from the last point
   if (!(x.front() <= rounding && x.back() >= face_width - rounding)) {
-    throw InputError("the points of the ring face reach from " + in_mm(x.front()) + " to " + in_mm(x.back()) +
-                         " and do not cover the width, 0 to " + in_mm(face_width),
+    throw InputError("the points of the ring face reach from " + text_in(x.front(), kMillimetre) + " to " +
+                         text_in(x.back(), kMillimetre) + " and do not cover the width, 0 to " +
+                         text_in(face_width, kMillimetre),
                      "measure the whole face, or give the ring.face_width that was measured");
   }
   std::vector<double> break_points{0};

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/pad/load_search.hpp"
 #include "ringfilm/pad/pad_notes.hpp"
@@ -148,7 +148,7 @@ std::string limit_of_pressure(const PadSetup& setup) {
   return formatted(
       "; where viscosity grows with pressure there is no film above a pressure of about 1/alpha = %.3g bar as a "
       "constant viscosity would make it",
-      1e-5 * eta / deta_dp);
+      number_in(eta / deta_dp, kBar));
 }
 
 std::string no_film_at(const PadSetup& setup) {
@@ -161,7 +161,7 @@ std::string no_film_under(const PadSetup& setup, double load, const LoadSearch& 
   std::string message = formatted(
       "no separation was found at which the film carries %.6g N/m; films were searched from %.4g um, the length "
       "of the pad, to %.4g um, that of molecules",
-      load, 1e6 * search.thickest, 1e6 * search.thinnest);
+      load, number_in(search.thickest, kMicrometre), number_in(search.thinnest, kMicrometre));
   if (search.n_unsolved > 0) message += formatted(", of which %d were not found", search.n_unsolved);
   if (!search.most) return message;
   if (search.least->load == search.most->load) {
@@ -172,7 +172,8 @@ std::string no_film_under(const PadSetup& setup, double load, const LoadSearch& 
   const auto [least, thickness_of_least] = *search.least;
   const auto [most, thickness_of_most] = *search.most;
   message += formatted("; the largest load is %.6g N/m (smallest film %.4g um), the smallest one %.6g N/m (%.4g um)",
-                       most, 1e6 * thickness_of_most, least, 1e6 * thickness_of_least);
+                       most, number_in(thickness_of_most, kMicrometre), least,
+                       number_in(thickness_of_least, kMicrometre));
   if (search.n_unsolved > 0) message += limit_of_pressure(setup);
   if (load > least && load < most) {
     message +=

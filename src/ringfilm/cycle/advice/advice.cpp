@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/accuracy.hpp"
 #include "ringfilm/cycle/advice/contact_plausibility.hpp"
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
@@ -23,7 +23,8 @@ void append_end_cell_note(const Case& c, std::vector<Note>& notes) {
        formatted(
            "the cells at the ends of the gap are %.3g um long, not %.3g um: %d around the ring are too few to grow "
            "from there by %.1f times each; take more solver.cells_y",
-           reached * 1e6, c.end_cell() * 1e6, c.solver.cells_y, film::kSteepestGrowth),
+           number_in(reached, kMicrometre), number_in(c.end_cell(), kMicrometre), c.solver.cells_y,
+           film::kSteepestGrowth),
        1});
 }
 
@@ -34,8 +35,8 @@ constexpr double kMaxTension = 3e6;
 void append_tension_note(double elastic_pressure, std::vector<Note>& notes) {
   if (elastic_pressure <= kMaxTension) return;
   notes.push_back({"ring-tension-high",
-                   "the tension of the ring makes an elastic pressure of " + number_text(elastic_pressure / 1e6) +
-                       " MPa: " + usual_tension(),
+                   "the tension of the ring makes an elastic pressure of " + text_in(elastic_pressure, kMegapascal) +
+                       ": " + usual_tension(),
                    1});
 }
 
@@ -49,9 +50,9 @@ void append_size_note(const Engine& engine, std::vector<Note>& notes) {
       engine.bore >= kMinBore && engine.bore <= kMaxBore && ratio >= kMinStroke && ratio <= kMaxStroke;
   if (is_usual) return;
   notes.push_back({"engine-size-unusual",
-                   "engine.bore = " + number_text(engine.bore * 1e3) +
-                       " mm and engine.stroke = " + number_text(engine.stroke * 1e3) +
-                       " mm: four-stroke engines have bores of 20 to 700 mm and strokes of 0.4 to 2.5 bores; are the "
+                   "engine.bore = " + text_in(engine.bore, kMillimetre) + " and engine.stroke = " +
+                       text_in(engine.stroke, kMillimetre) +
+                       ": four-stroke engines have bores of 20 to 700 mm and strokes of 0.4 to 2.5 bores; are the "
                        "units right?",
                    1});
 }
@@ -65,8 +66,8 @@ void append_supply_note(const Case& c, std::vector<Note>& notes) {
   for (const StrokeValue& film : c.supply.film) most = std::max(most, film.value);
   if (most == 0 || most >= kThinnestSupply) return;
   notes.push_back({"supply-film-thin",
-                   "supply.film is " + number_text(most * 1e9) +
-                       " nm, a few molecules: a ring leaves 0.5 to 5 um on the liner; is its unit right?",
+                   "supply.film is " + text_in(most, kNanometre) +
+                       ", a few molecules: a ring leaves 0.5 to 5 um on the liner; is its unit right?",
                    1});
 }
 
@@ -99,8 +100,8 @@ void append_free_shape_note(const Case& c, std::vector<Note>& notes) {
        formatted("ring.free_shape is smoothed over %.3g mm: its points lie %.3g um (rms) from the shape that is left, "
                  "and by that scatter the tangential force of %.4g N is known to %.2g %%, the pressure around the ring "
                  "to %.2g %% of its mean (one standard deviation)",
-                 1e3 * c.ring.free_shape_smoothing, 1e6 * fit.residual, fit.tangential_force, 100 * fit.force_deviation,
-                 100 * fit.pressure_deviation),
+                 number_in(c.ring.free_shape_smoothing, kMillimetre), number_in(fit.residual, kMicrometre),
+                 fit.tangential_force, 100 * fit.force_deviation, 100 * fit.pressure_deviation),
        1});
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 
 namespace ringfilm::cycle {
@@ -64,9 +64,9 @@ void append_measure_note(const Contact& contact, std::vector<Note>& notes) {
 void append_modulus_note(const char* key, double modulus, std::vector<Note>& notes) {
   if (modulus >= kSoftest && modulus <= kHardest) return;
   notes.push_back({"modulus-unusual",
-                   std::string(key) + " = " + number_text(modulus / 1e9) + " GPa: solids of rings and liners have " +
-                       number_text(kSoftest / 1e9) + " (polymers) to " + number_text(kHardest / 1e9) +
-                       " GPa (diamond); is its unit right?",
+                   std::string(key) + " = " + text_in(modulus, kGigapascal) + ": solids of rings and liners have " +
+                       number_text(number_in(kSoftest, kGigapascal)) + " (polymers) to " +
+                       text_in(kHardest, kGigapascal) + " (diamond); is its unit right?",
                    1});
 }
 
@@ -108,9 +108,9 @@ void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes)
   }
   if (contact.eyring_shear_stress > kMaxEyringStress) {
     notes.push_back({"eyring-stress-high",
-                     "contact.eyring_shear_stress = " + number_text(contact.eyring_shear_stress / 1e6) +
-                         " MPa: oils have 2 to 10 MPa, and yield as solids below " +
-                         number_text(kMaxEyringStress / 1e6) + " MPa; is its unit right?",
+                     "contact.eyring_shear_stress = " + text_in(contact.eyring_shear_stress, kMegapascal) +
+                         ": oils have 2 to 10 MPa, and yield as solids below " +
+                         text_in(kMaxEyringStress, kMegapascal) + "; is its unit right?",
                      1});
   }
 }

@@ -7,14 +7,12 @@
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 
 namespace ringfilm::cycle {
 namespace {
-
-constexpr double kBar = 1e5;
 
 /// Compression alone peaks at firing TDC, or a degree before. Combustion shifts the peak by 5 to 25 degree, a late one
 /// by 40; at 60 degree the volume is about four times that at TDC, so that the peak of compression stays the highest.
@@ -24,7 +22,7 @@ constexpr double kEarliestPeakDeg = -30, kLatestPeakDeg = 60;
 /// highest to its lowest pressure shows no compression, as on a rig without a cylinder head, and no peak to look at.
 constexpr double kMinCompression = 2;
 /// Without compression the cylinder is open to the atmosphere, whose pressure stays below 1.09 bar.
-constexpr double kMaxOpen = 1.2 * kBar;
+constexpr double kMaxOpen = 1.2e5;
 /// Between these angles the valves of any engine are closed, and combustion has not begun, or raises the pressure;
 /// eq-weak-compression.
 constexpr double kCompressionFromDeg = -75, kCompressionToDeg = -45;
@@ -45,7 +43,7 @@ constexpr double kMaxIndex = 1.43;
 constexpr double kMinCommonIndex = 1.15, kMaxCommonIndex = 1.55;
 /// Without an offset the pressure of an engine that is not charged falls below that of the atmosphere; one that leaks
 /// at cranking speed has a low index, too.
-constexpr double kMinAdded = 1.1 * kBar;
+constexpr double kMinAdded = 1.1e5;
 constexpr double kLatestCommonStartDeg = -100;  ///< latest start of a compression whose halves are compared [degree]
 constexpr const char* kPeg =
     "Peg it to the intake pressure at bottom dead centre, and check gas.pressure_reference and TDC";
@@ -66,17 +64,17 @@ constexpr double kMotoredLoss = 0.005, kMotoredGain = 0.02;
 constexpr double kTopOfPeak = 0.95;
 
 /// No manifold of a running engine falls below 0.2 bar absolute: a closed throttle on the overrun leaves 0.2 to 0.3.
-constexpr double kDeepestVacuum = 0.2 * kBar;
+constexpr double kDeepestVacuum = 0.2e5;
 /// The exhaust flows out against the atmosphere, which has 0.6 bar at a height of 4000 m.
-constexpr double kThinAir = 0.6 * kBar;
+constexpr double kThinAir = 0.6e5;
 /// The charge of one turbocharger has up to 5 bar absolute; only large engines with two in series have more.
-constexpr double kMaxCharge = 6 * kBar;
+constexpr double kMaxCharge = 6e5;
 /// Series engines peak below 300 bar, and heavy knock below 400.
-constexpr double kMaxPeak = 400 * kBar;
+constexpr double kMaxPeak = 400e5;
 /// The lowest pressure above the atmosphere of a naturally aspirated engine is below zero. For a charged engine it is
 /// the boost, which is seldom above this bound. As an absolute pressure, the same number is the pressure of the
 /// atmosphere less the loss of an open throttle.
-constexpr double kMaxUsualBoost = 0.7 * kBar;
+constexpr double kMaxUsualBoost = 0.7e5;
 
 /// Bounds of a compression up to the start of a trace: that of no engine is larger, and no exponent above that of cold
 /// air without losses.
@@ -103,8 +101,6 @@ constexpr UsualAngle kValveAngles[] = {{"gas.exhaust_valve_opening", &Gas::exhau
                                        {"gas.exhaust_valve_closing", &Gas::exhaust_valve_closing_deg, 290, 440},
                                        {"gas.intake_valve_opening", &Gas::intake_valve_opening_deg, 280, 440},
                                        {"gas.intake_valve_closing", &Gas::intake_valve_closing_deg, 440, 660}};
-
-std::string in_bar(double pressure) { return number_text(pressure / kBar) + " bar"; }
 
 double rise_of_reference(const Gas& gas) {
   return gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
@@ -210,7 +206,7 @@ class GasNotes {
     if (!is_compressed()) {
       if (lowest_ <= kMaxOpen || lowest_ > kMaxCharge) return;
       note("gas-compression-low",
-           "the cylinder pressure stays between " + in_bar(lowest_) + " and " + in_bar(highest_) +
+           "the cylinder pressure stays between " + text_in(lowest_, kBar) + " and " + text_in(highest_, kBar) +
                " absolute: it shows no compression, and a rig without a cylinder head has the pressure of the "
                "atmosphere: " +
                check("are the unit of the trace and gas.pressure_reference right?", "is gas.peak_pressure right?"));
@@ -224,9 +220,10 @@ class GasNotes {
     if (to >= least * from) return;
     note(
         "gas-compression-low",
-        "the cylinder pressure rises from " + in_bar(from) + " absolute at " + number_text(-kCompressionFromDeg) +
-            " degree before firing TDC to " + in_bar(to) + " at " + number_text(-kCompressionToDeg) +
-            " degree, less than by compression (" + number_text(least) + " times or more): " +
+        "the cylinder pressure rises from " + text_in(from, kBar) + " absolute at " +
+            number_text(-kCompressionFromDeg) + " degree before firing TDC to " + text_in(to, kBar) + " at " +
+            number_text(-kCompressionToDeg) + " degree, less than by compression (" + number_text(least) +
+            " times or more): " +
             check("are the unit of the trace and gas.pressure_reference right?", "is gas.intake_valve_closing right?"));
   }
 
@@ -312,10 +309,10 @@ class GasNotes {
     const double least = index_of(start, kCompressionToDeg, kMaxRatio);
     const bool is_weak = lowest_ > kMaxOpen && largest < kMinIndex;
     if (!is_weak && least <= kMaxIndex) return append_common_index(start);
-    const std::string rise = "the cylinder pressure rises from " + in_bar(cylinder_.pressure(start)) + " absolute at " +
-                             number_text(-start) + " degree before firing TDC to " +
-                             in_bar(cylinder_.pressure(kCompressionToDeg)) + " at " + number_text(-kCompressionToDeg) +
-                             " degree, with a polytropic index of ";
+    const std::string rise = "the cylinder pressure rises from " + text_in(cylinder_.pressure(start), kBar) +
+                             " absolute at " + number_text(-start) + " degree before firing TDC to " +
+                             text_in(cylinder_.pressure(kCompressionToDeg), kBar) + " at " +
+                             number_text(-kCompressionToDeg) + " degree, with a polytropic index of ";
     const auto rounded = [](double index) { return number_text(std::round(100 * index) / 100); };
     if (is_weak) {
       note("gas-compression-low",
@@ -332,7 +329,7 @@ class GasNotes {
 
   void append_low_pressures() {
     if (lowest_ < kDeepestVacuum) {
-      note("gas-pressure-low", "the cylinder pressure falls to " + in_bar(lowest_) +
+      note("gas-pressure-low", "the cylinder pressure falls to " + text_in(lowest_, kBar) +
                                    " absolute, lower than the intake of any running engine: " +
                                    check("are the unit of the trace and gas.pressure_reference right?",
                                          "are gas.intake_pressure and gas.exhaust_pressure right?"));
@@ -341,7 +338,7 @@ class GasNotes {
     const double exhaust = mean(kExhaustBeginDeg, kExhaustEndDeg);
     if (exhaust >= kThinAir) return;
     note("gas-pressure-low",
-         "the cylinder pressure is " + in_bar(exhaust) +
+         "the cylinder pressure is " + text_in(exhaust, kBar) +
              " absolute during the exhaust stroke, lower than the atmosphere into which it flows: " +
              question_of_exhaust());
   }
@@ -349,7 +346,7 @@ class GasNotes {
   void append_high_pressures() {
     if (highest_ > kMaxPeak || lowest_ > kMaxCharge) {
       note("gas-pressure-high",
-           "the cylinder pressure lies between " + in_bar(lowest_) + " and " + in_bar(highest_) +
+           "the cylinder pressure lies between " + text_in(lowest_, kBar) + " and " + text_in(highest_, kBar) +
                " absolute, higher than in usual engines: " +
                check("is the unit of the trace right?",
                      "are gas.peak_pressure, gas.intake_pressure and gas.exhaust_pressure right?"));
@@ -357,8 +354,8 @@ class GasNotes {
     }
     if (append_high_gas_exchange()) return;
     if (!is_gauge() || !is_whole_ || !is_compressed() || lowest_ - base::kAtmosphere < kMaxUsualBoost) return;
-    note("gas-pressure-high", "the cylinder pressure never falls below " + in_bar(lowest_ - base::kAtmosphere) +
-                                  " above the atmosphere, " + in_bar(lowest_) +
+    note("gas-pressure-high", "the cylinder pressure never falls below " + text_in(lowest_ - base::kAtmosphere, kBar) +
+                                  " above the atmosphere, " + text_in(lowest_, kBar) +
                                   " absolute: unless the engine is charged so high, the trace is absolute and "
                                   "gas.pressure_reference is wrong");
   }
@@ -372,8 +369,8 @@ class GasNotes {
     if (is_compressed() && !is_peak_in_place()) return false;  // at other angles
     const double exhaust = mean(kExhaustBeginDeg, kExhaustEndDeg), intake = mean(kIntakeBeginDeg, kIntakeEndDeg);
     if (std::max(exhaust, intake) <= kMaxCharge) return false;
-    note("gas-pressure-high", "the cylinder pressure is " + in_bar(exhaust) +
-                                  " absolute during the exhaust stroke and " + in_bar(intake) +
+    note("gas-pressure-high", "the cylinder pressure is " + text_in(exhaust, kBar) +
+                                  " absolute during the exhaust stroke and " + text_in(intake, kBar) +
                                   " during intake: one turbocharger charges to 5 bar, and exhaust " +
                                   "brakes hold back about as much; are these pressures right?");
     return true;
@@ -387,9 +384,9 @@ class GasNotes {
       return;
     }
     note("gas-trace-jump",
-         "the trace begins with " + in_bar(start->pressure) + " at " + number_text(start->crank_angle_deg) +
-             " degree, where gas.intake_pressure = " + in_bar(start->lowest) + " can be compressed to " +
-             in_bar(start->highest) + " at most: is one of them wrong, or of another reference?");
+         "the trace begins with " + text_in(start->pressure, kBar) + " at " + number_text(start->crank_angle_deg) +
+             " degree, where gas.intake_pressure = " + text_in(start->lowest, kBar) + " can be compressed to " +
+             text_in(start->highest, kBar) + " at most: is one of them wrong, or of another reference?");
   }
 
   const Case& case_;
@@ -465,9 +462,8 @@ std::optional<std::string> kept_pressure(const std::vector<const Case*>& cases) 
   }
   const std::optional<double> peak = peak_of_compression(first.gas);
   if (!peak || fastest <= kOtherSpeed * slowest) return std::nullopt;
-  constexpr double kPerMinute = 30 / std::numbers::pi;
-  return "operating.speed goes from " + number_text(slowest * kPerMinute) + " to " + number_text(fastest * kPerMinute) +
-         " rpm, and the cylinder pressure stays the same, with a peak of " + in_bar(*peak) +
+  return "operating.speed goes from " + range_in(slowest, fastest, kRpm) +
+         ", and the cylinder pressure stays the same, with a peak of " + text_in(*peak, kBar) +
          ": an engine has another at each speed and load, at idle a fraction of that at full load";
 }
 

@@ -1,7 +1,7 @@
 #include "ringfilm/cycle/advice/oil_plausibility.hpp"
 
 #include "ringfilm/base/constants.hpp"
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 
@@ -43,9 +43,10 @@ void append_viscosity_notes(const OilSetup& oil, std::vector<Note>& notes) {
     const bool high = viscosity > highest;
     notes.push_back({high ? "viscosity-high" : "viscosity-low",
                      formatted("the oil has %.4g mPa s at %s, %s %.3g mPa s, %s %s at this temperature: %s",
-                               viscosity * 1e3, celsius(T).c_str(), high ? "above" : "below",
-                               (high ? highest : lowest) * 1e3, high ? "5 times that of" : "a fifth of that of",
-                               high ? kThickest.name : kThinnest.name, "is the unit of its viscosity right?"),
+                               number_in(viscosity, kMillipascalSecond), celsius(T).c_str(), high ? "above" : "below",
+                               number_in(high ? highest : lowest, kMillipascalSecond),
+                               high ? "5 times that of" : "a fifth of that of", high ? kThickest.name : kThinnest.name,
+                               "is the unit of its viscosity right?"),
                      1});
     return;
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ringfilm/base/constants.hpp"
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/advice/limits.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
@@ -43,7 +43,7 @@ void append_face_note(const Setup& setup, std::vector<Note>& notes) {
       {"face-too-steep",
        formatted("the face rises to %.4g mm on a width of %.4g mm: is it used beyond the width to which it was "
                  "fitted, or with other units?",
-                 rise * 1e3, width * 1e3),
+                 number_in(rise, kMillimetre), number_in(width, kMillimetre)),
        1});
 }
 
@@ -83,7 +83,7 @@ void append_points_note(const Setup& setup, double thinnest_film, std::vector<No
        formatted("the straight lines between the points next to the lowest place of the face are %.2g um away "
                  "from a curve through them, where the film is %.2g um thin: give more points there (of a "
                  "curved face), or smooth their noise",
-                 error * 1e6, thinnest_film * 1e6),
+                 number_in(error, kMicrometre), number_in(thinnest_film, kMicrometre)),
        1});
 }
 
@@ -121,7 +121,7 @@ void append_coating_note(const Setup& setup, double lowest_lambda_ratio, std::ve
       {"coating-thin",
        formatted("the coating of %.3g um is thin for contact spots of %.3g um radius: about %.0f %% of their "
                  "approach comes from below it, and E' has the coating's modulus alone",
-                 *coating.thickness * 1e6, radius * 1e6, 100 * share),
+                 number_in(*coating.thickness, kMicrometre), number_in(radius, kMicrometre), 100 * share),
        1});
 }
 
@@ -134,7 +134,7 @@ void append_oil_table_note(const Setup& setup, const std::vector<Sample>& base, 
   notes.push_back(
       {"oil-table-left",
        formatted("film pressures go beyond the %.4g bar at which the oil table ends: its last slopes are continued",
-                 highest / 1e5),
+                 number_in(highest, kBar)),
        steps});
 }
 
@@ -207,7 +207,7 @@ void append_heating_note(const Setup& setup, const std::vector<Sample>& base, st
        is_heated
            ? formatted("viscous heating would make the film warmer than the %.0f degC up to which its oil is prepared: "
                        "that temperature is taken",
-                       setup.ring.oil.hottest - base::kZeroCelsius)
+                       number_in(setup.ring.oil.hottest, kCelsius))
            : formatted("viscous heating makes the film up to %.3g K warmer than its walls (at %.0f degree), and its "
                        "viscosity is that at their temperature; thermal.viscous_heating = \"in-film\" takes the rise "
                        "into account",
@@ -221,8 +221,8 @@ constexpr double kSteepestAsperity = 0.2;
 void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
   const std::optional<double>& stated = setup.input.contact.hardness;
   const double hardness = stated.value_or(kUsualHardness);
-  const std::string of_softer = formatted("the hardness of the softer face, %.3g GPa (%s)", hardness / 1e9,
-                                          stated ? "contact.hardness" : "assumed: grey iron; state contact.hardness");
+  const std::string of_softer = "the hardness of the softer face, " + text_in(hardness, kGigapascal, 3) +
+                                (stated ? " (contact.hardness)" : " (assumed: grey iron; state contact.hardness)");
   const auto& pair = setup.ring.asperities;
   const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
   if (pair && !summits) {
@@ -244,7 +244,7 @@ void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, 
         {"contact-beyond-hardness",
          formatted("mean pressure on the real area of contact up to %.3g GPa (at %.0f degree), beyond %s: the "
                    "load against film is a fit, real area and spot size are too small",
-                   highest->mean_real_pressure / 1e9, highest->crank_angle_deg, of_softer.c_str()),
+                   number_in(highest->mean_real_pressure, kGigapascal), highest->crank_angle_deg, of_softer.c_str()),
          count(base, beyond)});
   } else if (is_elastic && psi > 1 && highest->mean_real_pressure > 0) {
     notes.push_back(
@@ -283,7 +283,8 @@ void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& b
         {"contact-law-left",
          formatted("the film is down to %.3g um thin (at %.0f degree), and contact.law begins at %.3g um: its "
                    "pressure is extrapolated below that; compute smaller separations",
-                   thinnest->min_film_thickness * 1e6, thinnest->crank_angle_deg, first * 1e6),
+                   number_in(thinnest->min_film_thickness, kMicrometre), thinnest->crank_angle_deg,
+                   number_in(first, kMicrometre)),
          count(base, below)});
   }
   if (beyond > kMuchExtrapolated) {
@@ -291,7 +292,7 @@ void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& b
         {"contact-law-extrapolated",
          formatted("%.2g %% of the load that asperities carry over the cycle comes from separations beyond %.3g "
                    "um, where few or no spots of the maps of contact.law touch: there it is extrapolated",
-                   100 * beyond, (contact.law->last_supported_separation + shift) * 1e6),
+                   100 * beyond, number_in(contact.law->last_supported_separation + shift, kMicrometre)),
          1});
   }
 }
@@ -317,7 +318,7 @@ void append_measured_flow_notes(const Setup& setup, const std::vector<Sample>& b
         {"flow-factors-left",
          formatted("over %.3g %% of the crank angles the film is thinner than %.3g um, where the flow factors of "
                    "contact.law begin: they keep their first values there; compute smaller separations",
-                   share(below), flow.first() * 1e6),
+                   share(below), number_in(flow.first(), kMicrometre)),
          count(base, below)});
   }
   const double difference = std::abs(flow.pressure_flow(flow.last()) - 1);
@@ -327,7 +328,7 @@ void append_measured_flow_notes(const Setup& setup, const std::vector<Sample>& b
          formatted("the flow factors of contact.law end at %.3g um, with phi_x %.3g %% from 1; beyond it this "
                    "falls with the square of the film thickness; over %.3g %% of the crank angles the whole "
                    "face is there",
-                   flow.last() * 1e6, 100 * difference, share(beyond)),
+                   number_in(flow.last(), kMicrometre), 100 * difference, share(beyond)),
          count(base, beyond)});
   }
 }
@@ -345,12 +346,13 @@ void append_cell_note(const film::FilmGrid& grid, const Sample& thinnest, CellsO
           : formatted(
                 "the %d cells are graded for films of %.3g nm already; check face, load and oil, which make a thinner "
                 "film",
-                grid.n_cells(), film::kAtom * 1e9);
+                grid.n_cells(), number_in(film::kAtom, kNanometre));
   notes.push_back(
       {"cells-too-long",
        formatted("the face rises by %.3g nm within the cell at its lowest place, where the film is %.3g nm thin "
                  "(at %.0f degree): %s",
-                 rise * 1e9, thinnest.min_film_thickness * 1e9, thinnest.crank_angle_deg, remedy.c_str()),
+                 number_in(rise, kNanometre), number_in(thinnest.min_film_thickness, kNanometre),
+                 thinnest.crank_angle_deg, remedy.c_str()),
        1});
 }
 
@@ -381,7 +383,7 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
         {"friction-too-high",
          formatted("the ring alone has a friction mean effective pressure of %.3g kPa, more than the %.0f kPa "
                    "that an engine delivers: units, oil temperature or load are not those of an engine",
-                   fmep / 1e3, kWholeEngine / 1e3),
+                   number_in(fmep, kKilopascal), number_in(kWholeEngine, kKilopascal)),
          1});
   }
 }

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/joined.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/checks/case_rules_closure.hpp"
@@ -52,22 +52,22 @@ void check_cavitation_pressure(const Film& film, Breaches& breaches) {
   constexpr double kMax = 1e7;
   if (film.cavitation_pressure > kMax) {
     breaches.push_back({"film.cavitation_pressure",
-                        "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is above " +
-                            number_text(kMax / 1e5) + " bar",
+                        "film.cavitation_pressure = " + text_in(film.cavitation_pressure, kBar) + " is above " +
+                            text_in(kMax, kBar),
                         "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
   }
   if (film.cavitation_pressure >= 0) return;
   breaches.push_back(
       {"film.cavitation_pressure",
-       "film.cavitation_pressure = " + number_text(film.cavitation_pressure / 1e5) + " bar is below zero",
+       "film.cavitation_pressure = " + text_in(film.cavitation_pressure, kBar) + " is below zero",
        "pressures around a ring are absolute, for example \"1.01325 bar\""});
 }
 
 void check_engine(const Case& c, Breaches& breaches) {
   if (c.engine.connecting_rod_length > c.engine.stroke / 2) return;
   breaches.push_back({"engine.connecting_rod_length",
-                      "engine.connecting_rod_length = " + number_text(c.engine.connecting_rod_length * 1e3) +
-                          " mm is not longer than the crank radius, " + number_text(c.engine.stroke * 500) + " mm",
+                      "engine.connecting_rod_length = " + text_in(c.engine.connecting_rod_length, kMillimetre) +
+                          " is not longer than the crank radius, " + text_in(c.engine.stroke / 2, kMillimetre),
                       "the crank could not turn; check engine.stroke and engine.connecting_rod_length"});
 }
 
@@ -141,10 +141,10 @@ void check_trace(const Case& c, Breaches& breaches) {
   const std::optional<TraceStart> start = trace_start(c);
   if (!start || !contradicts_intake(*start)) return;
   breaches.push_back({"gas.intake_pressure",
-                      "the trace begins with " + number_text(start->pressure / 1e5) + " bar absolute at " +
-                          number_text(start->crank_angle_deg) +
-                          " degree, where gas.intake_pressure = " + number_text(start->lowest / 1e5) +
-                          " bar can be compressed to " + number_text(start->highest / 1e5) + " bar at most",
+                      "the trace begins with " + text_in(start->pressure, kBar) + " absolute at " +
+                          number_text(start->crank_angle_deg) + " degree, where gas.intake_pressure = " +
+                          text_in(start->lowest, kBar) + " can be compressed to " + text_in(start->highest, kBar) +
+                          " at most",
                       "they belong to one engine: check both, the unit of the trace and gas.pressure_reference"});
 }
 
@@ -166,9 +166,9 @@ void check_tension_range(const Case& c, Breaches& breaches) {
                     : ring.free_shape     ? "ring.free_shape"
                                           : "ring.free_gap";
   breaches.push_back({key,
-                      std::string(key) + " makes an elastic pressure of " + number_text(p_e / 1e6) +
-                          " MPa on a face of " + number_text(ring.face_width * 1e3) + " mm, above the " +
-                          number_text(highest / 1e6) + " MPa at which ring.elastic_pressure ends",
+                      std::string(key) + " makes an elastic pressure of " + text_in(p_e, kMegapascal) +
+                          " on a face of " + text_in(ring.face_width, kMillimetre) + ", above the " +
+                          text_in(highest, kMegapascal) + " at which ring.elastic_pressure ends",
                       usual_tension()});
 }
 
@@ -212,9 +212,8 @@ void check_face_points(const Ring& ring, Breaches& breaches) {
   const RingFace& face = ring.face;
   if (face.x.empty() || (face.x.front() <= 0 && face.x.back() >= ring.face_width)) return;
   breaches.push_back({"ring.face.file",
-                      "the points of the face run from x = " + number_text(face.x.front() * 1e3) + " to " +
-                          number_text(face.x.back() * 1e3) + " mm and do not cover the face width of " +
-                          number_text(ring.face_width * 1e3) + " mm",
+                      "the points of the face run from x = " + range_in(face.x.front(), face.x.back(), kMillimetre) +
+                          " and do not cover the face width of " + text_in(ring.face_width, kMillimetre),
                       "points from x = 0 to ring.face_width are required; heights are not extrapolated"});
 }
 
@@ -225,8 +224,8 @@ void check_measured_width(const Ring& ring, Breaches& breaches) {
   if (!fitted || std::abs(ring.face_width - *fitted) <= kRounding * *fitted) return;
   breaches.push_back(
       {"ring.face_width",
-       "ring.face_width = " + number_text(ring.face_width * 1e3) + " mm, but the face was fitted over " +
-           number_text(*fitted * 1e3) + " mm (ring.face.measured.width)",
+       "ring.face_width = " + text_in(ring.face_width, kMillimetre) + ", but the face was fitted over " +
+           text_in(*fitted, kMillimetre) + " (ring.face.measured.width)",
        "state the width that was measured, or fit the trace again over this one: ringfilm face --width"});
 }
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/free_ring.hpp"
 
@@ -24,7 +24,8 @@ void check_section(const Case& c, Breaches& breaches) {
                         "write, for example, radial_thickness = \"3.5 mm\" in [ring]", RuleBreach::By::kMissingKey});
   } else if (!(*t < c.engine.bore / 4)) {
     breaches.push_back({"ring.radial_thickness",
-                        "ring.radial_thickness = " + in_mm(*t) + " is not thin in a bore of " + in_mm(c.engine.bore),
+                        "ring.radial_thickness = " + text_in(*t, kMillimetre) + " is not thin in a bore of " +
+                            text_in(c.engine.bore, kMillimetre),
                         "the ring is a thin curved beam: its thickness is below a quarter of the bore, usually 1/25"});
   }
 }
@@ -35,8 +36,9 @@ void check_end_gap(const Case& c, Breaches& breaches) {
   if (*c.ring.end_gap < circumference / 2) return;
   const bool is_all = *c.ring.end_gap >= circumference;
   breaches.push_back({"ring.end_gap",
-                      "ring.end_gap = " + in_mm(*c.ring.end_gap) + " is not below " + (is_all ? "" : "half of ") +
-                          "the circumference of the ring at its centroid, " + in_mm(circumference),
+                      "ring.end_gap = " + text_in(*c.ring.end_gap, kMillimetre) + " is not below " +
+                          (is_all ? "" : "half of ") + "the circumference of the ring at its centroid, " +
+                          text_in(circumference, kMillimetre),
                       "state the gap between the ends of the ring in the bore, for example \"0.3 mm\""});
 }
 
@@ -57,8 +59,8 @@ void check_bore(const char* key, const std::vector<FourierTerm>& terms, const Ca
   const double deviation = largest_deviation(terms);
   if (deviation < c.engine.bore / 2) return;
   breaches.push_back({key,
-                      std::string("the amplitudes of ") + key + ", " + in_mm(deviation) +
-                          " together, leave no bore of the radius " + in_mm(c.engine.bore / 2),
+                      std::string("the amplitudes of ") + key + ", " + text_in(deviation, kMillimetre) +
+                          " together, leave no bore of the radius " + text_in(c.engine.bore / 2, kMillimetre),
                       "amplitudes are deviations of the radius, for example \"15 um\""});
 }
 
@@ -73,8 +75,8 @@ void check_map(const char* key, const std::vector<std::vector<double>>& map, con
   if (most < kMaxOfMap * c.engine.bore / 2) return;
   breaches.push_back(
       {key,
-       std::string(key) + " deviates by " + in_mm(most) + " from a bore of the radius " + in_mm(c.engine.bore / 2) +
-           ", more than small deflections of a ring can follow",
+       std::string(key) + " deviates by " + text_in(most, kMillimetre) + " from a bore of the radius " +
+           text_in(c.engine.bore / 2, kMillimetre) + ", more than small deflections of a ring can follow",
        "the map has deviations of the radius, mostly below 0.1 mm, not the radius itself; check its unit"});
 }
 
@@ -92,8 +94,8 @@ void check_covered(const char* key, const std::vector<double>& heights, double h
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   if (height >= *low && height <= *high) return;
   breaches.push_back({"conform.height",
-                      "conform.height = " + in_mm(height) + " is outside the bore that is known by " + key + ", " +
-                          number_text(*low * 1e3) + " to " + in_mm(*high),
+                      "conform.height = " + text_in(height, kMillimetre) + " is outside the bore that is known by " +
+                          key + ", " + range_in(*low, *high, kMillimetre),
                       "heights are not extrapolated: state one between these, or more sections of the bore"});
 }
 
@@ -103,8 +105,8 @@ void check_stroke_covered(const char* key, const std::vector<double>& heights, c
   const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
   if (*low <= 0 && *high >= c.engine.stroke) return;
   breaches.push_back({key,
-                      std::string("the bore is known by ") + key + " from " + number_text(*low * 1e3) + " to " +
-                          in_mm(*high) + ", and the ring passes 0 to " + in_mm(c.engine.stroke),
+                      std::string("the bore is known by ") + key + " from " + range_in(*low, *high, kMillimetre) +
+                          ", and the ring passes " + range_in(0, c.engine.stroke, kMillimetre),
                       "heights count from the ring at TDC and are not extrapolated: state sections at or beyond both "
                       "ends of the stroke"});
 }
@@ -187,10 +189,10 @@ bool shows_free_ring(const Case& c, std::vector<RuleBreach>& breaches) {
   if (orders < kMinOrders || orders > kMaxOrders) {
     const double circumference = std::numbers::pi * (c.engine.bore - *ring.radial_thickness);
     breaches.push_back({"ring.free_shape_smoothing",
-                        "ring.free_shape_smoothing = " + in_mm(ring.free_shape_smoothing) + " leaves " +
+                        "ring.free_shape_smoothing = " + text_in(ring.free_shape_smoothing, kMillimetre) + " leaves " +
                             std::to_string(orders) + " orders of the pressure",
-                        "state a length between " + in_mm(circumference / kMaxOrders) + " and " +
-                            in_mm(circumference / kMinOrders) +
+                        "state a length between " + text_in(circumference / kMaxOrders, kMillimetre) + " and " +
+                            text_in(circumference / kMinOrders, kMillimetre) +
                             ": the shortest wave around the ring that is shape and not noise"});
   }
   if (breaches.size() > before || ring.free_ring->radius.empty()) return false;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 
 namespace ringfilm::cycle {
@@ -39,16 +39,15 @@ void check_end_gap_of_gas(const Case& c, Breaches& breaches) {
   const std::string remedy = "check the units of the end gap and of ring.land_clearance";
   if (ring.end_gap && *ring.end_gap >= circumference) {
     breaches.push_back({"ring.end_gap",
-                        "ring.end_gap = " + in_mm(*ring.end_gap) + " is wider than the circumference of the bore, " +
-                            in_mm(circumference),
+                        "ring.end_gap = " + text_in(*ring.end_gap, kMillimetre) +
+                            " is wider than the circumference of the bore, " + text_in(circumference, kMillimetre),
                         remedy});
   }
   if (gas.gap_area && gas.land_clearance && *gas.gap_area >= circumference * *gas.land_clearance) {
     breaches.push_back({"ring.gap_area",
-                        "ring.gap_area = " + number_text(*gas.gap_area * 1e6) +
-                            " mm2 is more than the whole clearance between piston land and bore, " +
-                            number_text(circumference * *gas.land_clearance * 1e6) +
-                            " mm2: a gap wider than the "
+                        "ring.gap_area = " + text_in(*gas.gap_area, kSquareMillimetre) +
+                            " is more than the whole clearance between piston land and bore, " +
+                            text_in(circumference * *gas.land_clearance, kSquareMillimetre) + ": a gap wider than the "
                             "circumference",
                         remedy});
   }
@@ -64,15 +63,16 @@ void check_groove(const Case& c, Breaches& breaches) {
   if (!gas.land_clearance || !ring.radial_thickness) return;
   if (*ring.radial_thickness <= *gas.land_clearance) {
     breaches.push_back({"ring.radial_thickness",
-                        "ring.radial_thickness = " + in_mm(*ring.radial_thickness) +
-                            " is not more than ring.land_clearance = " + in_mm(*gas.land_clearance) +
+                        "ring.radial_thickness = " + text_in(*ring.radial_thickness, kMillimetre) +
+                            " is not more than ring.land_clearance = " + text_in(*gas.land_clearance, kMillimetre) +
                             ": the ring has no flank in its groove",
                         "check the units of both"});
   }
   if (2 * *ring.radial_thickness >= c.engine.bore) {
     breaches.push_back(
         {"ring.radial_thickness",
-         "ring.radial_thickness = " + in_mm(*ring.radial_thickness) + " fills the bore of " + in_mm(c.engine.bore),
+         "ring.radial_thickness = " + text_in(*ring.radial_thickness, kMillimetre) + " fills the bore of " +
+             text_in(c.engine.bore, kMillimetre),
          "check its unit"});
   }
 }

@@ -3,8 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ringfilm/base/constants.hpp"
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
@@ -23,11 +22,11 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].temperature == points[i - 1].temperature) {
       breaches.push_back(
-          {key, key + " has two values at " + models::in_degC(points[i].temperature), "keep one of them"});
+          {key, key + " has two values at " + text_in(points[i].temperature, kCelsius), "keep one of them"});
     } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
       breaches.push_back({key,
-                          key + " does not fall from " + number_text(points[i - 1].temperature - base::kZeroCelsius) +
-                              " to " + models::in_degC(points[i].temperature),
+                          key + " does not fall from " +
+                              range_in(points[i - 1].temperature, points[i].temperature, kCelsius),
                           "the viscosity of an oil falls with temperature; are two values exchanged?"});
     }
   }
@@ -62,7 +61,7 @@ void check_coldest_film(const Case& c, Breaches& breaches) {
   const std::string of_wall = c.thermal.film == FilmTemperature::kRing ? "thermal.ring" : "thermal.liner";
   breaches.push_back(
       {walls ? of_wall : "operating.oil_temperature",
-       "the film is as cold as " + models::in_degC(coldest) + ", where this oil has " + number_text(*viscosity) +
+       "the film is as cold as " + text_in(coldest, kCelsius) + ", where this oil has " + number_text(*viscosity) +
            " Pa s: it does not flow",
        "above " + number_text(kNoLongerFlows) + " Pa s it is taken to be below its pour point; check the " +
            (walls ? "temperatures in [thermal]" : "temperature") + " and lubricant.kinematic_viscosity"});
@@ -72,7 +71,7 @@ void check_hths(const Lubricant& oil, Breaches& breaches) {
   if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
   const std::optional<double> without_shear = viscosity_without_shear(oil, models::kHthsTemperature);
   if (!without_shear) return;
-  const auto written = [](double eta) { return number_text(eta * 1e3) + " mPa s"; };
+  const auto written = [](double eta) { return text_in(eta, kMillipascalSecond); };
   const std::string hths = "lubricant.hths_viscosity = " + written(*oil.hths_viscosity);
   const std::string viscosity = "viscosity of the oil without shear at 150 degC, " + written(*without_shear);
   const double ratio = *oil.hths_viscosity / *without_shear;
@@ -96,9 +95,9 @@ void append_stroke_breaches(const std::string& key, const std::vector<StrokeValu
     const double distance = points[i].distance;
     if (distance >= 0 && (i == 0 || distance > points[i - 1].distance)) continue;
     breaches.push_back({key,
-                        key + " has the distance " + number_text(distance * 1e3) + " mm " +
+                        key + " has the distance " + text_in(distance, kMillimetre) + " " +
                             (distance < 0 ? "above the TDC position of the ring"
-                                          : "after " + number_text(points[i - 1].distance * 1e3) + " mm"),
+                                          : "after " + text_in(points[i - 1].distance, kMillimetre)),
                         "distances count downwards from the TDC position of the ring and increase"});
   }
 }

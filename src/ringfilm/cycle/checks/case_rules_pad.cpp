@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/joined.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/case/case_face.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/checks/case_rules_film2d.hpp"
@@ -56,16 +56,16 @@ bool check_gap(const Pad& pad, Breaches& breaches) {
   const bool is_long = covers(pad.gap_x, pad.length), is_wide = !is_map || covers(pad.gap_y, *pad.width);
   if (!is_long) {
     breaches.push_back({"pad.gap",
-                        "the points of the gap run from x = " + number_text(pad.gap_x.front() * 1e3) + " to " +
-                            number_text(pad.gap_x.back() * 1e3) + " mm, the pad from 0 to " +
-                            number_text(pad.length * 1e3) + " mm",
+                        "the points of the gap run from x = " +
+                            range_in(pad.gap_x.front(), pad.gap_x.back(), kMillimetre) + ", the pad from " +
+                            range_in(0, pad.length, kMillimetre),
                         "points from x = 0 to pad.length are required, both included"});
   }
   if (!is_wide) {
     breaches.push_back({"pad.gap",
-                        "the rows of the gap run from y = " + number_text(pad.gap_y.front() * 1e3) + " to " +
-                            number_text(pad.gap_y.back() * 1e3) + " mm, the pad from 0 to " +
-                            number_text(*pad.width * 1e3) + " mm",
+                        "the rows of the gap run from y = " +
+                            range_in(pad.gap_y.front(), pad.gap_y.back(), kMillimetre) + ", the pad from " +
+                            range_in(0, *pad.width, kMillimetre),
                         "rows from y = 0 to pad.width are required, both included"});
   }
   return is_long && is_wide;
@@ -81,8 +81,8 @@ void check_joined_gap(const Pad& pad, Breaches& breaches) {
     if (std::abs(front - back) <= kRounding * std::max(std::abs(front), std::abs(back))) continue;
     breaches.push_back({"pad.sides",
                         "pad.sides = \"periodic\" joins the sides of the pad, and at x = " +
-                            number_text(pad.gap_x[i] * 1e3) + " mm the gap is " + number_text(front * 1e6) +
-                            " um at y = 0 and " + number_text(back * 1e6) + " um at y = width",
+                            text_in(pad.gap_x[i], kMillimetre) + " the gap is " + text_in(front, kMicrometre) +
+                            " at y = 0 and " + text_in(back, kMicrometre) + " at y = width",
                         "give the map the same first and last row, or take open or closed sides"});
     return;
   }
@@ -96,9 +96,8 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
   const auto check = [&](const char* key, double pressure) {
     if (pressure >= c.film.cavitation_pressure) return;
     breaches.push_back({key,
-                        std::string(key) + " = " + number_text(pressure / 1e5) +
-                            " bar is below film.cavitation_pressure = " +
-                            number_text(c.film.cavitation_pressure / 1e5) + " bar: the film cannot be full there",
+                        std::string(key) + " = " + text_in(pressure, kBar) + " is below film.cavitation_pressure = " +
+                            text_in(c.film.cavitation_pressure, kBar) + ": the film cannot be full there",
                         "raise it, or lower film.cavitation_pressure"});
   };
   check("pad.left_pressure", pad.left_pressure);
@@ -117,24 +116,24 @@ void check_film(const Pad& pad, Breaches& breaches) {
     const auto at = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
     const std::size_t k = at - pad.gap_height.begin(), n_x = pad.gap_x.size();
     lowest = {pad.gap_x[k % n_x], *at};
-    if (!pad.gap_y.empty()) across = ", y = " + number_text(pad.gap_y[k / n_x] * 1e3) + " mm";
+    if (!pad.gap_y.empty()) across = ", y = " + text_in(pad.gap_y[k / n_x], kMillimetre);
   }
-  const std::string place = "at x = " + number_text(lowest.x * 1e3) + " mm" + across + " the gap is " +
-                            number_text(lowest.height * 1e6) + " um";
+  const std::string place = "at x = " + text_in(lowest.x, kMillimetre) + across + " the gap is " +
+                            text_in(lowest.height, kMicrometre);
   const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
   const double amplitude = pad.oscillation.amplitude.value_or(0);
   if (pad.separation && !(lowest.height + *pad.separation - amplitude > 0)) {
     const std::string less =
-        amplitude > 0 ? " less pad.oscillation.amplitude = " + number_text(amplitude * 1e6) + " um" : "";
+        amplitude > 0 ? " less pad.oscillation.amplitude = " + text_in(amplitude, kMicrometre) : "";
     breaches.push_back(
         {"pad.separation",
-         place + ", with pad.separation = " + number_text(*pad.separation * 1e6) + " um" + less + " no film is left",
+         place + ", with pad.separation = " + text_in(*pad.separation, kMicrometre) + less + " no film is left",
          remedy});
   }
   const auto closest = std::min_element(pad.history_separation.begin(), pad.history_separation.end());
   if (closest != pad.history_separation.end() && !(lowest.height + *closest > 0)) {
     breaches.push_back({"pad.separation_history",
-                        place + ", with the separation of " + number_text(*closest * 1e6) + " um at " +
+                        place + ", with the separation of " + text_in(*closest, kMicrometre) + " at " +
                             number_text(pad.history_time[closest - pad.history_separation.begin()]) +
                             " s no film is left",
                         remedy});
@@ -316,8 +315,8 @@ void append_supply_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   require(c.supply.reach.has_value(), "supply.reach", "how far up the oil ring lays its film, for example \"10 mm\"");
   if (c.supply.reach && !(*c.supply.reach < c.engine.stroke)) {
     breaches.push_back({"supply.reach",
-                        "supply.reach = " + number_text(*c.supply.reach * 1e3) + " mm is not within the stroke of " +
-                            number_text(c.engine.stroke * 1e3) + " mm",
+                        "supply.reach = " + text_in(*c.supply.reach, kMillimetre) + " is not within the stroke of " +
+                            text_in(c.engine.stroke, kMillimetre),
                         "the ring would never find oil; the oil ring reaches up to some 10 mm below TDC"});
   }
   if (c.ring.face.orientation == Orientation::kLeadingEdge) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/checks/case_rules_film2d.hpp"
 #include "ringfilm/cycle/integration/cycle_film.hpp"
@@ -46,9 +46,9 @@ void check_scheme(const Case& c, Breaches& breaches) {
 bool check_gap(const Case& c, Breaches& breaches) {
   if (c.ring_length() > 0) return true;
   breaches.push_back({"ring.end_gap",
-                      "ring.end_gap = " + number_text(*c.ring.end_gap * 1e3) +
-                          " mm is not below the circumference of the bore, " +
-                          number_text(std::numbers::pi * c.engine.bore * 1e3) + " mm",
+                      "ring.end_gap = " + text_in(*c.ring.end_gap, kMillimetre) +
+                          " is not below the circumference of the bore, " +
+                          text_in(std::numbers::pi * c.engine.bore, kMillimetre),
                       "state the gap between the ends of the ring in the bore, for example \"0.3 mm\""});
   return false;
 }
@@ -78,11 +78,11 @@ void check_end_cell_reached(const Case& c, Breaches& breaches) {
   if (reached <= std::max(c.ring.face_width, kEndCellMissed * c.end_cell())) return;
   breaches.push_back({"solver.cells_y",
                       "solver.cells_y = " + number_text(c.solver.cells_y) + " makes the cells at the ends of the gap " +
-                          number_text(reached * 1e3) + " mm long, more than the face is wide, " +
-                          number_text(c.ring.face_width * 1e3) + " mm",
+                          text_in(reached, kMillimetre) + " long, more than the face is wide, " +
+                          text_in(c.ring.face_width, kMillimetre),
                       "take " + number_text(cells_that_would_do(c)) +
-                          " or more: cells grow by at most 1.3 times each from " + number_text(c.end_cell() * 1e6) +
-                          " um at the ends"});
+                          " or more: cells grow by at most 1.3 times each from " + text_in(c.end_cell(), kMicrometre) +
+                          " at the ends"});
 }
 
 void check_end_cell(const Case& c, Breaches& breaches) {
@@ -90,9 +90,8 @@ void check_end_cell(const Case& c, Breaches& breaches) {
   if (!c.ring.end_gap) return;
   if (c.end_cell() <= longest) return check_end_cell_reached(c, breaches);
   breaches.push_back({"solver.end_cell",
-                      "solver.end_cell = " + number_text(c.end_cell() * 1e6) + " um is longer than " +
-                          number_text(c.solver.cells_y) + " cells that are all alike, " + number_text(longest * 1e6) +
-                          " um",
+                      "solver.end_cell = " + text_in(c.end_cell(), kMicrometre) + " is longer than " +
+                          number_text(c.solver.cells_y) + " cells that are all alike, " + text_in(longest, kMicrometre),
                       "cells are shortest at the ends of the gap: state a shorter one, or fewer solver.cells_y"});
 }
 
@@ -127,8 +126,8 @@ void check_film2d_fields(const Case& c, Breaches& breaches) {
   breaches.push_back({"output.fields",
                       "output.fields asks for " + number_text(angles) + " angles of " +
                           number_text(c.solver.cells + 1) + " x " + number_text(strips(c)) + " nodes, which take " +
-                          number_text(values * kBytesOfFields / 1e6) + " MB of memory; allowed are " +
-                          number_text(kMaxFilm2dFieldValues * kBytesOfFields / 1e6) + " MB",
+                          text_in(values * kBytesOfFields, kMegabyte) + " of memory; allowed are " +
+                          text_in(kMaxFilm2dFieldValues * kBytesOfFields, kMegabyte),
                       "list the angles that matter, for example [\"0 degree\", \"20 degree\"], or keep what each "
                       "strip sums up to: output.reduction = \"along-face\""});
 }

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <set>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/cycle/setup/free_ring.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/models/ring.hpp"
@@ -19,7 +19,6 @@ using models::FourierSeries;
 using std::numbers::pi;
 
 double in_rad(double degrees) { return degrees * pi / 180; }
-double in_deg(double radians) { return radians * 180 / pi; }
 
 void append_scaled(const FourierSeries& series, double factor, std::vector<FourierOrder>& orders) {
   for (FourierOrder one : series.orders()) {
@@ -71,9 +70,8 @@ Sections sections_of(const BoreMap& map, int last_order) {
 void append_at(const Sections& sections, double height, std::vector<FourierOrder>& orders) {
   const auto after = std::upper_bound(sections.height.begin(), sections.height.end(), height);
   if (after == sections.height.begin() || height > sections.height.back()) {
-    throw InputError("conform.height = " + number_text(height * 1e3) + " mm is outside the bore that is known, " +
-                         number_text(sections.height.front() * 1e3) + " to " +
-                         number_text(sections.height.back() * 1e3) + " mm",
+    throw InputError("conform.height = " + text_in(height, kMillimetre) + " is outside the bore that is known, " +
+                         range_in(sections.height.front(), sections.height.back(), kMillimetre),
                      "heights are not extrapolated: state one between these, or more sections of the bore");
   }
   const std::size_t above = static_cast<std::size_t>(after - sections.height.begin());
@@ -160,9 +158,9 @@ ClosureValues values_of(const Case& c, const models::RingClosure& closure) {
   const auto largest = closure.largest_clearance();
   ClosureValues of;
   of.max_clearance = largest.clearance;
-  of.max_clearance_angle = in_deg(largest.phi);
+  of.max_clearance_angle = number_in(largest.phi, kDegree);
   of.open_area = closure.clearance_integral() * c.engine.bore / 2;
-  of.contact_angle = in_deg(closure.contact_angle());
+  of.contact_angle = number_in(closure.contact_angle(), kDegree);
   of.mean_wall_force = closure.force() / (2 * pi);
   of.share_in_points = closure.force_in_points() / closure.force();
   of.moment_at_back = closure.moment(pi);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/load_balance.hpp"
@@ -34,7 +34,7 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
   const double pressing = inputs.mean_pressure(grid);
   const double at_edges = inputs.has_gas() ? film::least_hydrodynamic_load(problem, inputs) / grid.width
                                            : 0.5 * (inputs.left.pressure + inputs.right.pressure);
-  const double load = inputs.load / 1e3;
+  const double load = number_in(inputs.load, kNewtonPerMillimetre);
   const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
   switch (report.failure) {
     case film::Failure::kOverloaded:
@@ -42,25 +42,27 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
           "neither the film nor the asperities carry the load of %.4g N per mm of circumference, at any "
           "separation: asperities carry at most %.4g, the pressures at the edges %.4g (computed on %d "
           "cells, the shortest %.3g um long; solver.cells = %d)",
-          load, film::asperity_load(problem, film::kThinnest) / 1e3, at_edges * grid.width / 1e3, grid.n_cells(),
-          smallest_cell * 1e6, setup.input.solver.cells);
+          load, number_in(film::asperity_load(problem, film::kThinnest), kNewtonPerMillimetre),
+          number_in(at_edges * grid.width, kNewtonPerMillimetre), grid.n_cells(),
+          number_in(smallest_cell, kMicrometre), setup.input.solver.cells);
     case film::Failure::kLiftedOff:
       if (at_edges > pressing) {
         return formatted(
             "the gas lifts the ring off: %.4g and %.4g bar at the edges of its face press it away with %.3g bar "
             "more than the %.4g bar that press it on",
-            inputs.left.pressure / 1e5, inputs.right.pressure / 1e5, (at_edges - pressing) / 1e5, pressing / 1e5);
+            number_in(inputs.left.pressure, kBar), number_in(inputs.right.pressure, kBar),
+            number_in(at_edges - pressing, kBar), number_in(pressing, kBar));
       }
       return formatted(
           "the film carries more than the load of %.4g N per mm of circumference up to a thickness of "
           "%.3g mm: face, speed, oil and load are not those of a ring",
-          load, film::thickest(problem) * 1e3);
+          load, number_in(film::thickest(problem), kMillimetre));
     case film::Failure::kRunsAway:
       return formatted(
           "no film carries the load of %.4g N per mm of circumference: at about %.3g um viscosity rises with "
           "pressure until the oil is solid, and Reynolds' equation has no solution "
           "(lubricant.viscosity_pressure = \"%s\")",
-          load, report.thinnest_film * 1e6,
+          load, number_in(report.thinnest_film, kMicrometre),
           models::viscosity_law(setup.input.lubricant.viscosity_pressure).name.c_str());
     default:
       break;
@@ -75,7 +77,7 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
              "; a ring that bends presses in a point where its tips meet a crest of the bore, and asperities carry at "
              "most %.3g N per mm of circumference there (the mean load is %.3g N): turn ring.gap_position off the "
              "crest, or state rougher surfaces",
-             film::asperity_load(problem, 0) / 1e3, load);
+             number_in(film::asperity_load(problem, 0), kNewtonPerMillimetre), load);
 }
 
 NoBalance no_balance(const Setup& setup, const film::FilmProblem& problem, const film::FilmInputs& inputs,

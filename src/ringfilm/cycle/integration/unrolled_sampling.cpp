@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/integration/sampling.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/film/cavitation.hpp"
@@ -20,8 +21,6 @@ double share_of_ends(double whole, double without_ends) { return whole == 0 ? kN
 double flow_from_chamber(double flow_middle, Axis axis) {
   return axis == Axis::kFromChamber ? flow_middle : -flow_middle;
 }
-
-double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 double total_friction(const Contact& contact, const film::StripIntegrals& strip, double asperity_area) {
   return boundary_friction(contact, strip.asperity_load, asperity_area) +
@@ -45,12 +44,12 @@ void add_clearance(const Setup& setup, const TimeIntegration& integration, const
     const double separation = instant.state->h_m + integration.rise(*instant.state, j);
     if (separation > s.max_clearance) {
       s.max_clearance = separation;
-      s.max_clearance_place = degrees((0.5 * gap + around.y[j]) / radius);
+      s.max_clearance_place = number_in((0.5 * gap + around.y[j]) / radius, kDegree);
     }
     if (!is_lifted_off(setup, instant.at.inputs, strips[j])) continue;
     s.open_area += around.share[j] * separation;
     s.gas_opening += around.share[j] / (2 * std::numbers::pi * radius) * separation * separation * separation;
-    s.lifted_angle += degrees(around.share[j] / radius);
+    s.lifted_angle += number_in(around.share[j] / radius, kDegree);
   }
   s.gas_opening = std::cbrt(s.gas_opening);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/setup/land_pressure.hpp"
@@ -140,10 +140,9 @@ CaseWithGas solve_gas_of_case(Case c) {
   put_gas_pressures(c.ring, pack, result, 0);
   for (std::size_t i = 0; i < c.rings.size(); ++i) put_gas_pressures(c.rings[i].ring, pack, result, i);
   std::vector<std::string>& notes = c.is_pack() ? c.rings.front().notes : c.notes;
-  notes.push_back("the gas between the rings is computed: blow-by per cylinder " + number_text(result.blow_by * 1e6) +
-                  " mg per cycle, " +
-                  number_text(volume_flow(result, pack.gas.gas_constant) / gas_path::kLitrePerMinute) +
-                  " l/min at 1.01325 bar and 25 degC");
+  notes.push_back("the gas between the rings is computed: blow-by per cylinder " + text_in(result.blow_by, kMilligram) +
+                  " per cycle, " + text_in(volume_flow(result, pack.gas.gas_constant), kLitrePerMinute) +
+                  " at 1.01325 bar and 25 degC");
   for (const Note& note : gas_path_notes(c, pack, result)) {
     const bool is_of_trace =
         note.topic == kSyntheticTrace || (note.topic.rfind("gas-", 0) == 0 && note.topic != "gas-path-not-periodic");

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
 
 namespace ringfilm::cycle {
@@ -55,8 +55,8 @@ void add_note(CaseWithGas& found, int turns, bool is_unchanged) {
   }
   const std::string how = is_unchanged ? "" : "; blow-by still changes by more than 0.1 % from turn to turn";
   std::vector<std::string>& notes = found.input.is_pack() ? found.input.rings.front().notes : found.input.notes;
-  notes.push_back("gas passes the films where they do not hold it: " + number_text(through * 1e6) +
-                  " mg per cycle over the face of the first ring; gas and films were computed in " +
+  notes.push_back("gas passes the films where they do not hold it: " + text_in(through, kMilligram) +
+                  " per cycle over the face of the first ring; gas and films were computed in " +
                   std::to_string(turns) + " turns" + how);
 }
 

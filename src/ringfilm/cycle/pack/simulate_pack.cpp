@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "ringfilm/base/number_text.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::cycle {
@@ -20,7 +20,7 @@ double land_below(Setup& ring) {
   const double width = ring.input.ring.face_width;
   ring.notes.push_back({kRingDistanceAssumed,
                         "the piston land below the ring is taken to be as high as its face is wide, " +
-                            number_text(width * 1e3) + " mm, since land_below of this [[ring]] is not stated",
+                            text_in(width, kMillimetre) + ", since land_below of this [[ring]] is not stated",
                         1});
   return width;
 }

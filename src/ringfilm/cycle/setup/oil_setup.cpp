@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
@@ -121,7 +121,7 @@ double range_of_fits(double largest_mean_pressure) {
 
 }  // namespace
 
-std::string celsius(double temperature) { return formatted("%.1f degC", temperature - base::kZeroCelsius); }
+std::string celsius(double temperature) { return formatted("%.1f degC", number_in(temperature, kCelsius)); }
 
 PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallTemperatures> walls,
                          const OilConditions& conditions) {

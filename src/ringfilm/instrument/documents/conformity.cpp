@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
 
 namespace ringfilm::instrument {
@@ -14,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-double degrees(double angle) { return angle * 180 / pi; }
+double degrees(double angle) { return number_in(angle, kDegree); }
 
 /// Whole degrees and both ends of the ring [rad].
 std::vector<double> places(const models::RingClosure& ring) {
@@ -125,8 +126,8 @@ io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::Static
       "the cycle adds to the bore is zero",
       "angles count from the middle of the gap in the direction of theta",
       fmt::format("target pressure: its mean and its orders, and {:.3g} % of order 1 that balance it on a ring with an "
-                  "end gap of {:.4g} mm",
-                  100 * beam.projection(), 1e3 * beam.size().end_gap)};
+                  "end gap of {}",
+                  100 * beam.projection(), text_in(beam.size().end_gap, kMillimetre, 4))};
   all.notes = closure.notes;
   all.notes.insert(all.notes.begin(), c.notes.begin(), c.notes.end());
   if (!whole.rings.empty()) all.notes.push_back("of the pack the first ring is computed");

@@ -1,10 +1,9 @@
 #include "ringfilm/instrument/documents/contact_of_case.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/contact_curves.hpp"
@@ -83,16 +82,16 @@ std::vector<std::string> validity_notes(const cycle::Case& c, const io::Measured
     if (std::isfinite(p)) highest = std::max(highest, p);
   }
   if (highest > hardness_of(c)) {
-    notes.push_back(fmt::format("mean pressure on the real area up to {:.3g} GPa, beyond the hardness of {:.3g} GPa",
-                                highest / 1e9, hardness_of(c) / 1e9));
+    notes.push_back("mean pressure on the real area up to " + text_in(highest, kGigapascal, 3) +
+                    ", beyond the hardness of " + text_in(hardness_of(c), kGigapascal, 3));
   }
   if (c.contact.model == ContactLaw::kTable) {
     const cycle::ContactLawTable& law = *c.contact.law;
     const double first = law.rows.h.front(), last = law.last_supported_separation;
     for (const double h : table.values[0]) {
       if (h >= first && h <= last) continue;
-      notes.push_back(fmt::format("separations outside {:.4g} to {:.4g} um are extrapolated from the table",
-                                  first * 1e6, last * 1e6));
+      notes.push_back("separations outside " + range_in(first, last, kMicrometre, 4) +
+                      " are extrapolated from the table");
       break;
     }
   }

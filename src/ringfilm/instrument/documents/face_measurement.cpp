@@ -23,8 +23,7 @@ constexpr double kFlatShare = 0.25;    // least flat share of a running surface 
 constexpr double kManyPores = 0.3;     // a sprayed face of styles2014 has 0.15
 constexpr double kEdgeMoved_m = 1e-7;  // as fine as anyone reads the height of an edge
 
-std::string millimetres(double length_m) { return fmt::format("{:.6g} mm", length_m * 1e3); }
-std::string micrometres(double length_m) { return fmt::format("{:.4g} um", length_m * 1e6); }
+std::string micrometres(double length_m) { return text_in(length_m, kMicrometre, 4); }
 
 const char* reason_text(surface::InventionReason reason) {
   switch (reason) {
@@ -39,7 +38,7 @@ const char* reason_text(surface::InventionReason reason) {
 }
 
 std::string levelling_text(const FaceRule& rule, const FaceFit& fit) {
-  const std::string tilt = fmt::format("{:.6g} mrad", fit.tilt * 1e3);
+  const std::string tilt = text_in(fit.tilt, kMilliradian);
   switch (rule.levelling) {
     case FaceLevelling::kNone:
       return "tilt left as measured";
@@ -63,8 +62,9 @@ std::vector<std::string> statement_lines(const FaceRule& rule, const FaceFit& fi
   lines.push_back(rule.sense == HeightSense::kMaterial
                       ? "heights count away from the ring and were turned into the gap to a straight liner"
                       : "heights are the gap to a straight liner");
-  lines.push_back(fmt::format("the face of {} starts {} in the trace, {}", millimetres(rule.width_m),
-                              millimetres(fit.start_m), rule.start_m ? "as stated" : "where its mean gap is least"));
+  lines.push_back(fmt::format("the face of {} starts {} in the trace, {}", text_in(rule.width_m, kMillimetre),
+                              text_in(fit.start_m, kMillimetre),
+                              rule.start_m ? "as stated" : "where its mean gap is least"));
   if (rule.direction == FaceDirection::kTurned) lines.push_back("turned about: x = 0 is the end of the trace");
   if (fit.averaged > 1) lines.push_back(fmt::format("{} neighbouring points were averaged into one", fit.averaged));
   if (rule.pore_depth_m) {
@@ -120,7 +120,7 @@ std::string tilts_text(const FaceRule& rule, const FaceFit& fit, const OtherTilt
     if (!heights.empty()) heights += ", ";
     heights += micrometres(factor * rule.running_surface_height_m);
     if (!angles.empty()) angles += ", ";
-    angles += std::isnan(tilt) ? std::string("none that can be found") : fmt::format("{:.3g}", tilt * 1e3);
+    angles += std::isnan(tilt) ? "none that can be found" : number_text(number_in(tilt, kMilliradian), 3);
   }
   return "running surfaces of " + heights + " above the lowest point remove " + angles + " mrad of tilt";
 }
@@ -159,7 +159,7 @@ void add_fit(const std::string& name, double minimum_m, double minimum_at_m, con
   group.add(name + "_end_b", "height of the edge x = b", "edge x = b", "m", "um", end_m[1], "above the least");
   group.add(name + "_residual_rms", "rms of trace less " + name, "residual rms", "m", "um", residual.rms_m);
   group.add(name + "_residual_largest", "largest of them", "largest", "m", "um", residual.largest_m,
-            "at x = " + millimetres(residual.largest_at_m));
+            "at x = " + text_in(residual.largest_at_m, kMillimetre));
 }
 
 io::MeasuredGroup polynomial_group(const FaceRule& rule, const FaceFit& fit) {
@@ -186,7 +186,7 @@ io::MeasuredGroup coefficient_group(const FaceFit& fit) {
     const std::string letter(1, static_cast<char>('a' + k));
     const std::string unit = power == 0 ? "m" : power == 1 ? "1" : fmt::format("m{}", 1 - power);
     const std::string display = power == 0 ? "um" : fmt::format("um mm-{}", power);
-    const double in_si = coefficients[static_cast<std::size_t>(k)] * 1e-6 * std::pow(1e3, power);
+    const double in_si = 1e-6 * coefficients[static_cast<std::size_t>(k)] * std::pow(1e3, power);
     group.add("coefficient_" + letter, fmt::format("of x^{}", power), letter, unit, display, in_si);
   }
   return group;
@@ -263,7 +263,7 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
                     "when it is tilted, so "
                     "that making it level does not find the tilt of the holder; state that tilt with --tilt, or leave "
                     "the trace as measured with --levelling none",
-                    millimetres(land_m)));
+                    text_in(land_m, kMillimetre)));
   }
   bool of_its_own = false;
   for (const surface::FitArtifact& shape : fit.invented) {
@@ -278,7 +278,7 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
         fmt::format("the spline misses the trace by {} at x = {}: it ends straight, and the face does not; "
                     "--spline-cutoff below {} "
                     "lets it follow",
-                    micrometres(fit.spline_residual.largest_m), millimetres(fit.spline_residual.largest_at_m),
+                    micrometres(fit.spline_residual.largest_m), text_in(fit.spline_residual.largest_at_m, kMillimetre),
                     micrometres(fit.spline_cutoff_m)));
   }
   if (of_its_own && !stiff) {
@@ -295,14 +295,14 @@ std::vector<std::string> note_lines(const FaceRule& rule, const FaceFit& fit, co
   notes.push_back(
       fmt::format("the case needs ring.face_width = \"{}\", and states with ring.face.orientation which edge "
                   "x = 0 is: the trace does not show it",
-                  millimetres(rule.width_m)));
+                  text_in(rule.width_m, kMillimetre)));
   return notes;
 }
 
 std::vector<std::string> heading_lines(const TraceFile& file, const FaceRule& rule) {
   std::vector<std::string> lines = {
       "Face of a ring from " + file_name(file.origin.path) + " (SHA-256 " + file.origin.sha256 + ")",
-      "ring.face_width is " + millimetres(rule.width_m)};
+      "ring.face_width is " + text_in(rule.width_m, kMillimetre)};
   for (const std::string& doubt : file.origin.doubts) lines.push_back("note: " + doubt);
   return lines;
 }

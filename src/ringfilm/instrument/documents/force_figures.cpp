@@ -34,7 +34,7 @@ std::string word_of(const std::string& name) {
 }
 
 std::string load_text(double load, surface::LoadUnit unit) {
-  return unit == surface::LoadUnit::kVolt ? fmt::format("{:.4g} V", load) : fmt::format("{:.4g} nN", load * 1e9);
+  return unit == surface::LoadUnit::kVolt ? fmt::format("{:.4g} V", load) : text_in(load, kNanonewton, 4);
 }
 
 /// The first loop of some loads, from the lowest to the highest.

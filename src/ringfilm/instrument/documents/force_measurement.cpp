@@ -22,12 +22,11 @@ constexpr double kTooSmallChance = 0.01;
 constexpr double kLargeShare = 0.5;         // share of the variance of a coefficient
 constexpr double kNotableReference = 0.05;  // relative deviation; less is harmless
 constexpr double kWideMismatch = 0.1;       // relative mismatch of the widths on two facets
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 bool stated(const ForceRule& rule) { return rule.deviations == surface::DeviationScale::kStated; }
 
-std::string uncertain_text(const surface::Uncertain& u, double scale = 1) {
-  return fmt::format("{:.6g} +- {:.3g}", u.value / scale, u.deviation / scale);
+std::string uncertain_text(const surface::Uncertain& u, const DisplayUnit& unit = kPlainNumber) {
+  return fmt::format("{:.6g} +- {:.3g}", number_in(u.value, unit), number_in(u.deviation, unit));
 }
 
 /// Units of a slope of the friction signal over load, and of psi.

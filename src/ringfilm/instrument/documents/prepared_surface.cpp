@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/surface_measurement.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
@@ -94,14 +95,14 @@ std::string measured_with(const PreparedSurface& surface) {
     const bool is_short = filter.choice.side == surface::FilterSide::short_cutoff;
     const bool is_robust = filter.choice.kind == surface::FilterKind::robust_gaussian;
     filters +=
-        fmt::format("{}{}-filter {:.4g} um", filters.empty() ? "" : ", ",
-                    std::string(is_robust ? "robust " : "") + (is_short ? "S" : "L"), filter.choice.cutoff_m * 1e6);
+        fmt::format("{}{}{}-filter {}", filters.empty() ? "" : ", ", is_robust ? "robust " : "", is_short ? "S" : "L",
+                    text_in(filter.choice.cutoff_m, kMicrometre, 4));
   }
   const surface::HeightMap& map = surface.map;
   const bool square = map.is_profile() || map.step_x_m == map.step_y_m;
-  return (filters.empty() ? "no filter" : filters) +
-         (square ? fmt::format("; pixel {:.4g} um", map.step_x_m * 1e6)
-                 : fmt::format("; pixel {:.4g} x {:.4g} um", map.step_x_m * 1e6, map.step_y_m * 1e6));
+  return (filters.empty() ? "no filter" : filters) + "; pixel " +
+         (square ? "" : number_text(number_in(map.step_x_m, kMicrometre), 4) + " x ") +
+         text_in(square ? map.step_x_m : map.step_y_m, kMicrometre, 4);
 }
 
 }  // namespace ringfilm::instrument

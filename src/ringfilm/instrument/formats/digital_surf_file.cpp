@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/formats/binary_writer.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
@@ -298,7 +299,7 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
 
 std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_m, const std::string& name,
                                const std::string& comment) {
-  const double step_z_um = static_cast<float>(resolution_m * 1e6);
+  const double step_z_um = static_cast<float>(number_in(resolution_m, kMicrometre));
   std::vector<std::int32_t> whole(map.points());
   std::int32_t smallest = std::numeric_limits<std::int32_t>::max(), largest = std::numeric_limits<std::int32_t>::min();
   bool any_missing = false;
@@ -307,7 +308,7 @@ std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_
       any_missing = true;
       continue;
     }
-    const double steps = std::round(map.height_m[i] * 1e6 / step_z_um);
+    const double steps = std::round(number_in(map.height_m[i], kMicrometre) / step_z_um);
     if (!(std::abs(steps) < 2147483000.0)) {
       throw InputError(
           fmt::format("a height of {} m has no place in 32 bit at a resolution of {} m", map.height_m[i], resolution_m),
@@ -339,8 +340,9 @@ std::string digital_surf_bytes(const surface::HeightMap& map, double resolution_
   out.number<std::int32_t>(kPointsX, static_cast<std::int32_t>(map.points_x));
   out.number<std::int32_t>(kPointsY, static_cast<std::int32_t>(map.points_y));
   out.number<std::int32_t>(kPoints, static_cast<std::int32_t>(map.points()));
-  out.number<float>(kStepX, static_cast<float>(map.step_x_m * 1e6));
-  out.number<float>(kStepY, static_cast<float>((map.is_profile() ? map.step_x_m : map.step_y_m) * 1e6));
+  const double step_y_m = map.is_profile() ? map.step_x_m : map.step_y_m;
+  out.number<float>(kStepX, static_cast<float>(number_in(map.step_x_m, kMicrometre)));
+  out.number<float>(kStepY, static_cast<float>(number_in(step_y_m, kMicrometre)));
   out.number<float>(kStepZ, static_cast<float>(step_z_um));
   const std::size_t axes[] = {kAxisX, kAxisY, kAxisZ};
   const char* const names[] = {"X", "Y", "Z"};

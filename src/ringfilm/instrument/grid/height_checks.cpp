@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
+
 namespace ringfilm::instrument {
 namespace {
 
@@ -444,9 +446,8 @@ void add_size_doubts(const Extent& of, const HeightMap& map, std::vector<Doubt>&
   } else if (of.Sq_m == 0) {
     doubts.push_back({"all heights are equal", "is it the right file or channel?"});
   } else if (of.Sq_m < kAtom_m) {
-    doubts.push_back({fmt::format("{} is {:.3g} nm: such heights are below the size of an atom ({} nm is the smoothest "
-                                  "surface)",
-                                  symbol, of.Sq_m * 1e9, kAtom_m * 1e9),
+    doubts.push_back({fmt::format("{} is {}: such heights are below the size of an atom ({} is the smoothest surface)",
+                                  symbol, text_in(of.Sq_m, kNanometre, 3), text_in(kAtom_m, kNanometre)),
                       "the unit of the heights is wrong: state the right one",
                       of.Sq_m < kNothing_m ? Weight::kRefusal : Weight::kNote});
   } else if (const double ratio = of.Sq_m * of.curvature_per_m * 8 / (3 * std::sqrt(std::numbers::pi));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_value_text.hpp"
 
@@ -61,7 +62,7 @@ cycle::MeasuredFace measured_face(const surface::FaceFit& fit, const surface::Fa
   cycle::MeasuredFace measured;
   measured.trace = trace_name;
   measured.width = rule.width_m;
-  measured.levelling = fmt::format("{}, {:.6g} mrad removed", name_of(rule.levelling), fit.tilt * 1e3);
+  measured.levelling = fmt::format("{}, {} removed", name_of(rule.levelling), text_in(fit.tilt, kMilliradian));
   measured.residual_rms = residual.rms_m;
   measured.largest_residual = std::abs(residual.largest_m);
   return measured;
@@ -133,7 +134,7 @@ std::string face_points_fragment(const surface::FaceFit& fit, const surface::Fac
 std::string face_points_csv(const surface::FaceFit& fit) {
   std::string text = "x [mm],height [um]\n";
   for (std::size_t i = 0; i < fit.x_m.size(); ++i) {
-    text += fmt::format("{:.9g},{:.9g}\n", fit.x_m[i] * 1e3, fit.spline_m[i] * 1e6);
+    text += fmt::format("{:.9g},{:.9g}\n", number_in(fit.x_m[i], kMillimetre), number_in(fit.spline_m[i], kMicrometre));
   }
   return text;
 }

@@ -96,10 +96,11 @@ std::string oils_table(const std::vector<ShippedOil>& oils) {
   std::string text = fmt::format("{:<12}{:<24}{:>10}{:>10}{:>10}{:>14}  {}\n", "grade", "name", "40 degC", "100 degC",
                                  "150 degC", "150 degC", "file");
   text += fmt::format("{:<12}{:<24}{:>10}{:>10}{:>10}{:>14}\n", "", "", "mm2/s", "mm2/s", "mm2/s", "mPa s");
+  const auto mm2_s = [](double viscosity) { return number_in(viscosity, kSquareMillimetrePerSecond); };
   for (const ShippedOil& oil : oils) {
     text += fmt::format("{:<12}{:<24}{:>10.2f}{:>10.2f}{:>10.2f}{:>14.2f}  {}\n", oil.grade.empty() ? "-" : oil.grade,
-                        oil.name, oil.kinematic_viscosity_40 * 1e6, oil.kinematic_viscosity_100 * 1e6,
-                        oil.kinematic_viscosity_150 * 1e6, oil.viscosity_150 * 1e3, oil.file);
+                        oil.name, mm2_s(oil.kinematic_viscosity_40), mm2_s(oil.kinematic_viscosity_100),
+                        mm2_s(oil.kinematic_viscosity_150), number_in(oil.viscosity_150, kMillipascalSecond), oil.file);
   }
   return text +
          "typical oils of their grades, not products; at 150 degC by ASTM D341 and without shear thinning\n"

@@ -102,7 +102,7 @@ std::string pairs_table(const std::vector<FrictionPair>& pairs) {
   for (const FrictionPair& pair : pairs) {
     text += fmt::format("{:<32}{:<12}{:>9.4g}{:>14}{:>10}  {:<14}{}\n", pair.name, name_of(pair.state), pair.friction,
                         pair.low ? fmt::format("{:.2f} to {:.2f}", *pair.low, *pair.high) : "-",
-                        pair.hardness ? fmt::format("{:.3g} GPa", *pair.hardness * 1e-9) : "-",
+                        pair.hardness ? text_in(*pair.hardness, kGigapascal, 3) : "-",
                         pair.roughness_class.empty() ? "-" : pair.roughness_class, pair.source);
   }
   return text +

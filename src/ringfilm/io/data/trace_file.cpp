@@ -295,8 +295,8 @@ class TraceReader {
     const double mismatch = std::abs(last - first) / std::max(first, last);
     if (mismatch <= kNotedMismatch) return;
     const std::string message =
-        fmt::format("the pressure is {:.6g} bar at {:.8g} degree and {:.6g} bar one cycle later, at {:.8g} degree",
-                    p.front() / 1e5, angle.front(), p.back() / 1e5, angle.back());
+        fmt::format("the pressure is {} at {:.8g} degree and {} one cycle later, at {:.8g} degree",
+                    text_in(p.front(), kBar), angle.front(), text_in(p.back(), kBar), angle.back());
     if (mismatch > kMaxMismatch) {
       faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column), message,
                          "a cycle repeats itself; take the last sample out, or average the cycles"});
@@ -319,9 +319,9 @@ class TraceReader {
     const auto peak = std::max_element(p.begin(), p.end());
     if (*peak < kMinPeak || *peak > kMaxPeak) {
       faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(peak - p.begin()), i_column),
-                         fmt::format("the highest pressure of the trace is {:.6g} bar", *peak / 1e5),
-                         fmt::format("is its unit right? That of engines is between {:.6g} and {:.6g} bar",
-                                     kMinPeak / 1e5, kMaxPeak / 1e5)});
+                         "the highest pressure of the trace is " + text_in(*peak, kBar),
+                         fmt::format("is its unit right? That of engines is between {:.6g} and {}",
+                                     number_in(kMinPeak, kBar), text_in(kMaxPeak, kBar))});
     }
   }
 

@@ -42,8 +42,8 @@ bool put_peak(const StatedPoint& point, cycle::Case& input, std::vector<Fault>& 
   if (*point.peak <= least) {
     faults.push_back(
         {point.peak_mark,
-         fmt::format("the peak pressure {:.6g} bar is not above the least pressure of the trace, {:.6g} bar",
-                     *point.peak / 1e5, least / 1e5),
+         fmt::format("the peak pressure {} is not above the least pressure of the trace, {}",
+                     text_in(*point.peak, kBar), text_in(least, kBar)),
          "state a higher peak_pressure, with the reference of the trace"});
     return false;
   }

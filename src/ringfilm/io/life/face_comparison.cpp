@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/result/record_json.hpp"
 
@@ -45,8 +46,9 @@ FaceComparison read_face_comparison(const std::vector<std::string>& case_paths) 
   const std::vector<NamedFace>& faces = comparison.faces;
   for (const NamedFace& one : faces) {
     if (one.face.width() == faces.front().face.width()) continue;
-    throw InputError(fmt::format("the face of {} is {:.6g} mm wide, that of {} {:.6g} mm", one.name,
-                                 one.face.width() * 1e3, faces.front().name, faces.front().face.width() * 1e3),
+    throw InputError(fmt::format("the face of {} is {} wide, that of {} {}", one.name,
+                                 text_in(one.face.width(), kMillimetre), faces.front().name,
+                                 text_in(faces.front().face.width(), kMillimetre)),
                      "compare faces of one ring");
   }
   for (const NamedFace& one : faces) comparison.concave.push_back(concave_stretches(one.face, kNoticedConcavity));

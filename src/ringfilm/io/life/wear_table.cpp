@@ -117,7 +117,7 @@ class WearReader {
   std::optional<double> depth_of_jump(const char* key, double smallest, const char* example) {
     const auto depth = above_zero(key, "m", example);
     if (!depth || *depth >= smallest) return depth;
-    table_.refuse_value(key, fmt::format("is below {:g} nm", 1e9 * smallest),
+    table_.refuse_value(key, "is below " + text_in(smallest, kNanometre),
                         fmt::format("faces are not known to the size of an atom, and each jump costs a cycle: state a "
                                     "larger one, for example {}",
                                     example));
@@ -161,8 +161,8 @@ class WearReader {
         wear_.edge_distance >= 0.5 * base->ring.face_width) {
       const TomlValue* distance = table_.find("edge_distance");
       table_.refuse(distance != nullptr ? distance->mark : table_.find("edge_factor")->mark,
-                    fmt::format("wear.edge_distance is {:g} mm from the middle of a face that is {:g} mm wide",
-                                wear_.edge_distance * 1e3, base->ring.face_width * 1e3),
+                    fmt::format("wear.edge_distance is {} from the middle of a face that is {} wide",
+                                text_in(wear_.edge_distance, kMillimetre), text_in(base->ring.face_width, kMillimetre)),
                     "state less than half of ring.face_width");
     }
     if (table_.find("edge_factor") != nullptr) return;

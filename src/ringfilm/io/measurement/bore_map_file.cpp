@@ -105,8 +105,8 @@ class BoreRows {
     if (n < 2 || std::abs(angle_[end - 1] - angle_[first] - 360) > kSameAngle) return n;
     if (deviation_[end - 1] != deviation_[first]) {
       refuse(end - 1, "deviation",
-             fmt::format("the deviation at {:.6g} degree is {:.6g} um, and {:.6g} um one turn before", angle_[end - 1],
-                         1e6 * deviation_[end - 1], 1e6 * deviation_[first]),
+             fmt::format("the deviation at {:.6g} degree is {}, and {} one turn before", angle_[end - 1],
+                         text_in(deviation_[end - 1], kMicrometre), text_in(deviation_[first], kMicrometre)),
              "the bore is periodic: state each angle once, or the same deviation at both ends");
     }
     return n - 1;

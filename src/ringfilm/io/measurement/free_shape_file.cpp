@@ -13,7 +13,7 @@ void check_rows(const CsvFile& csv, const cycle::FreeRing& ring, std::vector<Fau
   };
   for (std::size_t i = 0; i < ring.radius.size() && faults.empty(); ++i) {
     if (!(ring.radius[i] > 0)) {
-      refuse(i, "radius", fmt::format("radius = {:.6g} mm is not a distance from a centre", 1e3 * ring.radius[i]),
+      refuse(i, "radius", "radius = " + text_in(ring.radius[i], kMillimetre) + " is not a distance from a centre",
              "state the radius of the running surface of the free ring, not its deviation");
     }
     if (i == 0) continue;

@@ -44,8 +44,8 @@ class Lines {
       }
       if (a[k] != a[k % n_]) {
         refuse(k, along_,
-               fmt::format("{0} = {1:.6g} mm is given here, where the first {2} has {0} = {3:.6g} mm", along_.name,
-                           1e3 * a[k], across_.name, 1e3 * a[k % n_]));
+               fmt::format("{0} = {1} is given here, where the first {2} has {0} = {3}", along_.name,
+                           text_in(a[k], kMillimetre), across_.name, text_in(a[k % n_], kMillimetre)));
       }
     }
     if (const std::size_t left = a.size() % n_; left != 0) {
@@ -88,8 +88,8 @@ class Lines {
     std::size_t k = 0;
     while (k < n_ && a[k] == a[n_ + k]) ++k;
     refuse(std::min(k, n_ - 1), along_,
-           fmt::format("the first {} has no point at {} = {:.6g} mm, which all others have", across_.name, along_.name,
-                       1e3 * a[n_ + k]));
+           fmt::format("the first {} has no point at {} = {}, which all others have", across_.name, along_.name,
+                       text_in(a[n_ + k], kMillimetre)));
   }
 
   [[noreturn]] void refuse(std::size_t row, const Column& column, const std::string& message,

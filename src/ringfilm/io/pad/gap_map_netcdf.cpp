@@ -224,13 +224,13 @@ void check_axis(const std::string& shown, const std::string& name, const std::ve
   }
   const auto wrong = wrong_place(places);
   if (!wrong) return;
+  const auto at = [&places](std::size_t i) { return text_in(places[i], kMillimetre); };
   const auto fault = [&](const std::string& what, const std::string& remedy) {
-    faults.push_back(
-        {mark, fmt::format("{}[{}] = {:.6g} mm {}", name, wrong->index, 1e3 * places[wrong->index], what), remedy});
+    faults.push_back({mark, fmt::format("{}[{}] = {} {}", name, wrong->index, at(wrong->index), what), remedy});
   };
   switch (wrong->fault) {
     case PlaceFault::kFalls:
-      fault(fmt::format("lies below {}[{}] = {:.6g} mm", name, wrong->index - 1, 1e3 * places[wrong->index - 1]),
+      fault(fmt::format("lies below {}[{}] = {}", name, wrong->index - 1, at(wrong->index - 1)),
             fmt::format("store {} so that it rises, and h in the same order", name));
       return;
     case PlaceFault::kThreeTimes:
@@ -262,7 +262,8 @@ GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units) {
   check_axis(file.shown, "x", map.x, faults);
   check_axis(file.shown, "y", map.y, faults);
   const auto at = [&map](std::size_t k) {
-    return fmt::format("at x = {:.6g} mm, y = {:.6g} mm", 1e3 * map.x[k % map.x.size()], 1e3 * map.y[k / map.x.size()]);
+    return "at x = " + text_in(map.x[k % map.x.size()], kMillimetre) + ", y = " +
+           text_in(map.y[k / map.x.size()], kMillimetre);
   };
   const SourceMark mark{file.shown, 0, 0, ""};
   if (const auto k = hole(map.height); k && faults.empty()) {

@@ -97,7 +97,7 @@ class TraceAnswers {
                       question, seen_.crank_angle_deg[static_cast<std::size_t>(lowest - p.begin())]));
     } else {
       ask("gas.pressure_reference",
-          question + (seen_.is_in_pascal ? fmt::format(" The lowest pressure is {:.4g} bar", *lowest / 1e5) : ""));
+          question + (seen_.is_in_pascal ? " The lowest pressure is " + text_in(*lowest, kBar, 4) : ""));
     }
   }
 
@@ -151,8 +151,7 @@ class TraceAnswers {
     if (angles.empty()) return;
     const auto& p = seen_.pressure_values;
     const std::string highest =
-        seen_.is_in_pascal ? fmt::format(", highest pressure {:.4g} bar", *std::max_element(p.begin(), p.end()) / 1e5)
-                           : "";
+        seen_.is_in_pascal ? ", highest pressure " + text_in(*std::max_element(p.begin(), p.end()), kBar, 4) : "";
     keys_.found.push_back(fmt::format("{} samples from {:.6g} to {:.6g} degree{}", angles.size(), angles.front(),
                                       angles.back(), highest));
     if (models::covers_cycle(angles)) return;

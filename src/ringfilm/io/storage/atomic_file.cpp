@@ -19,6 +19,7 @@
 #include <system_error>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 
 namespace ringfilm::io {
@@ -255,8 +256,8 @@ void AsideFile::append(std::string_view bytes) { write_directly(path_, bytes, O_
 
 void AsideFile::reserve(std::uint64_t bytes) {
   const auto refuse = [&](int error_number) {
-    fail_to_write(target_, fmt::format("up to {:.0f} MB are required: {}", static_cast<double>(bytes) / 1e6,
-                                       std::strerror(error_number)));
+    const double megabytes = number_in(static_cast<double>(bytes), kMegabyte);
+    fail_to_write(target_, fmt::format("up to {:.0f} MB are required: {}", megabytes, std::strerror(error_number)));
   };
   struct rlimit most {};
   if (::getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY && bytes > most.rlim_cur) refuse(EFBIG);

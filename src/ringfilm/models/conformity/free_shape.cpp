@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -107,7 +107,7 @@ void check_points(const RingBeamSize& size, const std::vector<ShapePoint>& point
   throw InputError("the free shape has " + std::to_string(points.size()) + " points, fewer than the " +
                        std::to_string(needed) + " that order " + std::to_string(last_order) + " of its pressure needs",
                    "measure more points from end to end of the ring, or smooth over a longer length than " +
-                       number_text(1e3 * pi * (size.bore - size.radial_thickness) / last_order) + " mm");
+                       text_in(pi * (size.bore - size.radial_thickness) / last_order, kMillimetre));
 }
 
 void check_length(const RingBeamSize& size, const std::vector<double>& phi) {
@@ -116,8 +116,8 @@ void check_length(const RingBeamSize& size, const std::vector<double>& phi) {
   const double expected = 2 * pi * r - size.end_gap;
   const bool rises = std::is_sorted(phi.begin(), phi.end());
   if (rises && std::abs(length - expected) <= kMax * expected) return;
-  throw InputError("the free shape does not close: its centroid is " + number_text(length * 1e3) +
-                       " mm long, that of the closed ring " + number_text(expected * 1e3) + " mm",
+  throw InputError("the free shape does not close: its centroid is " + text_in(length, kMillimetre) +
+                       " long, that of the closed ring " + text_in(expected, kMillimetre),
                    "give points of the running surface from one end of the ring to the other, in the sense of the "
                    "angle, and the end gap of the closed ring");
 }
@@ -328,7 +328,7 @@ FreeShapeFit target_of_free_shape(const RingBeamSize& size, const std::vector<Sh
   if (!is_found || !(fit.tangential_force > 0)) {
     throw InputError("the free shape is not that of a ring that presses outwards all in all: its tangential force is " +
                          number_text(fit.tangential_force) + " N, and its points are " +
-                         number_text(1e6 * nearest.residual()) + " um (rms) from the shape of this force",
+                         text_in(nearest.residual(), kMicrometre) + " (rms) from the shape of this force",
                      "list the points of the running surface from one end of the ring to the other in the sense of the "
                      "angle; check their unit");
   }

@@ -4,27 +4,26 @@
 #include <numbers>
 #include <string>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::models {
 namespace {
 
 using std::numbers::pi;
 
-std::string millimetres(double length) { return number_text(length * 1e3) + " mm"; }
-
 void check_beam(const RingBeamSize& size, const FourierSeries& orders) {
   const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
   if (!positive(size.bore)) throw InputError("the bore is not a positive length", "for example \"89 mm\"");
   if (!positive(size.face_width) || !positive(size.radial_thickness)) {
-    throw InputError("the section of the ring, " + millimetres(size.face_width) + " by " +
-                         millimetres(size.radial_thickness) + ", has no positive second moment",
+    throw InputError("the section of the ring, " + text_in(size.face_width, kMillimetre) + " by " +
+                         text_in(size.radial_thickness, kMillimetre) + ", has no positive second moment",
                      "state a positive ring.face_width and ring.radial_thickness");
   }
   if (!(size.radial_thickness < size.bore / 2)) {
     throw InputError(
-        "ring.radial_thickness = " + millimetres(size.radial_thickness) + " fills a bore of " + millimetres(size.bore),
+        "ring.radial_thickness = " + text_in(size.radial_thickness, kMillimetre) + " fills a bore of " +
+            text_in(size.bore, kMillimetre),
         "a thin ring is about 1/25 of the bore thick");
   }
   if (!positive(size.youngs_modulus) || !positive(size.tangential_force)) {
@@ -33,8 +32,9 @@ void check_beam(const RingBeamSize& size, const FourierSeries& orders) {
   }
   const double most = pi * (size.bore - size.radial_thickness) / 2;
   if (!(size.end_gap >= 0 && size.end_gap < most)) {
-    throw InputError("ring.end_gap = " + millimetres(size.end_gap) + " leaves less than half of the circumference",
-                     "a ring that holds itself in the bore has an end gap below " + millimetres(most));
+    throw InputError("ring.end_gap = " + text_in(size.end_gap, kMillimetre) +
+                         " leaves less than half of the circumference",
+                     "a ring that holds itself in the bore has an end gap below " + text_in(most, kMillimetre));
   }
   for (const FourierOrder& one : orders.orders()) {
     if (one.order >= 2) continue;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -29,7 +29,7 @@ void check_falling(const std::vector<double>& values, const std::vector<double>&
   for (std::size_t k = 1; k < rows; ++k) {
     if (values[k] < values[k - 1]) continue;
     refuse("does not fall from row to row: " + number_text(values[k - 1]) + " at a separation of " +
-           number_text(h[k - 1] * 1e6) + " um, " + number_text(values[k]) + " at " + number_text(h[k] * 1e6) + " um");
+           text_in(h[k - 1], kMicrometre) + ", " + number_text(values[k]) + " at " + text_in(h[k], kMicrometre));
   }
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/models/gas/gas_checks.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"
 
@@ -69,8 +69,6 @@ bool samples_are_sound(const std::vector<double>& angle, const std::vector<doubl
 
 std::string in_degrees(double angle) { return number_text(angle) + " degree"; }
 
-std::string in_bar(double pressure) { return number_text(pressure / 1e5) + " bar"; }
-
 void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<double>& pressure) {
   if (crank_angle_deg.empty() || crank_angle_deg.size() != pressure.size()) {
     throw InputError("a pressure trace has no samples, or not as many pressures as crank angles",
@@ -79,8 +77,8 @@ void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<d
   const bool sound = samples_are_sound(crank_angle_deg, pressure);
   for (std::size_t k = 0; !sound && k < crank_angle_deg.size(); ++k) {
     if (!std::isfinite(crank_angle_deg[k]) || !(pressure[k] > 0) || !std::isfinite(pressure[k])) {
-      throw InputError("the pressure trace has " + in_bar(pressure[k]) + " at " + in_degrees(crank_angle_deg[k]) +
-                           "; an absolute pressure is positive",
+      throw InputError("the pressure trace has " + text_in(pressure[k], kBar) + " at " +
+                           in_degrees(crank_angle_deg[k]) + "; an absolute pressure is positive",
                        "check gas.pressure_reference (absolute or gauge) and the unit of the trace");
     }
     if (k > 0 && !(crank_angle_deg[k] > crank_angle_deg[k - 1])) {
@@ -98,7 +96,7 @@ void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<d
 
 void check_gas_pressure(const std::string& key, double pressure) {
   if (!(pressure > 0) || !std::isfinite(pressure)) {
-    throw InputError(key + " = " + in_bar(pressure) + " is not a positive absolute pressure",
+    throw InputError(key + " = " + text_in(pressure, kBar) + " is not a positive absolute pressure",
                      "give an absolute pressure, for example \"1.0 bara\"");
   }
 }

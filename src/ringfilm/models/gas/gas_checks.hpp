@@ -6,7 +6,6 @@
 namespace ringfilm::models {
 
 std::string in_degrees(double angle);  ///< "12.5 degree"
-std::string in_bar(double pressure);   ///< "62 bar" from [Pa]
 
 /// Throws InputError unless the pressures [Pa] are positive and their angles [degree] increase over one cycle at most.
 void check_trace(const std::vector<double>& crank_angle_deg, const std::vector<double>& pressure);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/gas/gas_checks.hpp"
@@ -71,8 +72,8 @@ struct Combustion {
 };
 
 InputError unreachable(const WiebeCycle& cycle, const std::string& why, const std::string& remedy) {
-  return InputError("gas.peak_pressure = " + in_bar(cycle.peak_pressure) +
-                        " at gas.peak_angle = " + in_degrees(cycle.peak_angle_deg) + " cannot be reached: " + why,
+  return InputError("gas.peak_pressure = " + text_in(cycle.peak_pressure, kBar) + " at gas.peak_angle = " +
+                        in_degrees(cycle.peak_angle_deg) + " cannot be reached: " + why,
                     remedy);
 }
 
@@ -80,7 +81,7 @@ Combustion fitted_combustion(const WiebeCycle& cycle, const ClosedCharge& charge
   const double peak = cycle.peak_angle_deg, V = charge.volume(peak);
   const double motored = cycle.intake_pressure * std::pow(charge.volume(closing) / V, kExponent);
   if (!(cycle.peak_pressure > motored)) {
-    throw unreachable(cycle, "compression alone gives " + in_bar(motored) + " there",
+    throw unreachable(cycle, "compression alone gives " + text_in(motored, kBar) + " there",
                       "ask for a higher peak or a smaller gas.compression_ratio");
   }
   // At the peak (k - 1) dQ = k p dV. What is left is how far burning must have come so that p V^k has risen enough.
@@ -194,7 +195,8 @@ CyclePressure wiebe_pressure(const WiebeCycle& cycle) {
   CyclePressure whole = closed_cycle(std::move(angle), std::move(pressure), exchange);
   if (whole.peak() > cycle.peak_pressure * (1 + 1e-6)) {
     throw unreachable(cycle,
-                      "the pressure is higher, " + in_bar(whole.peak()) + ", at " + in_degrees(whole.peak_angle_deg()),
+                      "the pressure is higher, " + text_in(whole.peak(), kBar) + ", at " +
+                          in_degrees(whole.peak_angle_deg()),
                       "ask for a higher peak, or change gas.compression_ratio, gas.burn_duration or "
                       "gas.exhaust_pressure");
   }

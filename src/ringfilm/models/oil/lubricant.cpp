@@ -6,9 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 #include "ringfilm/models/oil/roelands.hpp"
@@ -86,7 +85,7 @@ Walther Walther::fit(std::span<const double> temperature, std::span<const double
     const double nu = kinematic_viscosity[i];
     if (!(nu > (1 - kWaltherOffset) * kMm2PerSecond)) {
       throw InputError("lubricant.kinematic_viscosity = " + number_text(nu / kMm2PerSecond) + " mm2/s at " +
-                           in_degC(temperature[i]) + " is not above 0.3 mm2/s, where Walther's law begins",
+                           text_in(temperature[i], kCelsius) + " is not above 0.3 mm2/s, where Walther's law begins",
                        "give values such as \"60 mm2/s\" at 40 degC and \"9.6 mm2/s\" at 100 degC");
     }
     x_mean += std::log10(temperature[i]) / static_cast<double>(n);
@@ -117,7 +116,8 @@ double Walther::kinematic_viscosity(double T) const {
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T) {
   if (!(T > kHoupertPole && theta_0 > kHoupertPole)) {
     throw InputError(
-        "a temperature of " + in_degC(std::min(T, theta_0)) + " is not above the -135.15 degC of Houpert's law",
+        "a temperature of " + text_in(std::min(T, theta_0), kCelsius) +
+            " is not above the -135.15 degC of Houpert's law",
         "check operating.oil_temperature and lubricant.reference_temperature");
   }
   const double logarithm = roelands_logarithm(eta_0);
@@ -130,7 +130,7 @@ OilState oil_state(const OilLaws& laws, double T) {
   const auto density = [&](double at) {
     const double rho = laws.density.density(at);
     if (rho > 0) return rho;
-    throw InputError("the oil's density at " + in_degC(at) + " comes out as " + number_text(rho) + " kg/m3",
+    throw InputError("the oil's density at " + text_in(at, kCelsius) + " comes out as " + number_text(rho) + " kg/m3",
                      "check lubricant.density, lubricant.thermal_expansivity and the oil temperature");
   };
   const auto after_walther = [&](double at) {
@@ -150,7 +150,8 @@ OilState oil_state(const OilLaws& laws, double T) {
       break;
   }
   if (!(state.eta_T > 0)) {
-    throw InputError("the oil's viscosity at " + in_degC(T) + " comes out as " + number_text(state.eta_T) + " Pa.s",
+    throw InputError("the oil's viscosity at " + text_in(T, kCelsius) + " comes out as " + number_text(state.eta_T) +
+                         " Pa.s",
                      "check operating.oil_temperature against the temperatures of lubricant.kinematic_viscosity");
   }
   return state;

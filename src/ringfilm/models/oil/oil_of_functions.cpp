@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -46,7 +46,7 @@ void check_values(const AtPlaces& value, const AtPlaces& p, const char* property
   for (int i = 0; i < kPlaces; ++i) {
     if (std::isfinite(value[i]) && value[i] > 0) continue;
     throw InputError("the oil's own law gives a " + std::string(property) + " of " + number_text(value[i]) + " " +
-                         unit + " at " + number_text(p[i] * 1e-6) + " MPa",
+                         unit + " at " + text_in(p[i], kMegapascal),
                      "let it give a positive number from 0 to four times the largest mean pressure on the face");
   }
 }
@@ -65,7 +65,7 @@ void check_slopes(const AtPlaces& value, const AtPlaces& after, const AtPlaces& 
     const double let_through = kSteepness * largest + kRounding * value[i] / step;
     if (std::isfinite(slope[i]) && std::abs(slope[i] - by_values) <= let_through) continue;
     throw InputError("the oil's own law gives a slope of " + std::string(property) + " of " + number_text(slope[i]) +
-                         " per Pa at " + number_text(p[i] * 1e-6) + " MPa, but its values there rise by " +
+                         " per Pa at " + text_in(p[i], kMegapascal) + ", but its values there rise by " +
                          number_text(by_values) + " per Pa",
                      "let OilProperties hold the derivatives of the values with respect to pressure, in SI");
   }
@@ -81,7 +81,7 @@ std::shared_ptr<const OilAtTemperature> oil_of_functions(PropertyOfPressure visc
 }
 
 void check_oil(const OilAtTemperature& oil, double low, double high) {
-  const double step = (high - low) * 1e-5;
+  const double step = 1e-5 * (high - low);
   AtPlaces p, p_after, rho, drho_dp, eta, deta_dp, rho_after, eta_after, unused_rho, unused_eta;
   for (int i = 0; i < kPlaces; ++i) {
     p[i] = low + (high - low) * i / (kPlaces - 1);

@@ -1,6 +1,5 @@
 #include "ringfilm/models/oil/oil_temperature.hpp"
 
-#include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
 
@@ -12,7 +11,5 @@ void check_oil_temperature(double T) {
                        number_text(kHottestOil) + " K",
                    "temperatures are in kelvin: 313.15 for 40 degC");
 }
-
-std::string in_degC(double T) { return number_text(T - base::kZeroCelsius) + " degC"; }
 
 }  // namespace ringfilm::models

@@ -1,5 +1,4 @@
 #pragma once
-#include <string>
 
 namespace ringfilm::models {
 
@@ -10,8 +9,5 @@ inline constexpr double kHottestOil = 600;
 
 /// Throws InputError unless T [K] lies between both.
 void check_oil_temperature(double T);
-
-/// "100 degC" from [K], for messages.
-std::string in_degC(double T);
 
 }  // namespace ringfilm::models

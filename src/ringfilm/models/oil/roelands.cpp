@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::models {
 namespace {
@@ -73,7 +73,8 @@ double roelands_logarithm(double eta) {
   const double logarithm = std::log(eta) + kRoelandsOffset;
   if (!(logarithm > 0)) {
     throw InputError(
-        "an oil viscosity of " + number_text(eta * 1e3) + " mPa.s is below the 0.0632 mPa.s of Roelands' law",
+        "an oil viscosity of " + number_text(number_in(eta, kMillipascalSecond)) +
+            " mPa.s is below the 0.0632 mPa.s of Roelands' law",
         "check lubricant.kinematic_viscosity and the oil temperature, or choose "
         "lubricant.viscosity_pressure = \"none\"");
   }

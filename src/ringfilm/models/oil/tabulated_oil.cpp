@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/table.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
@@ -79,8 +80,8 @@ std::shared_ptr<const OilAtTemperature> tabulated_oil(const OilTable& table, dou
                      "check the file of lubricant.table");
   }
   if (!(T >= temperature.front() - kRounding && T <= temperature.back() + kRounding)) {
-    throw InputError("operating.oil_temperature = " + in_degC(T) + " lies outside the oil table, " +
-                         in_degC(temperature.front()) + " to " + in_degC(temperature.back()),
+    throw InputError("operating.oil_temperature = " + text_in(T, kCelsius) + " lies outside the oil table, " +
+                         text_in(temperature.front(), kCelsius) + " to " + text_in(temperature.back(), kCelsius),
                      "choose a temperature inside, or add measurements to the file of lubricant.table");
   }
   T = std::clamp(T, temperature.front(), temperature.back());

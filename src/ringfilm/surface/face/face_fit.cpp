@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/surface/face/face_alignment.hpp"
 #include "ringfilm/surface/face/face_invention.hpp"
 
@@ -44,8 +44,6 @@ class TiltSearch {
   std::optional<double> too_small_, too_large_;
   int free_passes_ = 0;
 };
-
-std::string micrometres(double length_m) { return number_text(length_m * 1e6) + " um"; }
 
 FaceResidual residual_of(const Trace& gap, const std::function<double(std::size_t)>& fit) {
   FaceResidual residual;
@@ -94,7 +92,8 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
   const double length = trace.x_m.back() - trace.x_m.front();
   if (length < rule.width_m * (1 - 1e-6)) {
     throw InputError(
-        "the trace is " + micrometres(length) + " long and does not cover the face of " + micrometres(rule.width_m),
+        "the trace is " + text_in(length, kMicrometre) + " long and does not cover the face of " +
+            text_in(rule.width_m, kMicrometre),
         "no shape is invented beyond a trace; measure a longer one, or state the width that it covers (--width)");
   }
   if (!rule.start_m) return;
@@ -102,16 +101,17 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
       *rule.start_m + rule.width_m <= trace.x_m.back() + 1e-6 * rule.width_m) {
     return;
   }
-  throw InputError("the face of " + micrometres(rule.width_m) + " does not lie in the trace from the stated start on",
-                   "the trace runs from " + micrometres(trace.x_m.front()) + " to " + micrometres(trace.x_m.back()) +
-                       ": state another --start, or none");
+  throw InputError("the face of " + text_in(rule.width_m, kMicrometre) +
+                       " does not lie in the trace from the stated start on",
+                   "the trace runs from " + text_in(trace.x_m.front(), kMicrometre) + " to " +
+                       text_in(trace.x_m.back(), kMicrometre) + ": state another --start, or none");
 }
 
 }  // namespace
 
 std::string FitArtifact::words() const {
-  const std::string size = number_text(size_m * 1e6, 3) + " um ";
-  return "x = " + number_text(from_m * 1e3, 4) + " to " + number_text(to_m * 1e3, 4) + " mm: " +
+  const std::string size = text_in(size_m, kMicrometre, 3) + " ";
+  return "x = " + range_in(from_m, to_m, kMillimetre, 4) + ": " +
          (reason == InventionReason::kDeparts ? "the polynomial lies " + size + "off the trace"
           : reason == InventionReason::kTurnNotInTrace
               ? "the polynomial's gap falls by " + size + "where that of the trace does not"

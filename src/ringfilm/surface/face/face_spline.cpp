@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 
 namespace ringfilm::surface {
@@ -32,9 +33,10 @@ void check(const std::vector<double>& x, const std::vector<double>& height, doub
   }
   const double length = x.back() - x.front(), step = length / static_cast<double>(x.size() - 1);
   if (!std::isfinite(cutoff) || cutoff < kMinSteps * step || cutoff > length) {
-    throw InputError("a spline cannot be as stiff as a wavelength of " + std::to_string(cutoff * 1e6) +
-                         " um: the trace is " + std::to_string(length * 1e6) + " um long with steps of " +
-                         std::to_string(step * 1e6) + " um",
+    throw InputError(formatted("a spline cannot be as stiff as a wavelength of %f um: the trace is %f um long with "
+                               "steps of %f um",
+                               number_in(cutoff, kMicrometre), number_in(length, kMicrometre),
+                               number_in(step, kMicrometre)),
                      "four steps to the length of the trace are allowed, for example a tenth of the length");
   }
 }

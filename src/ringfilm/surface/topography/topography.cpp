@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
-#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::surface {
 namespace {
@@ -18,8 +18,7 @@ std::string size_text(const HeightMap& map) {
 std::string length_text(double length_m) {
   const double size = std::abs(length_m);
   if (!std::isfinite(size)) return number_text(length_m) + " m";
-  if (size < 1e-7) return number_text(length_m * 1e9) + " nm";
-  return size < 1e-3 ? number_text(length_m * 1e6) + " um" : in_mm(length_m);
+  return text_in(length_m, size < 1e-7 ? kNanometre : size < 1e-3 ? kMicrometre : kMillimetre);
 }
 
 std::size_t measured_points(const HeightMap& map) {
