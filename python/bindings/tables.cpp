@@ -3,11 +3,16 @@
 #include "case_values.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
+#include "ringfilm/cycle/closure/static_closure.hpp"
+#include "ringfilm/cycle/pack/gas_quantities.hpp"
+#include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/data/shipped_pairs.hpp"
+#include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/units.hpp"
+#include "ringfilm/life/life_result.hpp"
 #include "ringfilm/pad/pad_result.hpp"
 
 namespace ringfilm::python {
@@ -57,7 +62,19 @@ py::dict quantities() {
   tables["unrolled_cycle"] = plain(cycle::unrolled_cycle_quantities());
   tables["pad"] = plain(pad::pad_quantities());
   tables["pad_width"] = plain(pad::width_quantities());
+  tables["pad_front"] = plain(pad::front_quantities());
   tables["pad_film"] = pad::profile_quantities();
+  tables["unrolled_field"] = plain(cycle::unrolled_fields());
+  tables["strip"] = plain(cycle::strip_fields());
+  tables["stroke"] = plain(cycle::stroke_films());
+  tables["effort"] = plain(cycle::effort_quantities());
+  tables["closure"] = plain(cycle::closure_quantities());
+  tables["gas"] = plain(cycle::gas_sum_quantities());
+  tables["gas_region"] = plain(cycle::gas_region_quantities());
+  tables["gas_path"] = plain(cycle::gas_path_quantities());
+  tables["gas_ring"] = plain(cycle::gas_ring_quantities());
+  tables["pack_oil"] = plain(io::pack_oil_quantities());
+  tables["worn"] = plain(life::worn_quantities());
   return tables;
 }
 
@@ -116,7 +133,10 @@ probe without oil, which orders surfaces and is not an input of an engine.)");
       "Topics of the notes on results, the most serious first.");
   module.def("quantities", &quantities,
              R"(All quantities of results, {table: list of Quantity}: "curve" over crank angle, "cycle" for the cycle as
-a whole, "derived" constants of a case, "unrolled_curve", "unrolled_cycle", "pad", "pad_width", "pad_film".)");
+a whole, "derived" constants of a case, "stroke" over the liner, "effort" of the integration; "unrolled_curve",
+"unrolled_cycle", "unrolled_field" and "strip" of an unrolled film; "pad", "pad_width", "pad_front", "pad_film";
+"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_ring", "pack_oil" of a pack; "worn" over a
+life.)");
   module.def(
       "_unit_scale",
       [](const std::string& display_unit, const std::string& unit) {

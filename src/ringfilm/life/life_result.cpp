@@ -19,7 +19,7 @@ const std::vector<WornQuantity>& worn_quantities() {
       {{"coating_left", "m", "um", "coating left at the deepest place", "", ""},
        "coating left",
        &WornProfile::coating_left},
-      {{"end_gap_growth", "m", "mm", "growth of the end gap", "", "eq-life-gap"},
+      {{"end_gap_growth", "m", "mm", "growth of the end gap", "Delta g", "eq-life-gap"},
        "growth of the end gap",
        &WornProfile::end_gap_growth},
       {cycle::leading_gas_sum(), "blow-by per cylinder", &WornProfile::blow_by}};

@@ -36,7 +36,8 @@ const std::vector<cycle::Quantity> kOfGas = {
      "eq-critical-ratio"},
     {"region_peak_pressure", "Pa", "bar", "highest pressure of a region", "p", "eq-gas-region"},
     {"region_mean_pressure", "Pa", "bar", "mean pressure of a region over the cycle", "p", "eq-gas-region"},
-    {"ring_event_angle", "degree", "degree", "crank angle of a change of flank contact", "phi", "eq-ring-acceleration"},
+    {"ring_event_angle", "degree", "degree", "crank angle of a change of flank contact", "varphi",
+     "eq-ring-acceleration"},
 };
 
 /// `rupture_positions.2` and the like.

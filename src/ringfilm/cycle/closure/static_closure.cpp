@@ -179,8 +179,8 @@ const std::vector<ClosureQuantity>& closure_quantities() {
   static const std::vector<ClosureQuantity> table = {
       {{"max_clearance", "m", "um", "largest clearance between ring and bore", "c_max", "eq-closure-lift-off"},
        &V::max_clearance},
-      {{"max_clearance_angle", "degree", "degree", "where it is, from the middle of the gap", "phi_max",
-        "eq-closure-lift-off"},
+      {{"max_clearance_angle", "degree", "degree", "place of the largest clearance, from the middle of the gap",
+        "phi_max", "eq-closure-lift-off"},
        &V::max_clearance_angle},
       {{"open_area", "m2", "mm2", "open area between ring and bore without the end gap", "A_o", "eq-closure-area"},
        &V::open_area},

@@ -69,7 +69,7 @@ const std::vector<GasRingQuantity>& gas_ring_quantities() {
       {{"unseated_share", "1", "%", "share of the cycle with a negative force on the lower flank", "",
         "eq-seating-force"},
        &RingMotionValues::unseated_share},
-      {{"largest_static_twist", "rad", "degree", "largest static twist", "", "eq-static-twist"},
+      {{"largest_static_twist", "rad", "degree", "largest static twist", "vartheta", "eq-static-twist"},
        &RingMotionValues::largest_static_twist},
       {{"largest_static_twist_angle", "degree", "degree", "crank angle of the largest static twist", "",
         "eq-static-twist"},

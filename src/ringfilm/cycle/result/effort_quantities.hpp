@@ -20,7 +20,7 @@ inline const std::vector<EffortQuantity>& effort_quantities() {
       {{"crank_steps", "1", "1", "crank steps", "", ""}, &Effort::crank_steps},
       {{"newton_iterations", "1", "1", "Newton iterations", "", ""}, &Effort::newton_iterations},
       {{"relaxation_sweeps", "1", "1", "sweeps of point relaxation", "", ""}, &Effort::relaxation_sweeps},
-      {{"sub_steps", "1", "1", "of the crank steps, from subdivided steps", "", ""}, &Effort::sub_steps},
+      {{"sub_steps", "1", "1", "crank steps shorter than solver.crank_step", "", ""}, &Effort::sub_steps},
       {{"fallback_secant", "1", "1", "fallbacks to the bracketed search", "", ""}, &Effort::fallback_secant},
       {{"fallback_sub_step", "1", "1", "fallbacks to shorter steps", "", ""}, &Effort::fallback_sub_step},
       {{"max_load_residual", "1", "1", "largest imbalance of the load, relative", "", ""}, &Effort::max_load_residual},

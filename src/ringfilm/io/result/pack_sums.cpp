@@ -31,15 +31,16 @@ std::vector<RingSums> ring_sums(const ResultDocument& pack) {
 
 const std::vector<PackOilQuantity>& pack_oil_quantities() {
   static const std::vector<PackOilQuantity> table = {
-      {{"liner_film_after_power_stroke", "m", "um", "mean film above the first ring after the power stroke", "h_1", ""},
+      {{"liner_film_after_power_stroke", "m", "um", "mean film above the first ring after the power stroke", "h_1",
+        "eq-oil-to-chamber"},
        &PackOil::film_after_power_stroke},
       {{"liner_film_after_intake_stroke", "m", "um", "mean film above the first ring after the intake stroke", "h_1",
-        ""},
+        "eq-oil-to-chamber"},
        &PackOil::film_after_intake_stroke},
-      {{"oil_left_at_tdc", "kg", "mg", "oil that the first ring leaves above it at TDC, per cycle", "m_up", ""},
+      {{"oil_left_at_tdc", "kg", "mg", "oil that the first ring leaves above it at TDC, per cycle", "m_up", "eq-bead"},
        &PackOil::left_at_tdc},
       {{"oil_to_chamber_upper_bound", "kg", "mg", "upper bound of oil to the chamber, per cycle and cylinder", "m_c",
-        ""},
+        "eq-oil-to-chamber"},
        &PackOil::to_chamber_upper_bound}};
   return table;
 }

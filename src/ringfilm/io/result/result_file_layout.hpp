@@ -84,7 +84,7 @@ void exchange_fields(File& file, Result& result) {
   file.numbers({"x"}, described("face_height", "m", "height of the ring face as installed", "h_s", "eq-film-thickness"),
                fields.face_height);
   file.numbers({"field_crank_angle"},
-               described("field_crank_angle", "degree", "crank angle of the fields, 0 = firing TDC", "phi"),
+               described("field_crank_angle", "degree", "crank angle of the fields, 0 = firing TDC", "varphi"),
                fields.crank_angle_deg);
   const std::vector<const char*> grid = {"field_crank_angle", "x"};
   file.numbers(grid, described("film_thickness", "m", "film thickness along the face", "h", "eq-film-thickness"),

@@ -311,7 +311,7 @@ class BlockWriter {
 };
 
 void write_axes(ResultFileWriter& file, const StudyRows& rows) {
-  file.numbers({kCrankAngle}, {kCrankAngle, "degree", "degree", "crank angle, 0 at firing TDC", "phi", ""},
+  file.numbers({kCrankAngle}, {kCrankAngle, "degree", "degree", "crank angle, 0 at firing TDC", "varphi", ""},
                kept_angles(rows.plan.study().keep));
   if (!has_ring_axis(rows)) return;
   file.numbers({kRing}, count(kRing, "ring, counted from the chamber"), std::vector<double>{1});
