@@ -111,9 +111,9 @@ std::string wear_table(const io::LifeDocument& document) {
   std::string text;
   for (const life::LifeState& state : document.result.states) {
     for (const life::FaceDistance& distance : state.from_measured) {
-      text += fmt::format("{:>8.6g} h: {} rms from the measured face within {} of the middle\n",
-                          state.time / life::kHour, text_in(distance.rms, kMicrometre, 3),
-                          text_in(distance.half_width, kMillimetre, 2));
+      text +=
+          fmt::format("{:>8.6g} h: {} rms from the measured face within {} of the middle\n", state.time / life::kHour,
+                      text_in(distance.rms, kMicrometre, 3), text_in(distance.half_width, kMillimetre, 2));
     }
   }
   if (const auto& implied = document.result.wear->implied) {

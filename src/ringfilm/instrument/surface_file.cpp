@@ -98,8 +98,8 @@ struct Record {
 };
 
 /// The scale of a unit of length to metres.
-Scale length_scale(const std::string& path, const std::string& unit, const std::string& what,
-                   const std::string& remedy, const io::Units& units) {
+Scale length_scale(const std::string& path, const std::string& unit, const std::string& what, const std::string& remedy,
+                   const io::Units& units) {
   if (!is_length(unit, units))
     refuse(path, fmt::format("{} \"{}\", which is not a unit of length", what, unit), remedy);
   return units.scale(unit, "m");

@@ -171,9 +171,9 @@ std::string no_film_under(const PadSetup& setup, double load, const LoadSearch& 
   }
   const auto [least, thickness_of_least] = *search.least;
   const auto [most, thickness_of_most] = *search.most;
-  message += formatted("; the largest load is %.6g N/m (smallest film %.4g um), the smallest one %.6g N/m (%.4g um)",
-                       most, number_in(thickness_of_most, kMicrometre), least,
-                       number_in(thickness_of_least, kMicrometre));
+  message +=
+      formatted("; the largest load is %.6g N/m (smallest film %.4g um), the smallest one %.6g N/m (%.4g um)", most,
+                number_in(thickness_of_most, kMicrometre), least, number_in(thickness_of_least, kMicrometre));
   if (search.n_unsolved > 0) message += limit_of_pressure(setup);
   if (load > least && load < most) {
     message +=

@@ -50,8 +50,8 @@ void append_size_note(const Engine& engine, std::vector<Note>& notes) {
       engine.bore >= kMinBore && engine.bore <= kMaxBore && ratio >= kMinStroke && ratio <= kMaxStroke;
   if (is_usual) return;
   notes.push_back({"engine-size-unusual",
-                   "engine.bore = " + text_in(engine.bore, kMillimetre) + " and engine.stroke = " +
-                       text_in(engine.stroke, kMillimetre) +
+                   "engine.bore = " + text_in(engine.bore, kMillimetre) +
+                       " and engine.stroke = " + text_in(engine.stroke, kMillimetre) +
                        ": four-stroke engines have bores of 20 to 700 mm and strokes of 0.4 to 2.5 bores; are the "
                        "units right?",
                    1});

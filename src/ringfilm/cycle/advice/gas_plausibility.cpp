@@ -218,13 +218,12 @@ class GasNotes {
     const double least =
         volume_above(case_, kCompressionFromDeg, kMinRatio) / volume_above(case_, kCompressionToDeg, kMinRatio);
     if (to >= least * from) return;
-    note(
-        "gas-compression-low",
-        "the cylinder pressure rises from " + text_in(from, kBar) + " absolute at " +
-            number_text(-kCompressionFromDeg) + " degree before firing TDC to " + text_in(to, kBar) + " at " +
-            number_text(-kCompressionToDeg) + " degree, less than by compression (" + number_text(least) +
-            " times or more): " +
-            check("are the unit of the trace and gas.pressure_reference right?", "is gas.intake_valve_closing right?"));
+    note("gas-compression-low", "the cylinder pressure rises from " + text_in(from, kBar) + " absolute at " +
+                                    number_text(-kCompressionFromDeg) + " degree before firing TDC to " +
+                                    text_in(to, kBar) + " at " + number_text(-kCompressionToDeg) +
+                                    " degree, less than by compression (" + number_text(least) + " times or more): " +
+                                    check("are the unit of the trace and gas.pressure_reference right?",
+                                          "is gas.intake_valve_closing right?"));
   }
 
   /// Middle of the pressures near the peak, in [-360, 360).

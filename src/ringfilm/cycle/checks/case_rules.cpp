@@ -51,16 +51,15 @@ void check_field_size(const Case& c, Breaches& breaches) {
 void check_cavitation_pressure(const Film& film, Breaches& breaches) {
   constexpr double kMax = 1e7;
   if (film.cavitation_pressure > kMax) {
-    breaches.push_back({"film.cavitation_pressure",
-                        "film.cavitation_pressure = " + text_in(film.cavitation_pressure, kBar) + " is above " +
-                            text_in(kMax, kBar),
-                        "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
+    breaches.push_back(
+        {"film.cavitation_pressure",
+         "film.cavitation_pressure = " + text_in(film.cavitation_pressure, kBar) + " is above " + text_in(kMax, kBar),
+         "no oil film of a ring ruptures there; give the absolute pressure of the cavity"});
   }
   if (film.cavitation_pressure >= 0) return;
-  breaches.push_back(
-      {"film.cavitation_pressure",
-       "film.cavitation_pressure = " + text_in(film.cavitation_pressure, kBar) + " is below zero",
-       "pressures around a ring are absolute, for example \"1.01325 bar\""});
+  breaches.push_back({"film.cavitation_pressure",
+                      "film.cavitation_pressure = " + text_in(film.cavitation_pressure, kBar) + " is below zero",
+                      "pressures around a ring are absolute, for example \"1.01325 bar\""});
 }
 
 void check_engine(const Case& c, Breaches& breaches) {
@@ -142,9 +141,9 @@ void check_trace(const Case& c, Breaches& breaches) {
   if (!start || !contradicts_intake(*start)) return;
   breaches.push_back({"gas.intake_pressure",
                       "the trace begins with " + text_in(start->pressure, kBar) + " absolute at " +
-                          number_text(start->crank_angle_deg) + " degree, where gas.intake_pressure = " +
-                          text_in(start->lowest, kBar) + " can be compressed to " + text_in(start->highest, kBar) +
-                          " at most",
+                          number_text(start->crank_angle_deg) +
+                          " degree, where gas.intake_pressure = " + text_in(start->lowest, kBar) +
+                          " can be compressed to " + text_in(start->highest, kBar) + " at most",
                       "they belong to one engine: check both, the unit of the trace and gas.pressure_reference"});
 }
 

@@ -47,7 +47,8 @@ void check_end_gap_of_gas(const Case& c, Breaches& breaches) {
     breaches.push_back({"ring.gap_area",
                         "ring.gap_area = " + text_in(*gas.gap_area, kSquareMillimetre) +
                             " is more than the whole clearance between piston land and bore, " +
-                            text_in(circumference * *gas.land_clearance, kSquareMillimetre) + ": a gap wider than the "
+                            text_in(circumference * *gas.land_clearance, kSquareMillimetre) +
+                            ": a gap wider than the "
                             "circumference",
                         remedy});
   }
@@ -69,11 +70,10 @@ void check_groove(const Case& c, Breaches& breaches) {
                         "check the units of both"});
   }
   if (2 * *ring.radial_thickness >= c.engine.bore) {
-    breaches.push_back(
-        {"ring.radial_thickness",
-         "ring.radial_thickness = " + text_in(*ring.radial_thickness, kMillimetre) + " fills the bore of " +
-             text_in(c.engine.bore, kMillimetre),
-         "check its unit"});
+    breaches.push_back({"ring.radial_thickness",
+                        "ring.radial_thickness = " + text_in(*ring.radial_thickness, kMillimetre) +
+                            " fills the bore of " + text_in(c.engine.bore, kMillimetre),
+                        "check its unit"});
   }
 }
 

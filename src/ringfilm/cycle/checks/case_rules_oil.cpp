@@ -24,10 +24,9 @@ void check_points(const std::string& key, const std::vector<TemperatureValue>& p
       breaches.push_back(
           {key, key + " has two values at " + text_in(points[i].temperature, kCelsius), "keep one of them"});
     } else if (trend == Trend::kFalling && points[i].value >= points[i - 1].value) {
-      breaches.push_back({key,
-                          key + " does not fall from " +
-                              range_in(points[i - 1].temperature, points[i].temperature, kCelsius),
-                          "the viscosity of an oil falls with temperature; are two values exchanged?"});
+      breaches.push_back(
+          {key, key + " does not fall from " + range_in(points[i - 1].temperature, points[i].temperature, kCelsius),
+           "the viscosity of an oil falls with temperature; are two values exchanged?"});
     }
   }
 }

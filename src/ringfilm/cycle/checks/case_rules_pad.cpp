@@ -55,18 +55,18 @@ bool check_gap(const Pad& pad, Breaches& breaches) {
   }
   const bool is_long = covers(pad.gap_x, pad.length), is_wide = !is_map || covers(pad.gap_y, *pad.width);
   if (!is_long) {
-    breaches.push_back({"pad.gap",
-                        "the points of the gap run from x = " +
-                            range_in(pad.gap_x.front(), pad.gap_x.back(), kMillimetre) + ", the pad from " +
-                            range_in(0, pad.length, kMillimetre),
-                        "points from x = 0 to pad.length are required, both included"});
+    breaches.push_back(
+        {"pad.gap",
+         "the points of the gap run from x = " + range_in(pad.gap_x.front(), pad.gap_x.back(), kMillimetre) +
+             ", the pad from " + range_in(0, pad.length, kMillimetre),
+         "points from x = 0 to pad.length are required, both included"});
   }
   if (!is_wide) {
-    breaches.push_back({"pad.gap",
-                        "the rows of the gap run from y = " +
-                            range_in(pad.gap_y.front(), pad.gap_y.back(), kMillimetre) + ", the pad from " +
-                            range_in(0, *pad.width, kMillimetre),
-                        "rows from y = 0 to pad.width are required, both included"});
+    breaches.push_back(
+        {"pad.gap",
+         "the rows of the gap run from y = " + range_in(pad.gap_y.front(), pad.gap_y.back(), kMillimetre) +
+             ", the pad from " + range_in(0, *pad.width, kMillimetre),
+         "rows from y = 0 to pad.width are required, both included"});
   }
   return is_long && is_wide;
 }
@@ -118,8 +118,8 @@ void check_film(const Pad& pad, Breaches& breaches) {
     lowest = {pad.gap_x[k % n_x], *at};
     if (!pad.gap_y.empty()) across = ", y = " + text_in(pad.gap_y[k / n_x], kMillimetre);
   }
-  const std::string place = "at x = " + text_in(lowest.x, kMillimetre) + across + " the gap is " +
-                            text_in(lowest.height, kMicrometre);
+  const std::string place =
+      "at x = " + text_in(lowest.x, kMillimetre) + across + " the gap is " + text_in(lowest.height, kMicrometre);
   const std::string remedy = "the separation adds to the gap, and their sum must be above zero everywhere";
   const double amplitude = pad.oscillation.amplitude.value_or(0);
   if (pad.separation && !(lowest.height + *pad.separation - amplitude > 0)) {

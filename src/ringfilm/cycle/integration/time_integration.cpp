@@ -43,8 +43,8 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
           "separation: asperities carry at most %.4g, the pressures at the edges %.4g (computed on %d "
           "cells, the shortest %.3g um long; solver.cells = %d)",
           load, number_in(film::asperity_load(problem, film::kThinnest), kNewtonPerMillimetre),
-          number_in(at_edges * grid.width, kNewtonPerMillimetre), grid.n_cells(),
-          number_in(smallest_cell, kMicrometre), setup.input.solver.cells);
+          number_in(at_edges * grid.width, kNewtonPerMillimetre), grid.n_cells(), number_in(smallest_cell, kMicrometre),
+          setup.input.solver.cells);
     case film::Failure::kLiftedOff:
       if (at_edges > pressing) {
         return formatted(

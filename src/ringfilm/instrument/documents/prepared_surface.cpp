@@ -94,9 +94,8 @@ std::string measured_with(const PreparedSurface& surface) {
   for (const surface::FilterApplied& filter : surface.prepared.filters) {
     const bool is_short = filter.choice.side == surface::FilterSide::short_cutoff;
     const bool is_robust = filter.choice.kind == surface::FilterKind::robust_gaussian;
-    filters +=
-        fmt::format("{}{}{}-filter {}", filters.empty() ? "" : ", ", is_robust ? "robust " : "", is_short ? "S" : "L",
-                    text_in(filter.choice.cutoff_m, kMicrometre, 4));
+    filters += fmt::format("{}{}{}-filter {}", filters.empty() ? "" : ", ", is_robust ? "robust " : "",
+                           is_short ? "S" : "L", text_in(filter.choice.cutoff_m, kMicrometre, 4));
   }
   const surface::HeightMap& map = surface.map;
   const bool square = map.is_profile() || map.step_x_m == map.step_y_m;

@@ -40,11 +40,10 @@ bool put_peak(const StatedPoint& point, cycle::Case& input, std::vector<Fault>& 
   const std::vector<double>& values = (*input.gas.cylinder_pressure).value;
   const double least = *std::min_element(values.begin(), values.end());
   if (*point.peak <= least) {
-    faults.push_back(
-        {point.peak_mark,
-         fmt::format("the peak pressure {} is not above the least pressure of the trace, {}",
-                     text_in(*point.peak, kBar), text_in(least, kBar)),
-         "state a higher peak_pressure, with the reference of the trace"});
+    faults.push_back({point.peak_mark,
+                      fmt::format("the peak pressure {} is not above the least pressure of the trace, {}",
+                                  text_in(*point.peak, kBar), text_in(least, kBar)),
+                      "state a higher peak_pressure, with the reference of the trace"});
     return false;
   }
   scale_trace(*point.peak, input);

@@ -46,10 +46,10 @@ FaceComparison read_face_comparison(const std::vector<std::string>& case_paths) 
   const std::vector<NamedFace>& faces = comparison.faces;
   for (const NamedFace& one : faces) {
     if (one.face.width() == faces.front().face.width()) continue;
-    throw InputError(fmt::format("the face of {} is {} wide, that of {} {}", one.name,
-                                 text_in(one.face.width(), kMillimetre), faces.front().name,
-                                 text_in(faces.front().face.width(), kMillimetre)),
-                     "compare faces of one ring");
+    throw InputError(
+        fmt::format("the face of {} is {} wide, that of {} {}", one.name, text_in(one.face.width(), kMillimetre),
+                    faces.front().name, text_in(faces.front().face.width(), kMillimetre)),
+        "compare faces of one ring");
   }
   for (const NamedFace& one : faces) comparison.concave.push_back(concave_stretches(one.face, kNoticedConcavity));
   for (std::size_t i = 1; i < faces.size(); ++i) comparison.pairs.push_back(compared(faces[i - 1], faces[i]));

@@ -262,8 +262,8 @@ GapMapFile read_gap_netcdf(const NamedFile& file, const Units& units) {
   check_axis(file.shown, "x", map.x, faults);
   check_axis(file.shown, "y", map.y, faults);
   const auto at = [&map](std::size_t k) {
-    return "at x = " + text_in(map.x[k % map.x.size()], kMillimetre) + ", y = " +
-           text_in(map.y[k / map.x.size()], kMillimetre);
+    return "at x = " + text_in(map.x[k % map.x.size()], kMillimetre) +
+           ", y = " + text_in(map.y[k / map.x.size()], kMillimetre);
   };
   const SourceMark mark{file.shown, 0, 0, ""};
   if (const auto k = hole(map.height); k && faults.empty()) {

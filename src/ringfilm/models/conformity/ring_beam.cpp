@@ -21,10 +21,9 @@ void check_beam(const RingBeamSize& size, const FourierSeries& orders) {
                      "state a positive ring.face_width and ring.radial_thickness");
   }
   if (!(size.radial_thickness < size.bore / 2)) {
-    throw InputError(
-        "ring.radial_thickness = " + text_in(size.radial_thickness, kMillimetre) + " fills a bore of " +
-            text_in(size.bore, kMillimetre),
-        "a thin ring is about 1/25 of the bore thick");
+    throw InputError("ring.radial_thickness = " + text_in(size.radial_thickness, kMillimetre) + " fills a bore of " +
+                         text_in(size.bore, kMillimetre),
+                     "a thin ring is about 1/25 of the bore thick");
   }
   if (!positive(size.youngs_modulus) || !positive(size.tangential_force)) {
     throw InputError("Young's modulus and the tangential force of the ring must be positive",
@@ -32,9 +31,9 @@ void check_beam(const RingBeamSize& size, const FourierSeries& orders) {
   }
   const double most = pi * (size.bore - size.radial_thickness) / 2;
   if (!(size.end_gap >= 0 && size.end_gap < most)) {
-    throw InputError("ring.end_gap = " + text_in(size.end_gap, kMillimetre) +
-                         " leaves less than half of the circumference",
-                     "a ring that holds itself in the bore has an end gap below " + text_in(most, kMillimetre));
+    throw InputError(
+        "ring.end_gap = " + text_in(size.end_gap, kMillimetre) + " leaves less than half of the circumference",
+        "a ring that holds itself in the bore has an end gap below " + text_in(most, kMillimetre));
   }
   for (const FourierOrder& one : orders.orders()) {
     if (one.order >= 2) continue;

@@ -72,8 +72,8 @@ struct Combustion {
 };
 
 InputError unreachable(const WiebeCycle& cycle, const std::string& why, const std::string& remedy) {
-  return InputError("gas.peak_pressure = " + text_in(cycle.peak_pressure, kBar) + " at gas.peak_angle = " +
-                        in_degrees(cycle.peak_angle_deg) + " cannot be reached: " + why,
+  return InputError("gas.peak_pressure = " + text_in(cycle.peak_pressure, kBar) +
+                        " at gas.peak_angle = " + in_degrees(cycle.peak_angle_deg) + " cannot be reached: " + why,
                     remedy);
 }
 
@@ -194,11 +194,10 @@ CyclePressure wiebe_pressure(const WiebeCycle& cycle) {
 
   CyclePressure whole = closed_cycle(std::move(angle), std::move(pressure), exchange);
   if (whole.peak() > cycle.peak_pressure * (1 + 1e-6)) {
-    throw unreachable(cycle,
-                      "the pressure is higher, " + text_in(whole.peak(), kBar) + ", at " +
-                          in_degrees(whole.peak_angle_deg()),
-                      "ask for a higher peak, or change gas.compression_ratio, gas.burn_duration or "
-                      "gas.exhaust_pressure");
+    throw unreachable(
+        cycle, "the pressure is higher, " + text_in(whole.peak(), kBar) + ", at " + in_degrees(whole.peak_angle_deg()),
+        "ask for a higher peak, or change gas.compression_ratio, gas.burn_duration or "
+        "gas.exhaust_pressure");
   }
   return whole;
 }

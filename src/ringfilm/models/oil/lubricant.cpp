@@ -115,10 +115,9 @@ double Walther::kinematic_viscosity(double T) const {
 
 double houpert_viscosity(double eta_0, double theta_0, double beta_0, double T) {
   if (!(T > kHoupertPole && theta_0 > kHoupertPole)) {
-    throw InputError(
-        "a temperature of " + text_in(std::min(T, theta_0), kCelsius) +
-            " is not above the -135.15 degC of Houpert's law",
-        "check operating.oil_temperature and lubricant.reference_temperature");
+    throw InputError("a temperature of " + text_in(std::min(T, theta_0), kCelsius) +
+                         " is not above the -135.15 degC of Houpert's law",
+                     "check operating.oil_temperature and lubricant.reference_temperature");
   }
   const double logarithm = roelands_logarithm(eta_0);
   const double S_0 = beta_0 * (theta_0 - kHoupertPole) / logarithm;
@@ -150,9 +149,9 @@ OilState oil_state(const OilLaws& laws, double T) {
       break;
   }
   if (!(state.eta_T > 0)) {
-    throw InputError("the oil's viscosity at " + text_in(T, kCelsius) + " comes out as " + number_text(state.eta_T) +
-                         " Pa.s",
-                     "check operating.oil_temperature against the temperatures of lubricant.kinematic_viscosity");
+    throw InputError(
+        "the oil's viscosity at " + text_in(T, kCelsius) + " comes out as " + number_text(state.eta_T) + " Pa.s",
+        "check operating.oil_temperature against the temperatures of lubricant.kinematic_viscosity");
   }
   return state;
 }

@@ -72,11 +72,10 @@ class RoelandsCurve final : public ViscosityCurve {
 double roelands_logarithm(double eta) {
   const double logarithm = std::log(eta) + kRoelandsOffset;
   if (!(logarithm > 0)) {
-    throw InputError(
-        "an oil viscosity of " + number_text(number_in(eta, kMillipascalSecond)) +
-            " mPa.s is below the 0.0632 mPa.s of Roelands' law",
-        "check lubricant.kinematic_viscosity and the oil temperature, or choose "
-        "lubricant.viscosity_pressure = \"none\"");
+    throw InputError("an oil viscosity of " + number_text(number_in(eta, kMillipascalSecond)) +
+                         " mPa.s is below the 0.0632 mPa.s of Roelands' law",
+                     "check lubricant.kinematic_viscosity and the oil temperature, or choose "
+                     "lubricant.viscosity_pressure = \"none\"");
   }
   return logarithm;
 }

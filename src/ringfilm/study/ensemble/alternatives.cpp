@@ -63,8 +63,8 @@ std::vector<Alternative> other_choices(const std::string& key, const Case& c) {
   return kept_if_allowed(c, std::move(others));
 }
 
-std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use,
-                                       const DisplayUnit& unit, std::initializer_list<double> values) {
+std::vector<Alternative> other_numbers(const std::string& key, const Case& c, double in_use, const DisplayUnit& unit,
+                                       std::initializer_list<double> values) {
   std::vector<Alternative> others;
   for (const double requested : values) {
     const std::string number = number_text(number_in(requested, unit), 4);

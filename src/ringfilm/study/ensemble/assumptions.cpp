@@ -88,12 +88,12 @@ Assumption composite_modulus(const cycle::Setup& setup) {
   if (c.ring.coating.youngs_modulus && !c.contact.composite_modulus) {
     const char* key = "ring.coating.contact_modulus";
     const bool of_coating = c.ring.coating.contact_modulus == cycle::ContactModulus::kCoating;
-    return assumption("composite-modulus",
-                      fmt::format("E' is {:.1f} GPa, with the modulus of the {}",
-                                  number_in(setup.ring.E_prime, kGigapascal),
-                                  of_coating ? "coating" : "ring below its coating"),
-                      "contact spots are far smaller than the coating is thick: the modulus of the coating counts",
-                      other_choices(key, c));
+    return assumption(
+        "composite-modulus",
+        fmt::format("E' is {:.1f} GPa, with the modulus of the {}", number_in(setup.ring.E_prime, kGigapascal),
+                    of_coating ? "coating" : "ring below its coating"),
+        "contact spots are far smaller than the coating is thick: the modulus of the coating counts",
+        other_choices(key, c));
   }
   const double other = other_than(setup.ring.E_prime, 190e9, 135e9);
   return assumption(
@@ -166,10 +166,9 @@ Assumption gas_sizes(const Case& c) {
   const double gap = gas.gap_area ? *gas.gap_area : c.ring.end_gap.value_or(0) * gas.land_clearance.value_or(0);
   std::string sizes = "end gap of " + text_in(gap, kSquareMillimetre, 3);
   if (gas.kind == cycle::RingKind::kCompression) {
-    sizes +=
-        fmt::format(", groove of {} at {:.4g} K, side clearance of {}",
-                    text_in(gas.groove_volume.value_or(0), kCubicMillimetre, 3), gas.groove_temperature,
-                    text_in(gas.side_clearance.value_or(0), kMicrometre, 3));
+    sizes += fmt::format(", groove of {} at {:.4g} K, side clearance of {}",
+                         text_in(gas.groove_volume.value_or(0), kCubicMillimetre, 3), gas.groove_temperature,
+                         text_in(gas.side_clearance.value_or(0), kMicrometre, 3));
   }
   if (gas.volume_below > 0) {
     sizes += fmt::format(", piston land below of {} at {:.4g} K", text_in(gas.volume_below, kCubicMillimetre, 3),

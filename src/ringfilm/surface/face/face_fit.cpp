@@ -101,10 +101,10 @@ void check_rule(const Trace& trace, const FaceRule& rule) {
       *rule.start_m + rule.width_m <= trace.x_m.back() + 1e-6 * rule.width_m) {
     return;
   }
-  throw InputError("the face of " + text_in(rule.width_m, kMicrometre) +
-                       " does not lie in the trace from the stated start on",
-                   "the trace runs from " + text_in(trace.x_m.front(), kMicrometre) + " to " +
-                       text_in(trace.x_m.back(), kMicrometre) + ": state another --start, or none");
+  throw InputError(
+      "the face of " + text_in(rule.width_m, kMicrometre) + " does not lie in the trace from the stated start on",
+      "the trace runs from " + text_in(trace.x_m.front(), kMicrometre) + " to " +
+          text_in(trace.x_m.back(), kMicrometre) + ": state another --start, or none");
 }
 
 }  // namespace

@@ -33,11 +33,11 @@ void check(const std::vector<double>& x, const std::vector<double>& height, doub
   }
   const double length = x.back() - x.front(), step = length / static_cast<double>(x.size() - 1);
   if (!std::isfinite(cutoff) || cutoff < kMinSteps * step || cutoff > length) {
-    throw InputError(formatted("a spline cannot be as stiff as a wavelength of %f um: the trace is %f um long with "
-                               "steps of %f um",
-                               number_in(cutoff, kMicrometre), number_in(length, kMicrometre),
-                               number_in(step, kMicrometre)),
-                     "four steps to the length of the trace are allowed, for example a tenth of the length");
+    throw InputError(
+        formatted("a spline cannot be as stiff as a wavelength of %f um: the trace is %f um long with "
+                  "steps of %f um",
+                  number_in(cutoff, kMicrometre), number_in(length, kMicrometre), number_in(step, kMicrometre)),
+        "four steps to the length of the trace are allowed, for example a tenth of the length");
   }
 }
 

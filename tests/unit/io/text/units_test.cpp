@@ -120,11 +120,31 @@ TEST(Units, ShowTheUnitThatPeopleRead) {
 
 TEST(Units, ConvertAsMessagesDo) {
   const Units units;
-  for (const DisplayUnit& unit :
-       {kPlainNumber, kNanometre, kMicrometre, kMillimetre, kSquareMillimetre, kWornArea, kCubicMillimetre,
-        kPerSquareMicrometre, kBar, kKilopascal, kMegapascal, kGigapascal, kNanonewton, kNewtonPerMillimetre, kGram,
-        kMilligram, kMilligramPerSecond, kLitrePerMinute, kMillipascalSecond, kSquareMillimetrePerSecond, kCelsius,
-        kDegree, kArcMinute, kMilliradian, kRpm}) {
+  for (const DisplayUnit& unit : {kPlainNumber,
+                                  kNanometre,
+                                  kMicrometre,
+                                  kMillimetre,
+                                  kSquareMillimetre,
+                                  kWornArea,
+                                  kCubicMillimetre,
+                                  kPerSquareMicrometre,
+                                  kBar,
+                                  kKilopascal,
+                                  kMegapascal,
+                                  kGigapascal,
+                                  kNanonewton,
+                                  kNewtonPerMillimetre,
+                                  kGram,
+                                  kMilligram,
+                                  kMilligramPerSecond,
+                                  kLitrePerMinute,
+                                  kMillipascalSecond,
+                                  kSquareMillimetrePerSecond,
+                                  kCelsius,
+                                  kDegree,
+                                  kArcMinute,
+                                  kMilliradian,
+                                  kRpm}) {
     const Scale scale = units.scale(unit.name, unit.si);
     EXPECT_DOUBLE_EQ(unit.scale.to_si(3), scale.to_si(3)) << unit.name;
     EXPECT_DOUBLE_EQ(number_in(3, unit), scale.from_si(3)) << unit.name;

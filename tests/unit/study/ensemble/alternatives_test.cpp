@@ -1,9 +1,9 @@
-#include "ringfilm/base/display.hpp"
 #include "ringfilm/study/ensemble/alternatives.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../study_case.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 
