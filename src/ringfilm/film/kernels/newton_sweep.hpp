@@ -278,13 +278,16 @@ class NewtonSweep {
         }
         const Real by_h = (volume * filled + (out.by_h - in.by_h)) * h_m_;
 
-        const Real pivot = diagonal + in.by_left * upper;
+        Real pivot = diagonal + in.by_left * upper;
         const Mask inside = at(b_.conductance, i) > Real(0);  // beyond its last cell a shorter film has no equation
         // A node that neither flow nor storage determines keeps its value if it is in balance. Else it moves by the
-        // scale of the pressure, so that the iteration does not end there.
-        const Real forced = select(abs(residual) > Real(0), residual * Real::load(b_.inverse_scale), Real(1));
-        const Real determined = select(Real(0) >= abs(pivot), forced, pivot);
-        const Real inverse = select(inside, Real(1) / select(inside, determined, Real(1)), Real(0));
+        // scale of the pressure, so that the iteration does not end there. A branch, since the pivot is waited for.
+        const Mask undetermined = Real(0) >= abs(pivot);
+        if (Real::any(undetermined)) {
+          const Real forced = select(abs(residual) > Real(0), residual * Real::load(b_.inverse_scale), Real(1));
+          pivot = select(undetermined, forced, pivot);
+        }
+        const Real inverse = select(inside, Real(1) / select(inside, pivot, Real(1)), Real(0));
         row = select(here.is_film, share, Real(0)) - row * upper;
         upper = out.by_right * inverse;
         column = (by_h + in.by_left * column) * inverse;
