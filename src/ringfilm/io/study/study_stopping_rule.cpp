@@ -15,11 +15,7 @@ std::vector<std::string> until_notes(const study::Plan& plan, const std::vector<
   const cycle::Quantity& quantity = plan.values().quantities[*plan.values().index(until.value)];
   const auto bases = study::interval_widths(plan, values);
   const Units units;
-  const auto shown = [&](double width) {
-    const double number = units.scale(quantity.display_unit, quantity.unit).from_si(width);
-    return fmt::format("{:.4g}{}{}", number, quantity.unit == "1" ? "" : " ",
-                       quantity.unit == "1" ? "" : quantity.display_unit);
-  };
+  const auto shown = [&](double width) { return units.shown(width, quantity.unit, quantity.display_unit, 4); };
   const bool is_sure = study::is_sure(until, bases);
   std::string note =
       fmt::format("{} {} points: the 95 % interval of {} is ", is_sure ? "stopped after" : "gave up after",
