@@ -76,16 +76,11 @@ bool is_chosen_by_accuracy(const std::string& key) {
 }
 
 std::string accuracy_text(const Case& c) {
-  const bool is_first_order = c.time_scheme() == TimeScheme::kBackwardEuler;
   return formatted(
       "solver.accuracy = %.3g %%: computed on %d %s cells with crank steps of %.3g degree at the most, "
-      "%s, step_error = %.2g and tolerance = %.1g, whatever [solver] states of these%s",
+      "time_scheme = \"bdf2\", step_error = %.2g and tolerance = %.1g, whatever [solver] states of these",
       *c.solver.accuracy, c.solver.cells, c.solver.cell_lengths == CellLengths::kUniform ? "uniform" : "by-gap",
-      c.solver.crank_step_deg, is_first_order ? "steps of first order" : "time_scheme = \"bdf2\"", c.solver.step_error,
-      c.solver.tolerance,
-      is_first_order ? "; with film.supply = \"film-on-liner\" fewer values reach the accuracy, and where "
-                       "the ring runs out of oil they may miss it by far: see their error estimate"
-                     : "");
+      c.solver.crank_step_deg, c.solver.step_error, c.solver.tolerance);
 }
 
 }  // namespace ringfilm::cycle

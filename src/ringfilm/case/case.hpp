@@ -549,10 +549,6 @@ struct Case {
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
-  /// Time scheme of the steps: oil on the liner is accounted for step by step, which is of first order.
-  TimeScheme time_scheme() const {
-    return film.supply_at_inlet() == OilSupply::kFilmOnLiner ? TimeScheme::kBackwardEuler : solver.time_scheme;
-  }
   /// Does its ring bend in the bore?
   bool bends() const { return is_unrolled() && ring.conformity == Conformity::kBeam; }
   /// Is anything stated that only a ring that bends uses?

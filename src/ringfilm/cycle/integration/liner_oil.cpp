@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "ringfilm/case/conditions.hpp"
@@ -13,6 +14,9 @@ namespace {
 
 /// Less than this share of the oil that the ring takes up in a cycle is rounding of sums over thousands of steps [-].
 constexpr double kRounding = 1e-12;
+/// Share of its mean speed with which a step of second order ends at the least: one that ends at a dead centre takes up
+/// oil, too [-].
+constexpr double kLeastSpeed = 0.02;
 
 }  // namespace
 
@@ -121,12 +125,30 @@ void LinerOil::limit(RingConditions& at, double from_deg, double to_deg) const {
   if (lead.fluid != film::EdgeFluid::kGas) return;
   const double bead = swept.up == up_ ? bead_ : 0;
   at.oil_ahead = mass_ahead(swept) / swept.length();
-  lead.supply = at.oil_ahead + bead / swept.length();
+  lead.supply = std::max(at.oil_ahead + bead / swept.length(), 0.0);
+}
+
+void LinerOil::limit(RingConditions& at, double from_deg, double to_deg, double of_flow_before) const {
+  const Sweep swept = sweep(from_deg, to_deg);
+  if (!(swept.length() > 0)) {
+    limit(at, from_deg, to_deg);
+    return;
+  }
+  const double mean = swept.length() * setup_->engine.speed / radians(to_deg - from_deg);
+  const double speed = std::max(std::abs(at.piston_velocity), kLeastSpeed * mean);
+  at.inputs.U = swept.up ? speed : -speed;
+  film::EdgeState& lead = swept.up ? at.inputs.left : at.inputs.right;
+  if (lead.fluid != film::EdgeFluid::kGas) return;
+  const double ahead = mass_ahead(swept);
+  at.oil_ahead = ahead / swept.length();
+  const double before = of_flow_before * (swept.up ? at_chamber_ : -at_crankcase_);
+  lead.supply = std::max(ahead + bead_ - before, 0.0) / (at.inputs.time_step * speed);
 }
 
 void LinerOil::turn(bool up) {
-  if (begun_) (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
-  bead_ = 0;
+  if (begun_) (up_ ? account_.scraped_up : account_.scraped_down) += bead();
+  // What each edge owes to the liner, it owes on the way back.
+  std::tie(bead_, owed_) = std::pair(owed_, std::min(bead_, 0.0));
   up_ = up;
   begun_ = true;
   std::rotate(at_turns_.begin(), at_turns_.end() - 1, at_turns_.end());
@@ -148,7 +170,8 @@ double LinerOil::mean(const std::vector<double>& films, double begin, double end
   return LinerFilm(film_->cell(), films).mass(begin + shift, end + shift) / (end - begin);
 }
 
-void LinerOil::pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase) {
+void LinerOil::pass(const RingConditions& at, double from_deg, double to_deg, double of_flow_before,
+                    double from_chamber, double to_crankcase) {
   const Sweep swept = sweep(from_deg, to_deg);
   const auto stroke = static_cast<std::size_t>(stroke_at(0.5 * (from_deg + to_deg))) % kStrokes;
   if (swept.up != up_ || !begun_) {
@@ -163,24 +186,34 @@ void LinerOil::pass(double from_deg, double to_deg, double time_step, double fro
     }
   }
   const double ahead = mass_ahead(swept);
-  const double taken = (swept.up ? from_chamber : -to_crankcase) * time_step;
-  const double left = (swept.up ? to_crankcase : -from_chamber) * time_step;
+  at_chamber_ = of_flow_before * at_chamber_ + at.inputs.time_step * from_chamber;
+  at_crankcase_ = of_flow_before * at_crankcase_ + at.inputs.time_step * to_crankcase;
+  const double taken = swept.up ? at_chamber_ : -at_crankcase_;
+  const double left = swept.up ? at_crankcase_ : -at_chamber_;
   account_.replenished += ahead - film_->mass(swept.lead_begin, swept.lead_end);
   account_.taken += taken;
   account_.left += left;
   bead_ += ahead - taken;
-  if (setup_->input.supply.scraped == Scraped::kDiscarded || bead_ < 0) {
+  const film::EdgeState& lead = swept.up ? at.inputs.left : at.inputs.right;
+  if (bead_ < 0 && lead.fluid != film::EdgeFluid::kGas) {
     // An inlet of oil takes more than lies on the liner: that is oil from elsewhere.
-    if (bead_ < 0) account_.replenished -= bead_;
-    if (bead_ > 0) (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
+    account_.replenished -= bead_;
     bead_ = 0;
   }
-  for (LinerFilm* film : {film_.get(), &left_}) film->lay(swept.trail_begin, swept.trail_end, left, swept.up);
+  if (setup_->input.supply.scraped == Scraped::kDiscarded && bead_ > 0) {
+    (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
+    bead_ = 0;
+  }
+  const double laid = left + owed_;
+  owed_ = std::min(laid, 0.0);
+  for (LinerFilm* film : {film_.get(), &left_}) {
+    film->lay(swept.trail_begin, swept.trail_end, std::max(laid, 0.0), swept.up);
+  }
 }
 
 double LinerOil::on_liner(double crank_angle_deg) const {
   const double place = below_first_ring_ + setup_->engine.crank.position(radians(wrapped(crank_angle_deg)));
-  return film_->mass(0, place) + film_->mass(place + face_width_, film_->length());
+  return film_->mass(0, place) + film_->mass(place + face_width_, film_->length()) + std::min(bead_, 0.0) + owed_;
 }
 
 }  // namespace ringfilm::cycle

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -62,12 +63,19 @@ class LinerOil {
  public:
   explicit LinerOil(const Setup& setup, const PlaceOnLiner& place = {});
 
-  /// The speed and the supply of a step: what the leading edge sweeps lies ahead of it, and its bead.
-  void limit(RingConditions& at, double from_deg, double to_deg) const;
+  /// Does the ring move the other way than in the step before, or for the first time?
+  bool turns(double from_deg, double to_deg) const { return !begun_ || sweep(from_deg, to_deg).up != up_; }
 
-  /// Takes an accepted step into account. @param from_chamber,to_crankcase mass flows in +x from the chamber edge
-  /// through the edges [kg/(m s)]
-  void pass(double from_deg, double to_deg, double time_step, double from_chamber, double to_crankcase);
+  /// The speed and the supply of a step of first order: what the leading edge sweeps lies ahead of it, and its bead.
+  void limit(RingConditions& at, double from_deg, double to_deg) const;
+  /// The same of a step of second order, eq-supply-of-step. @param of_flow_before as in pass
+  void limit(RingConditions& at, double from_deg, double to_deg, double of_flow_before) const;
+
+  /// Takes an accepted step into account, eq-step-flow. @param at with the time step of the scheme
+  /// @param of_flow_before share of what the step before passed; 0 of first order
+  /// @param from_chamber,to_crankcase mass flows in +x from the chamber edge through the edges [kg/(m s)]
+  void pass(const RingConditions& at, double from_deg, double to_deg, double of_flow_before, double from_chamber,
+            double to_crankcase);
 
   /// Films by distance from the TDC position of the first ring, before and after the last passes of this one.
   struct Pass {
@@ -76,7 +84,7 @@ class LinerOil {
   const std::array<Pass, kStrokes>& passes() const { return passes_; }
   const LinerFilm& film() const { return *film_; }
   double mean_on_liner() const { return film_->mass(0, film_->length()) / film_->length(); }  ///< [kg/m2]
-  double bead() const { return bead_; }  ///< ahead of the leading edge [kg/m]
+  double bead() const { return std::max(bead_, 0.0); }  ///< ahead of the leading edge [kg/m]
 
   /// Oil since the start of the integration [kg/m].
   struct Account {
@@ -92,7 +100,7 @@ class LinerOil {
   /// Mean film over the stretch of liner that the ring passes while it goes from one place below TDC to another.
   /// @param films of Pass [kg/m2]  @param below at the crankcase edge of the ring, else at the chamber edge
   double mean(const std::vector<double>& films, double begin, double end, bool below) const;
-  /// Oil on the liner outside the ring at a crank angle [kg/m].
+  /// Oil on the liner outside the ring at a crank angle, less what the next step owes to it [kg/m].
   double on_liner(double crank_angle_deg) const;
 
  private:
@@ -113,7 +121,10 @@ class LinerOil {
   std::shared_ptr<LinerFilm> film_;  ///< as all rings have left it
   LinerFilm fresh_;                  ///< as the oil ring leaves it
   LinerFilm left_;                   ///< as this ring leaves it in its present stroke
-  double bead_ = 0;
+  double bead_ = 0;           ///< negative: taken from what the next step sweeps [kg/m]
+  double owed_ = 0;           ///< behind the ring, to be laid by the next step, at most 0 [kg/m]
+  double at_chamber_ = 0;     ///< passed in +x through the chamber edge in the step before [kg/m]
+  double at_crankcase_ = 0;   ///< passed in +x through the crankcase edge in the step before [kg/m]
   bool up_ = true;
   bool begun_ = false;
   std::array<Pass, kStrokes> passes_;

@@ -110,7 +110,8 @@ void TimeIntegration::account_of_oil() {
   if (!liner_oil_) return;
   const film::FilmView view = film::film_view(problem(), step_.at.inputs, candidate_);
   const auto flow = [&](int face) { return film::mass_flux(view, step_.at.inputs, candidate_, face); };
-  liner_oil_->pass(angle_deg_, step_.to_deg, step_.time_step, flow(0), flow(problem().grid.n_cells() - 1));
+  liner_oil_->pass(step_.at, angle_deg_, step_.to_deg, step_.of_flow_before, flow(0),
+                   flow(problem().grid.n_cells() - 1));
 }
 
 void TimeIntegration::count(const film::FilmReport& report) {
@@ -186,10 +187,12 @@ double TimeIntegration::time_error(const film::FilmState& to, double time_step) 
 }
 
 /// Lays out the proposed step as one of second order. False where it is not one: there is no history, it is much longer
-/// than the step before it, the face turns over, or a cavity would have less than no oil.
+/// than the step before it, the face turns over, the ring turns to oil on the liner, or a cavity would have less than
+/// no oil.
 bool TimeIntegration::remember_two_films() {
   const bool can = is_second_order() && time_step_before_ > 0 && step_.time_step <= kMaxToLast * time_step_before_;
   if (!can || step_.state_was_turned) return false;
+  if (liner_oil_ && liner_oil_->turns(angle_deg_, step_.to_deg)) return false;
   const film::Bdf2 scheme(step_.time_step, time_step_before_);
   const std::vector<double>& mass = state_.mass_per_area;
   history_.mass_per_area.resize(mass.size());
@@ -198,6 +201,8 @@ bool TimeIntegration::remember_two_films() {
       static_cast<int>(mass.size()), history_.mass_per_area.data());
   if (least < 0) return false;
   step_.at.inputs.time_step = scheme.time_step;
+  step_.of_flow_before = scheme.of_before;
+  if (liner_oil_) liner_oil_->limit(step_.at, angle_deg_, step_.to_deg, scheme.of_before);
   return true;
 }
 
@@ -336,6 +341,7 @@ void TimeIntegration::propose() {
     time_step_older_ = 0;
     axis_ = step_.at.axis;
   }
+  step_.of_flow_before = 0;
   step_.is_second_order = remember_two_films();
   step_.h_m = state_.h_m;
   if (time_step_before_ > 0) {

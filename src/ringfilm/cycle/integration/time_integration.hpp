@@ -162,7 +162,7 @@ class TimeIntegration {
   const Totals& totals() const { return totals_; }
 
  private:
-  bool is_second_order() const { return setup_.input.time_scheme() == TimeScheme::kBdf2; }
+  bool is_second_order() const { return setup_.input.solver.time_scheme == TimeScheme::kBdf2; }
   bool has_parabola() const { return step_.is_second_order && time_step_older_ > 0; }
   int ticks_of_step() const;
   void lay_out_step();
@@ -217,6 +217,7 @@ class TimeIntegration {
     bool state_was_turned = false;
     bool is_repeated = false;  ///< shorter than a step that was not accepted
     bool is_second_order = false;
+    double of_flow_before = 0;  ///< share of what the step before passed on in what this one passes on [-]
   } step_;  ///< proposed
   Instant instant_;
   StepEffort effort_;

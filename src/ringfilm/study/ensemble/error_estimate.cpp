@@ -105,7 +105,7 @@ Case on_grid(Case c, int cells, double crank_step_deg) {
   c.solver.cells = cells;
   c.solver.crank_step_deg = crank_step_deg;
   // The error of a step goes with its square, of second order with its cube.
-  c.solver.step_error *= c.time_scheme() == cycle::TimeScheme::kBdf2 ? ratio * ratio * ratio : ratio * ratio;
+  c.solver.step_error *= c.solver.time_scheme == cycle::TimeScheme::kBdf2 ? ratio * ratio * ratio : ratio * ratio;
   c.solver.accuracy.reset();
   c.output.fields = cycle::FieldOutput::kNone;
   return c;
