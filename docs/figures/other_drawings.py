@@ -2,7 +2,7 @@
 
 import math
 
-from svg import BLUE, GREEN, GREY, LINER, METAL, OIL, RED, Picture
+from svg import BLUE, GAS, GREEN, GREY, LINER, METAL, OIL, ORANGE, RED, WIDTH, Picture
 
 
 def slider_crank():
@@ -277,7 +277,59 @@ def chain():
     return picture
 
 
+def broken_film():
+    """Gas blows through the throat against the motion; below it the film on the liner, and the pressures."""
+    picture = Picture("A film that gas has broken through: what passes lies on the liner", 430)
+    left, right, wall, throat, gap = 40, WIDTH - 40, 210, 400, 15
+
+    def height(x):
+        return gap + 130 * ((x - throat) / 360) ** 2
+
+    picture.rect(left, 60, right - left, wall - 60, fill=GAS, stroke="none")
+    ahead, behind, begin = 22, 6, 180
+    step = [begin + 2 * i for i in range((throat - begin) // 2 + 1)]
+    curve = ((0, 0), (0.06, 0.35), (0.2, 0.62), (0.5, 0.86), (1, 1))
+    meniscus = [(begin - 40 + 40 * along, wall - ahead - (height(begin) - ahead) * up) for up, along in curve]
+    outline = [(left, wall), (left, wall - ahead)] + meniscus
+    outline += [(x, wall - height(x)) for x in step] + [(throat + 14, wall - behind), (right, wall - behind), (right, wall)]
+    picture.polyline(outline, close=True, fill=OIL, stroke="none")
+    shape = [(x, wall - height(x)) for x in range(left, right + 1, 4)]
+    picture.polyline([(left, 40)] + shape + [(right, 40)], close=True, fill="#b9c4d2")
+    picture.text(throat, 100, "ring", anchor="middle", bold=True, size=15)
+    picture.rect(left, wall, right - left, 24, fill=LINER, stroke="none")
+    picture.hatch(left, wall, right - left, 24)
+    picture.line(left, wall, right, wall)
+    picture.arrow(left + 10, wall + 38, left + 90, wall + 38, colour=RED, width=2)
+    picture.text(left + 98, wall + 43, "U", colour=RED, size=15, italic=True)
+    picture.arrow(right - 24, wall - 22, throat + 44, wall - 11, colour=BLUE, width=1.6)
+    picture.text(right - 16, wall - 30, "gas blows through", anchor="end", colour=BLUE, size=14)
+    picture.text(throat - 190, wall - 16, "full film", size=14)
+    picture.line(right - 60, wall - 3, right - 60, wall + 30, width=0.9)
+    picture.text(right - 16, wall + 45, "what passes lies on the liner, ⅔ U f^{*} at the most", anchor="end", size=14)
+    # Pressures.
+    top, zero = 290, 400
+    low, high, at_throat = zero - 12, top, zero - 52
+    picture.line(left, zero, right, zero, width=0.9)
+    picture.arrow(left, zero, left, top - 12, width=1.1)
+    picture.text(left + 8, top - 4, "pressure", size=13)
+    rise = [(begin - 20 + (throat - begin + 20) * t, low + (at_throat - low) * t**2.2) for t in (i / 20 for i in range(21))]
+    picture.polyline([(left, low)] + rise, stroke=ORANGE, width=2.2)
+    length = 70
+    gas = [(throat - length / 2 + length * t, at_throat + (high - at_throat) * (3 * t * t - 2 * t**3)) for t in (i / 20 for i in range(21))]
+    picture.polyline(gas + [(right, high)], stroke=BLUE, width=2.2)
+    picture.line(throat, wall - gap, throat, zero, width=0.9, dashes="4 4")
+    picture.arrow(throat - length / 2, zero + 14, throat + length / 2, zero + 14, both=True, width=1.1)
+    picture.text(throat + length / 2 + 8, zero + 19, "l, length of the throat", size=13)
+    picture.text(right - 8, high - 8, "gas behind the ring", anchor="end", colour=BLUE, size=13)
+    picture.text(left + 40, low - 12, "film up to the throat", colour=ORANGE, size=13)
+    picture.arrow(throat + 120, at_throat, throat + 120, high, both=True, width=1.1)
+    picture.line(throat, at_throat, throat + 128, at_throat, width=0.9)
+    picture.text(throat + 128, (at_throat + high) / 2 + 5, "Δp", size=15, italic=True)
+    return picture
+
+
 PICTURES = {
+    "broken-film": broken_film,
     "slider-crank": slider_crank,
     "cells": cells,
     "unrolled-ring": unrolled,

@@ -120,6 +120,12 @@ struct Pack {
   RINGFILM_INLINE friend Pack max(Pack a, Pack b) { return of(a.v > b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack min(Pack a, Pack b) { return of(a.v < b.v ? a.v : b.v); }
   RINGFILM_INLINE friend Pack abs(Pack a) { return max(a, -a); }
+  RINGFILM_INLINE friend Pack sqrt(Pack a) {
+    double lanes[kLanes];
+    a.store(lanes);
+    for (double& one : lanes) one = __builtin_sqrt(one);
+    return load(lanes);
+  }
 
   RINGFILM_INLINE static Mask both(Mask a, Mask b) {
     if constexpr (kLanes == 1) {

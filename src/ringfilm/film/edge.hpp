@@ -10,6 +10,13 @@ enum class EdgeFluid {
   kGas,  ///< gas: cavities on this side are filled with it, at the pressure of the edge
 };
 
+/// What passes the narrowest place of the gap while gas of a higher pressure blows through there (eq-broken-film).
+enum class BrokenFilm {
+  kFreeSurface,    ///< what a film with a free surface on the wall carries against the gas
+  kHalfPasses,     ///< half of the gap, as without gas
+  kNothingPasses,  ///< a thousandth of the first
+};
+
 /// An edge during one step.
 struct EdgeState {
   double pressure = 0;  ///< absolute [Pa]

@@ -2,21 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "ringfilm/film/load_balance.hpp"
+#include "ringfilm/models/oil/lubricant.hpp"
 
 namespace ringfilm::film {
 namespace {
 
-/// Places that are wider than the lowest one by no more than this share, or by no more than molecules, are one stretch
-/// [-]. A meniscus there holds up to 0.6 % less pressure (eq-gas-holding-limit), as if the oil was 0.3 K hotter.
+/// Places that are wider than the lowest one by no more than this share, or by an atom, are one stretch [-]. A meniscus
+/// there holds up to 0.6 % less pressure (eq-gas-holding-limit), as if the oil was 0.3 K hotter.
 constexpr double kNarrowest = 0.002;
+/// A stretch that is shorter than this share of the throat is the lowest place of a rounded face [-].
+constexpr double kShort = 0.15;
+/// Share of what a free surface passes that counts as nothing [-].
+constexpr double kHardlyAny = 1e-3;
 
 double cube(double x) { return x * x * x; }
 
 }  // namespace
 
-GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs) : inputs_(&inputs), n_cells_(grid.n_cells()) {
+GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs)
+    : grid_(&grid), inputs_(&inputs), n_cells_(grid.n_cells()) {
   if (!inputs.has_gas()) return;
   if (inputs.crest) {
     begin_ = end_ = *inputs.crest;
@@ -26,19 +33,58 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs) : inputs_(&in
   const std::vector<double>& height = grid.node_height;
   const double lowest = *std::min_element(height.begin(), height.end());
   const double narrowest = std::max(inputs.h_m_before + lowest, 0.0),
-               widest = narrowest + std::max(kNarrowest * narrowest, kMolecules);
+               widest = narrowest + std::max(kNarrowest * narrowest, kAtom);
   const auto is_narrow = [&](double h) { return h == lowest || inputs.h_m_before + h < widest; };
   begin_ = static_cast<int>(std::find_if(height.begin(), height.end(), is_narrow) - height.begin());
   end_ = static_cast<int>(height.rend() - std::find_if(height.rbegin(), height.rend(), is_narrow)) - 1;
-  // Resistance of each node to a flow by pressure, above that of a gap of the widest: it begins at 0.
+  if (grid.x[end_] - grid.x[begin_] <= kShort * throat_length()) {
+    set_place();
+  } else {
+    share_fall(narrowest, widest);
+  }
+}
+
+/// int (h_t/h)^3 dx, by which a parabola of radius R has sqrt(2 R h_t) [m].
+double GasReach::throat_length() const {
+  constexpr double kOfParabola = 3 * std::numbers::pi / 8;
+  const std::vector<double>& height = grid_->node_height;
+  const double lowest = *std::min_element(height.begin(), height.end());
+  const double narrowest = std::max(inputs_->h_m_before + lowest, kAtom);
+  double length = 0;
+  for (std::size_t i = 0; i < height.size(); ++i) {
+    length += grid_->share[i] * cube(narrowest / (narrowest + (height[i] - lowest)));
+  }
+  return length / kOfParabola;
+}
+
+/// The gases meet where the parabola through the lowest node and its neighbours is lowest.
+void GasReach::set_place() {
+  const std::vector<double>&height = grid_->node_height, &x = grid_->x;
+  const int lowest = static_cast<int>(std::min_element(height.begin(), height.end()) - height.begin());
+  place_ = x[lowest];
+  if (lowest > 0 && lowest < n_cells_) {
+    const double before = x[lowest] - x[lowest - 1], after = x[lowest + 1] - x[lowest];
+    const double fall = (height[lowest - 1] - height[lowest]) / before,
+                 rise = (height[lowest + 1] - height[lowest]) / after;
+    // Slopes are those midway between the nodes.
+    if (fall + rise > 0) place_ += 0.5 * (fall * after - rise * before) / (fall + rise);
+  }
+  end_ = std::clamp(place_ < x[lowest] ? lowest - 1 : lowest, 0, n_cells_ - 1);
+  begin_ = end_ + 1;
+}
+
+/// The bounds of the nodes of the stretch, by the resistance of each to a flow by pressure above that of a gap of the
+/// widest: it begins at 0.
+void GasReach::share_fall(double narrowest, double widest) {
+  const double before_film = inputs_->h_m_before;
   double sum = 0;
   for (int i = begin_; i <= end_; ++i) {
-    const double h = inputs.h_m_before + height[i];
+    const double h = before_film + grid_->node_height[i];
     const double resistance = narrowest > 0 ? cube(narrowest / h) - cube(narrowest / widest) : h <= narrowest;
-    if (is_narrow(height[i])) sum += grid.share[i] * std::max(resistance, 0.0);
+    sum += grid_->share[i] * std::max(resistance, 0.0);
     bound_.push_back(sum);  // up to the end of the node
   }
-  const double from = beside(inputs.left), to = beside(inputs.right);
+  const double from = beside(inputs_->left), to = beside(inputs_->right);
   double passed = 0;
   for (double& one : bound_) {
     const double before = from + (to - from) * passed / sum, after = from + (to - from) * one / sum;
@@ -63,6 +109,27 @@ double GasReach::carry(int i) const {
   const bool follows_wall =
       !inputs_->is_steady() && (std::isfinite(inputs_->left.supply) || std::isfinite(inputs_->right.supply));
   return follows_wall && gas_at(i) != nullptr ? kOnWall : kBetweenWalls;
+}
+
+Throat GasReach::throat() const {
+  const double U = inputs_->U;
+  const EdgeState &behind = U >= 0 ? inputs_->right : inputs_->left, &ahead = U >= 0 ? inputs_->left : inputs_->right;
+  if (inputs_->crest || behind.fluid != EdgeFluid::kGas || !(behind.pressure > beside(ahead))) return {};
+  Throat throat;
+  throat.pressure = behind.pressure;
+  if (is_place()) {
+    throat.first_face = throat.last_face = end_;
+    const double from_left = (place_ - grid_->x[end_]) / grid_->spacing[end_];
+    throat.place = U >= 0 ? from_left : 1 - from_left;
+  } else {
+    throat.first_face = std::max(U >= 0 ? begin_ : begin_ - 1, 0);
+    throat.last_face = std::min(U >= 0 ? end_ : end_ - 1, n_cells_ - 1);
+  }
+  // 2/3 U f* passes: the wall carries as much with twice that in a full gap.
+  throat.reach = 4.0 / 3 * std::sqrt(inputs_->oil->viscosity(behind.pressure) * std::abs(U) * throat_length());
+  if (inputs_->broken == BrokenFilm::kHalfPasses) throat.reach = kUnlimited;
+  if (inputs_->broken == BrokenFilm::kNothingPasses) throat.reach *= kHardlyAny;
+  return throat;
 }
 
 }  // namespace ringfilm::film

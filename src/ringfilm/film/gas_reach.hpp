@@ -5,13 +5,23 @@
 
 namespace ringfilm::film {
 
+/// Faces of the grid through which gas of a higher pressure blows against the motion, and what holds the oil back there
+/// (eq-broken-film).
+struct Throat {
+  int first_face = 0, last_face = -1;  ///< none where last < first
+  double pressure = 0;                 ///< of the gas behind them, absolute [Pa]
+  double reach = 0;                    ///< gap times the root of pressure, by which the passing oil is limited [m Pa^1/2]
+  double place = 0;  ///< of the narrowest place, from the node before the face in the direction of the motion, over the
+                     ///< length of the cell, 0 to 1 [-]
+};
+
 /// How far the gas of each edge comes into the gap, and the lowest pressure of the film there (eq-pressure-bound). The
 /// gases meet on the narrowest stretch of the gap: the nodes at which it is wider than at its lowest place by no more
-/// than 0.2 % or 1 nm. Along it the bound falls from the one gas to the other as the pressure of a viscous flow does
-/// that blows through (eq-gas-through-throat).
+/// than 0.2 % or 0.1 nm. Along it the bound falls from the one gas to the other as the pressure of a viscous flow does
+/// that blows through (eq-gas-through-throat). Of a rounded face it is a place between two nodes.
 class GasReach {
  public:
-  /// Refers to `inputs`.
+  /// Refers to `grid` and `inputs`.
   GasReach(const FilmGrid& grid, const FilmInputs& inputs);
 
   /// The lowest pressure that the film can have at node `i` [Pa].
@@ -24,9 +34,21 @@ class GasReach {
   /// on to a wall that is followed: there theta is the share that flows.
   double carry(int i) const;
 
-  /// The first and the last node of the narrowest stretch.
+  /// The first and the last node of the narrowest stretch; of a place between two nodes the one after it and the one
+  /// before it.
   int begin() const { return begin_; }
   int end() const { return end_; }
+  /// Are they the nodes about a place?
+  bool is_place() const { return end_ < begin_; }
+  double begin_place() const { return is_place() ? place_ : grid_->x[begin_]; }  ///< [m]
+  double end_place() const { return is_place() ? place_ : grid_->x[end_]; }      ///< [m]
+
+  Throat throat() const;
+  /// By how much more of the gap has the pressure of node begin() than belongs to it, and less that of node end(): gas
+  /// comes up to the place itself [m].
+  double beyond_place() const { return is_place() ? 0.5 * (grid_->x[end_] + grid_->x[begin_]) - place_ : 0; }
+  /// What that adds to the load [N/m]. @param p at the nodes [Pa]
+  double load_beyond_place(const std::vector<double>& p) const { return beyond_place() * (p[begin_] - p[end_]); }
 
  private:
   bool is_within(int i) const { return i >= begin_ && i <= end_ && i > 0 && i < n_cells_; }
@@ -34,10 +56,15 @@ class GasReach {
   double beside(const EdgeState& edge) const {
     return edge.fluid == EdgeFluid::kGas ? edge.pressure : inputs_->p_cavitation;
   }
+  double throat_length() const;
+  void share_fall(double narrowest, double widest);
+  void set_place();
 
+  const FilmGrid* grid_;
   const FilmInputs* inputs_;
   int n_cells_;
   int begin_ = 0, end_ = 0;
+  double place_ = 0;           ///< [m]
   std::vector<double> bound_;  ///< at the nodes of the narrowest stretch [Pa]
 };
 

@@ -42,17 +42,17 @@ double asperity_load(const FilmProblem& problem, double h_m, double* slope) {
   return load;
 }
 
-double hydrodynamic_load(const FilmProblem& problem, const FilmState& state) {
-  double load = 0;
+double hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
+  double load = GasReach(problem.grid, inputs).load_beyond_place(state.p);
   for (std::size_t i = 0; i < state.p.size(); ++i) load += problem.grid.share[i] * state.p[i];
   return load;
 }
 
 double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs) {
   const GasReach reach(problem.grid, inputs);
-  double load = 0;
-  for (int i = 0; i <= problem.grid.n_cells(); ++i) load += problem.grid.share[i] * reach.pressure_bound(i);
-  return load;
+  FilmState least;
+  for (int i = 0; i <= problem.grid.n_cells(); ++i) least.p.push_back(reach.pressure_bound(i));
+  return hydrodynamic_load(problem, inputs, least);
 }
 
 }  // namespace ringfilm::film

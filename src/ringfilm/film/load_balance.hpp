@@ -21,7 +21,7 @@ double enough_of_newton(const FilmProblem& problem);
 double asperity_load(const FilmProblem& problem, double h_m, double* slope = nullptr);
 
 /// W_h per length of circumference, eq-hydrodynamic-load [N/m].
-double hydrodynamic_load(const FilmProblem& problem, const FilmState& state);
+double hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state);
 
 /// What gas and cavities alone carry, eq-pressure-bound: every film carries more [N/m].
 double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs);

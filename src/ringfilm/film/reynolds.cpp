@@ -137,6 +137,7 @@ void complete_state(const FilmProblem& problem, const FilmInputs& inputs, LaneLa
 FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
   const FilmGrid& grid = problem.grid;
   const GasReach reach(grid, inputs);
+  const Throat throat = reach.throat();
   const auto is_on_wall = [&](int node) { return reach.carry(node) == kOnWall; };
   const FlowFactors* factors = state.factors.get();
   const auto given = [factors](std::vector<double> FlowFactors::*list) {
@@ -158,6 +159,11 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           std::min(4 * inputs.left_supply(), kUnlimited),
           std::min(4 * inputs.right_supply(), kUnlimited),
           inputs.is_steady(),
+          throat.first_face,
+          throat.last_face,
+          throat.pressure,
+          throat.reach,
+          throat.place,
           given(&FlowFactors::mobility),
           given(&FlowFactors::carried),
           given(&FlowFactors::thinning),

@@ -79,6 +79,7 @@ film::FilmInputs PadSetup::steady_inputs() const {
   inputs.left = {input.pad.left_pressure, input.film.left_edge};
   inputs.right = {input.pad.right_pressure, input.film.right_edge};
   inputs.p_cavitation = p_cavitation;
+  inputs.broken = input.film.broken;
   return inputs;
 }
 

@@ -118,7 +118,9 @@ film::FilmState WideFilm::full(double h_m) const {
 }
 
 double WideFilm::load(const film::FilmState& state) const {
-  return film::hydrodynamic_load(problem_, state) + film::asperity_load(problem_, state.h_m);
+  film::FilmInputs inputs = supplied(setup().steady_inputs(), state.h_m);
+  inputs.crest = crest(inputs, state);
+  return film::hydrodynamic_load(problem_, inputs, state) + film::asperity_load(problem_, state.h_m);
 }
 
 Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& previous, const film::FilmState& state,

@@ -18,6 +18,12 @@ constexpr When kInletRight{[](const Case& c) { return c.enters_out_of_gas(Direct
 
 constexpr When kGasEdge{[](const Case& c) { return c.film.has_gas_edge(); },
                         "film.chamber_edge or film.crankcase_edge is \"gas\""};
+constexpr When kBroken{[](const Case& c) {
+                         const bool is_pad = c.problem == Problem::kPad;
+                         return c.film.cavitation == Cavitation::kMassConserving &&
+                                (is_pad ? c.film.has_gas_edge_of_pad() : c.film.has_gas_edge());
+                       },
+                       "an edge of the film is \"gas\", and film.cavitation = \"mass-conserving\""};
 constexpr When kNotFlooded{[](const Case& c) { return c.film.supply_at_inlet() != OilSupply::kFlooded; },
                            "film.supply is not \"flooded\""};
 constexpr When kRingFilm{[](const Case& c) { return c.problem != Problem::kPad; }, "the film is not that of a pad"};
@@ -78,6 +84,16 @@ void append_run_fields(std::vector<Field>& fields) {
                          "stroke, or "
                          "what earlier strokes left on the liner",
                  .example = "\"film-on-liner\""}),
+          field({.key = "film.broken",
+                 .kind = choice<&Case::film, &Film::broken>({{"free-surface", BrokenFilm::kFreeSurface},
+                                                             {"half-passes", BrokenFilm::kHalfPasses},
+                                                             {"nothing-passes", BrokenFilm::kNothingPasses}}),
+                 .when = kBroken,
+                 .help = "oil that passes the lowest place of the face while gas blows through there against the "
+                         "motion: what a film with a free surface carries on the liner, half of the gap as without "
+                         "gas, or none; assumed",
+                 .example = "\"free-surface\"",
+                 .uses = {.pad = true}}),
           field({.key = "film.left_edge",
                  .kind = choice<&Case::film, &Film::left_edge>({{"oil", EdgeFluid::kOil}, {"gas", EdgeFluid::kGas}}),
                  .help = "what the film meets at x = 0: oil, which floods it, or gas at pad.left_pressure",

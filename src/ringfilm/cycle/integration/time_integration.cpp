@@ -314,7 +314,6 @@ void TimeIntegration::lay_out_step() {
   step_.to_deg = k_ * base_deg + base_deg * (tick_ + step_.ticks) / kTicks;
   step_.time_step = radians(base_deg * step_.ticks / kTicks) / setup_.engine.speed;
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
-  step_.at.inputs.h_m_before = state_.h_m;
 }
 
 void TimeIntegration::propose() {
@@ -348,6 +347,7 @@ void TimeIntegration::propose() {
     const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
     step_.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
   }
+  step_.at.inputs.h_m_before = step_.h_m;
 }
 
 /// A ring that bends continues its motion, as far as no film becomes much thinner.

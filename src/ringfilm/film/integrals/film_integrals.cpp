@@ -90,6 +90,8 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Ga
   };
   const bool left_presses = inputs.left.pressure > inputs.right.pressure;
   const bool right_presses = inputs.right.pressure > inputs.left.pressure;
+  // The narrowest stretch, or the nodes about a place: gas has to come past both of them.
+  const int first_of_all = std::min(reach.begin(), reach.end()), last = std::max(reach.begin(), reach.end());
   sums.wetted_end = grid.width;
   for (int i = next(1, true); i < n; i = next(i, true)) {
     Cavity cavity;
@@ -101,21 +103,26 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Ga
     // The gas of the higher pressure that has come to that stretch blows through it; where the stretch begins at the
     // edge itself, gas that fills the whole gap.
     if (first == 1 && inputs.left.fluid == EdgeFluid::kGas && reach.is_filled(1) && reach.gas_at(1) != &inputs.right) {
-      const int through = reach.begin() == 0 ? n : left_presses ? reach.begin() : reach.end();
+      const int through = reach.begin() == 0 ? n : left_presses ? reach.begin() : last;
       sums.is_broken_through = sums.is_broken_through || i >= through;
-      sums.wetted_begin = i > reach.end() ? grid.x[reach.end()] : cavity.end;
+      sums.wetted_begin = i > reach.end() ? reach.end_place() : cavity.end;
       cavity.begin = sums.wetted_begin;
     }
     const bool from_right = reach.is_filled(n - 1) && reach.gas_at(n - 1) != &inputs.left;
     if (i == n && inputs.right.fluid == EdgeFluid::kGas && from_right) {
-      const int through = reach.end() == n ? 0 : right_presses ? reach.end() : reach.begin();
+      const int through = reach.end() == n ? 0 : right_presses ? reach.end() : first_of_all;
       sums.is_broken_through = sums.is_broken_through || first <= through + 1;
-      sums.wetted_end = first <= reach.begin() ? grid.x[reach.begin()] : cavity.begin;
+      sums.wetted_end = first <= reach.begin() ? reach.begin_place() : cavity.begin;
       cavity.end = sums.wetted_end;
     }
     if (inputs.has_gas() && cavity.end <= cavity.begin) continue;
     sums.cavitated_fraction += (cavity.end - cavity.begin) / grid.width;
     sums.cavities.push_back(cavity);
+  }
+  const Throat throat = reach.throat();
+  for (int face = throat.first_face; reach.is_place() && face <= throat.last_face; ++face) {
+    const double before = state.p[inputs.U >= 0 ? face : face + 1];
+    sums.is_broken_through = sums.is_broken_through || before < throat.pressure;
   }
   if (sums.wetted_begin > sums.wetted_end) {  // both gases fill the narrowest stretch
     sums.wetted_begin = sums.wetted_end = 0.5 * (sums.wetted_begin + sums.wetted_end);
@@ -185,7 +192,7 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   const FilmSums of_film =
       sums_of_film(problem, *inputs.oil, state, film, {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()},
                    flow.requested());
-  sums.hydrodynamic_load = of_film.hydrodynamic_load;
+  sums.hydrodynamic_load = of_film.hydrodynamic_load + reach.load_beyond_place(state.p);
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;
   if (state.factors) {

@@ -200,6 +200,89 @@ RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real inward, Real suppl
           select(whole, Real(0), flux.by_right), select(whole, Real(0), flux.by_h)};
 }
 
+/// What the moving wall carries through the narrowest place while gas blows through there against the motion.
+template <class Real>
+struct PassedGap {
+  Real gap;                         ///< of a full gap that would carry as much [m]
+  Real by_held, by_full, by_slope;  ///< slopes in the arguments
+};
+
+/// Solves eq-broken-film-grid. @param full gap of what the wall would carry without the gas [m]
+/// @param held pressure of the gas over that of the film at the node before the narrowest place, above 0 [Pa]
+/// @param slope by which the pressure of the film rises up to that place per gap that is held back [Pa/m]
+/// @param reach as of Throat, above 0
+template <class Real>
+RINGFILM_INLINE PassedGap<Real> passed_gap(Real full, Real held, Real slope, Real reach) {
+  constexpr int kMaxIterations = 60;
+  constexpr double kRounding = 1e-14;
+  // Of u, the root of what the gas has over the film at the place itself. From above the iteration falls to the root.
+  const Real linear = slope * full - held;
+  Real u = sqrt(held);
+  for (int k = 0; k < kMaxIterations; ++k) {
+    const Real next = u - ((u * u + linear) * u - slope * reach) / (Real(3) * u * u + linear);
+    const auto moves = next < u * Real(1 - kRounding);
+    if (!Real::any(moves)) break;
+    u = select(moves, next, u);
+  }
+  const Real steepness = Real(1) / (Real(3) * u * u + linear), by_u = -reach / (u * u);
+  const auto is_full = reach * reach >= held * full * full;
+  return {select(is_full, full, reach / u), select(is_full, Real(0), by_u * u * steepness),
+          select(is_full, Real(1), -by_u * slope * u * steepness),
+          select(is_full, Real(0), by_u * (reach - full * u) * steepness)};
+}
+
+/// Share by which the node behind the narrowest place is so full that its oil presses against the film there, and not
+/// gas: what lies on the wall alone is less than half of the gap. @param filled share of the gap that holds oil
+template <class Real>
+RINGFILM_INLINE Real pressing_share(Real filled, Real least) {
+  return max(Real(0), min(Real(1), (filled - least) / (Real(1) - least)));
+}
+/// Where it begins, by `carry` of carried_share().
+inline constexpr double kPressingOnWall = 0.5, kPressingBetweenWalls = 0.9;
+
+/// Through a face at which gas blows against the motion the film before it passes on what eq-broken-film lets through.
+/// @param flux that of a film, at a face whose oil the pressure drives  @param held mask of such faces
+/// @param place,pressure,reach of Throat  @param behind share of the gap behind that holds oil, 0 at an edge, and the
+/// least that presses
+template <class Real, class Mask, bool kFilmContent, Terms kTerms>
+RINGFILM_INLINE void hold_back(const Motion<Real, kFilmContent, kTerms>& motion, Mask at_throat, Real pressure,
+                               Real reach, Real place, Real behind, Real least, Real h, Real upstream,
+                               Real conductance, Real third, const Node<Real>& left, const Node<Real>& right,
+                               Flux<Real>& flux) {
+  const Real held = pressure - motion.upstream(left.p, right.p);
+  const auto is_held = Real::both(at_throat, held > Real(0));
+  if (!Real::any(is_held)) return;
+  const Real rho = left.rho + right.rho, K = left.K + right.K;
+  const Real content = motion.content(left, right);
+  const CarriedGap<Real> carried = carried_gap(content, upstream, h);
+  const auto where = [&](Real value, double else_) RINGFILM_INLINE_BODY { return select(is_held, value, Real(else_)); };
+  const Real slope = where(place * abs(motion.quarter_U) * rho, 0) / where(conductance * K, 1);
+  const PassedGap<Real> passed = passed_gap(where(content * carried.gap, 0), where(held, 1), slope, where(reach, 1));
+  const Real full = pressing_share(behind, least), free = Real(1) - full;
+  const auto is_between = Real::both(full > Real(0), free > Real(0));
+  const Real by_full = select(is_between, motion.inverse_content_scale / (Real(1) - least), Real(0));
+
+  const Real rate = motion.quarter_U * rho, value = rate * passed.gap;
+  const Real drho = motion.upstream(left.drho, right.drho), dK = motion.upstream(left.dK, right.dK);
+  const Real by_pressure = motion.quarter_U * (passed.gap * drho) +
+                           rate * (passed.by_slope * slope * (drho / rho - dK / K) - passed.by_held);
+  const Real by_content = rate * passed.by_full * carried.slope * motion.inverse_content_scale *
+                          motion.upstream(left.gain, right.gain);
+  const Real by_before = motion.upstream(select(left.is_film, by_pressure, by_content),
+                                         select(right.is_film, by_pressure, by_content));
+  const Real by_behind = by_full * (flux.value - value);
+  const Real by_h = rate * (passed.by_full * content - Real(3) * passed.by_slope * slope * third / where(conductance, 1));
+  const auto mixed = [&](Real held_back, Real of_film) RINGFILM_INLINE_BODY {
+    return select(is_held, free * held_back + full * of_film, of_film);
+  };
+  const Real none(0);
+  const Real left_before = motion.upstream(by_before, none), right_before = motion.upstream(none, by_before);
+  const Real left_behind = select(is_held, motion.upstream(none, by_behind), none),
+             right_behind = select(is_held, motion.upstream(by_behind, none), none);
+  flux = {mixed(value, flux.value), mixed(left_before, flux.by_left) + left_behind,
+          mixed(right_before, flux.by_right) + right_behind, mixed(by_h, flux.by_h)};
+}
+
 /// Where no wall moves along: the direction around the ring.
 template <class Real>
 RINGFILM_INLINE Flux<Real> cross_flux(Real conductance, Real third, const Node<Real>& low, const Node<Real>& high) {

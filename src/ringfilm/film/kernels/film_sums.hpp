@@ -18,6 +18,8 @@ struct FilmView {
   int left_gas_end = 0, right_gas_begin = 1 << 30;  ///< nodes before and from there on are next to gas of an edge
   double left_supply = kUnlimited, right_supply = kUnlimited;  ///< four times that of the edges [kg/m2]
   bool is_steady = false;                                      ///< no storage: the inlet is limited as a whole
+  int first_held = 0, last_held = -1;                          ///< faces of a Throat, the rest as there
+  double throat_pressure = 0, throat_reach = 0, throat_place = 0;
   /// FlowFactors; nullptr: none.
   const double *mobility = nullptr, *carried = nullptr, *thinning = nullptr, *sliding_stress = nullptr,
                *inverse_gap = nullptr;
@@ -143,9 +145,25 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
     const double limit = supply / (rho[0] + rho[1]);
     carried = 0.25 * U * (limit < stream ? limit : stream);
   }
-  const double flux =
-      face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
-                mobile(0) + mobile(1), dp);
+  double flux = face_flux(carried, rho[0] + rho[1], film_content(dp <= 0) * conductance(h * h * h, film.spacing[i]),
+                          mobile(0) + mobile(1), dp);
+  const int before = U >= 0 ? i : i + 1, behind = U >= 0 ? i + 1 : i;
+  const double held = film.throat_pressure - film.p[before];
+  if (film.deficit_share > 0 && i >= film.first_held && i <= film.last_held && held > 0) {
+    using One = base::Pack<1, base::InstructionSet::kBaseline>;
+    const double density = rho[0] + rho[1], rate = 0.25 * U * density;
+    const double rise =
+        film.throat_place * (rate < 0 ? -rate : rate) / (conductance(h * h * h, film.spacing[i]) * (mobile(0) + mobile(1)));
+    const double held_back = rate * passed_gap<One>(content * carried_gap(content, upstream, stream).gap, held, rise,
+                                                    film.throat_reach)
+                                        .gap.v;
+    const bool is_edge = behind == 0 || behind == film.n_cells;
+    const bool on_wall = behind < film.left_gas_end || behind >= film.right_gas_begin;
+    const double pressing = pressing_share<One>(is_edge ? 0 : 1 - film.deficit[behind],
+                                                on_wall ? kPressingOnWall : kPressingBetweenWalls)
+                                .v;
+    flux = (1 - pressing) * held_back + pressing * flux;
+  }
   if (!is_limited || !(film.is_steady || inward * dp < 0)) return flux;
   const double limit = arriving * supply;
   return inward * flux > limit ? inward * limit : flux;

@@ -68,6 +68,7 @@ struct LaneBlock {
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
   double* share;                      ///< [m]
+  double* load_share;                 ///< length on which the pressure of the node acts, only with Terms::kAll [m]
   double *rho, *drho_dp, *K, *dK_dp;  ///< only with LaneLaws::kGiven
   // Over cells 0..n-1
   double* face_height;  ///< h_s [m]
@@ -86,6 +87,8 @@ struct LaneBlock {
   alignas(64) Lanes inverse_content_scale;      ///< [1/Pa]
   alignas(64) Lanes load;                       ///< [N/m]
   alignas(64) Lanes left_supply, right_supply;  ///< four times that of the edges, or kUnlimited [kg/m2]
+  // Throat: its faces from half a face before the first to half a face after the last, the rest as there
+  alignas(64) Lanes throat_begin, throat_end, throat_pressure, throat_reach, throat_place;
   alignas(64) Lanes movable;                    ///< 1: h_m is unknown; 0: it is given
   alignas(64) Lanes start_h;                    ///< h_m that weighs the multiplier [m]
   alignas(64) Lanes cavity_K;                   ///< K at the cavitation pressure [s/m2]

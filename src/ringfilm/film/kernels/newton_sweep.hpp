@@ -107,7 +107,7 @@ class NewtonSweep {
       if constexpr (kTerms == Terms::kAll) p += seen(b_.bound, i, a);
       put(p, film.p, slot, a);
       if constexpr (kFilmContent) put(Visitor(1) + min(Visitor(0), z) * inverse_content_scale, film.theta, slot, a);
-      load_ += seen(b_.share, i, a) * p;
+      load_ += seen(kTerms == Terms::kAll ? b_.load_share : b_.share, i, a) * p;
       t[a] = min(Visitor(1), (p - centre) * per_pressure);
     }
     if constexpr (kLaws == LaneLaws::kFitted) {
@@ -214,19 +214,33 @@ class NewtonSweep {
     if constexpr (kTerms == Terms::kAll) {
       const Real beyond = at(b_.carried, face), carried = h + beyond;
       Flux flux = film::flux(motion_, carried, upstream + beyond, third * h, third, left, right);
+      const Mask is_last = Real::only(at(b_.conductance, face) > Real(0), at(b_.conductance, face + 1) > Real(0));
+      if constexpr (kFilmContent) hold_back(face, is_last, carried, upstream + beyond, third * h, third, left, right, flux);
       if (face == 0) limit_inlet(carried, Real(1), Real::load(b_.left_supply), left, right, flux);
-      limit_right(face, carried, left, right, flux);
+      limit_right(is_last, carried, left, right, flux);
       return flux;
     } else {
       return film::flux(motion_, h, upstream, third * h, third, left, right);
     }
   }
 
+  RINGFILM_INLINE void hold_back(int face, Mask is_last, Real carried, Real upstream, Real conductance, Real third,
+                                 const Node& left, const Node& right, Flux& flux) const {
+    const Mask at_throat =
+        Real::both(Real(face) > Real::load(b_.throat_begin), Real::load(b_.throat_end) > Real(face));
+    if (!Real::any(at_throat)) return;
+    const Real edge_left = face == 0 ? Real(0) : left.filled, edge_right = select(is_last, Real(0), right.filled);
+    const Real carry = motion_.upstream(at(b_.carry, face + 1), at(b_.carry, face));
+    const Real least = select(carry > Real(kBetweenWalls), Real(kPressingOnWall), Real(kPressingBetweenWalls));
+    film::hold_back(motion_, at_throat, Real::load(b_.throat_pressure), Real::load(b_.throat_reach),
+                    Real::load(b_.throat_place), motion_.upstream(edge_right, edge_left), least, carried, upstream,
+                    conductance, third, left, right, flux);
+  }
+
   /// Films of a block may end at different faces: at the last one the conductance is not 0, and after it it is.
-  RINGFILM_INLINE void limit_right(int face, Real carried, const Node& left, const Node& right, Flux& flux) const {
+  RINGFILM_INLINE void limit_right(Mask is_last, Real carried, const Node& left, const Node& right, Flux& flux) const {
     const Real supply = Real::load(b_.right_supply);
     if (!Real::any(supply < Real(kUnlimited))) return;
-    const Mask is_last = Real::only(at(b_.conductance, face) > Real(0), at(b_.conductance, face + 1) > Real(0));
     if (!Real::any(is_last)) return;
     limit_inlet(carried, Real(-1), select(is_last, supply, Real(kUnlimited)), left, right, flux);
   }
@@ -288,7 +302,7 @@ class NewtonSweep {
           pivot = select(undetermined, forced, pivot);
         }
         const Real inverse = select(inside, Real(1) / select(inside, pivot, Real(1)), Real(0));
-        row = select(here.is_film, share, Real(0)) - row * upper;
+        row = select(here.is_film, kTerms == Terms::kAll ? at(b_.load_share, i) : share, Real(0)) - row * upper;
         upper = out.by_right * inverse;
         column = (by_h + in.by_left * column) * inverse;
         rhs = (in.by_left * rhs - residual) * inverse;

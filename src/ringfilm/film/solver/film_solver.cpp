@@ -83,7 +83,7 @@ class FilmSolve {
     const FilmState& solved() const { return solved_; }
     double excess() const override {
       const FilmState& state = solve_.state_;
-      return hydrodynamic_load(solve_.problem_, state) + asperity_load(solve_.problem_, state.h_m) -
+      return hydrodynamic_load(solve_.problem_, solve_.inputs_, state) + asperity_load(solve_.problem_, state.h_m) -
              solve_.inputs_.load;
     }
 

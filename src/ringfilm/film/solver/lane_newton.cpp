@@ -6,7 +6,6 @@
 
 #include "ringfilm/base/aligned.hpp"
 #include "ringfilm/film/cavitation.hpp"
-#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/reynolds.hpp"
 
@@ -17,7 +16,9 @@ constexpr int kMaxIterations = 40;  // limit for the coupled Newton iteration
 constexpr int kMaxOfStep = 12;      // limit for a step that is shortened where no film is found
 constexpr double kNowhere = -1;     // a reach of contact that no gap is within
 
-constexpr int kNodalArrays = 18;
+constexpr int kNodalArrays = 19;
+/// A face that no film has.
+constexpr double kNoFace = -2;
 
 /// Nothing moves and nothing changes: no equation holds the film content, and a node that the iteration put below p_c
 /// is held there by the multiplier, as in Reynolds' exit, until its pressure comes back.
@@ -38,7 +39,7 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
   for (double** nodal :
        {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height,
         &block_.conductance, &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K,
-        &block_.dK_dp, &block_.mobility, &block_.stored, &block_.carried, &block_.carry}) {
+        &block_.dK_dp, &block_.mobility, &block_.stored, &block_.carried, &block_.carry, &block_.load_share}) {
     *nodal = array;
     array += stride;
   }
@@ -55,6 +56,7 @@ void LaneNewton::clear(int lane) {
   block_.quarter_U[lane] = block_.rate[lane] = block_.load[lane] = block_.movable[lane] = 0;
   block_.contact_load[lane] = block_.contact_slope[lane] = 0;
   block_.left_supply[lane] = block_.right_supply[lane] = kUnlimited;
+  set_throat(lane, {});
   clear_from(lane, 0);
   fit_block();
 }
@@ -62,7 +64,8 @@ void LaneNewton::clear(int lane) {
 void LaneNewton::clear_from(int lane, int node) {
   for (int i = node; i < most_cells_ + 1 + kPadding; ++i) {
     for (double* array : {block_.bound, block_.inflow, block_.node_height, block_.share, block_.face_height,
-                          block_.conductance, block_.drho_dp, block_.dK_dp, block_.stored, block_.carried}) {
+                          block_.conductance, block_.drho_dp, block_.dK_dp, block_.stored, block_.carried,
+                          block_.load_share}) {
       nodal(array, i, lane) = 0;
     }
     for (double* array : {block_.z, block_.rho, block_.K, block_.mobility, block_.carry}) nodal(array, i, lane) = 1;
@@ -254,9 +257,23 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
     nodal(block_.stored, i, lane) = factors ? factor(factors->stored, i, 0) : 0;
     if (i < at.n_cells) nodal(block_.carried, i, lane) = factors ? factor(factors->carried, i, 0) : 0;
   }
+  const std::vector<double>& share = at.problem->grid.share;
   for (int i = 0; i <= at.n_cells; ++i) {
     nodal(block_.bound, i, lane) = reach.pressure_bound(i) - inputs.p_cavitation;
+    nodal(block_.load_share, i, lane) = share[i];
   }
+  nodal(block_.load_share, reach.begin(), lane) += reach.beyond_place();
+  nodal(block_.load_share, reach.end(), lane) -= reach.beyond_place();
+  set_throat(lane, reach.throat());
+}
+
+void LaneNewton::set_throat(int lane, const Throat& throat) {
+  const bool is_there = throat.last_face >= throat.first_face;
+  block_.throat_begin[lane] = is_there ? throat.first_face - 0.5 : kNoFace;
+  block_.throat_end[lane] = is_there ? throat.last_face + 0.5 : kNoFace;
+  block_.throat_pressure[lane] = throat.pressure;
+  block_.throat_reach[lane] = throat.reach;
+  block_.throat_place[lane] = throat.place;
 }
 
 void LaneNewton::evaluate_properties(int lane) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
+#include "ringfilm/film/gas_reach.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/film/reynolds.hpp"
 #include "ringfilm/film/solver/front_advance.hpp"
@@ -95,6 +96,7 @@ class LaneNewton {
   void clear_contact(int lane);
   void note_laws();
   void set_terms(int lane, const FilmInputs& inputs);
+  void set_throat(int lane, const Throat& throat);
   void fit_block();
   void evaluate_properties(int lane);
   bool is_damped(int lane) const;

@@ -69,7 +69,7 @@ class PointRelaxation {
 
   /// (W_h + W_a)/W - 1 of the present film [-].
   double imbalance() const {
-    return (hydrodynamic_load(problem_, state_) + asperity_load(problem_, state_.h_m)) / inputs_.load - 1;
+    return (hydrodynamic_load(problem_, inputs_, state_) + asperity_load(problem_, state_.h_m)) / inputs_.load - 1;
   }
   void linearise();
   double jacobi_radius() const;

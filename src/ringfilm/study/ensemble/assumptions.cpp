@@ -282,6 +282,20 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
       others);
 }
 
+/// Assumption about what passes while gas blows through the film.
+Assumption broken_film(const Case& c) {
+  const char* what = c.film.broken == cycle::BrokenFilm::kFreeSurface ? "as much oil as a free surface carries against it"
+                     : c.film.broken == cycle::BrokenFilm::kHalfPasses ? "half of the gap, as without gas,"
+                                                                       : "no oil";
+  return assumption("broken-film",
+                    fmt::format("where gas of a higher pressure blows through the film against the motion, {} passes "
+                                "the lowest place of the face",
+                                what),
+                    "what passes there was not measured; where a ring breaks through for long it decides what the next "
+                    "stroke finds",
+                    other_choices("film.broken", c));
+}
+
 /// Assumption about the ends of the ring. The ledger does not lift it for a film across the face, which requires a
 /// separate case: the unrolled film costs more than all other choices of a ledger together.
 Assumption ring_gap(const Case& c) {
@@ -498,6 +512,7 @@ std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
 std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
   const Case& c = setup.input;
   std::vector<Assumption> all = {flooded_inlet(setup)};
+  if (cycle::is_active(*cycle::find_field("film.broken"), c)) all.push_back(broken_film(c));
   if (c.gas_path.is_computed()) {
     all.push_back(gas_path(c));
     all.push_back(gas_sizes(c));
