@@ -1,6 +1,7 @@
 #pragma once
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "film_cases.hpp"
 
@@ -24,10 +25,11 @@ struct GasFilm {
   double eta = 5e-3, U = 6.5;            // [Pa s], [m/s]
   double p_in = 1e5, p_out = 20e5;       // [Pa]
   double h_m = 1e-6;                     // [m]
+  double apex = 0.5;                     // place of the lowest gap [-]
   double h_star = 0;                     // twice the film that enters [m]
   double begin = 0, end = 0;             // x_1, x_2 [m]
 
-  double height(double x) const { return h_m + crown * std::pow(2 * x / width - 1, 2); }
+  double height(double x) const { return h_m + crown * std::pow(2 * (x / width - apex), 2); }
   double slope(double x) const { return 6 * eta * U * (height(x) - h_star) / std::pow(height(x), 3); }
   /// Rise of pressure from a to b [Pa].
   double rise(double a, double b) const {
@@ -69,6 +71,24 @@ inline GasFilm flooded() {
   };
   film.h_star = root_of(lacking, 1.0001 * film.h_m, 3 * film.h_m);
   lacking(film.h_star);
+  return film;
+}
+
+/// Oil fills the entry, and gas blows through the lowest place, eq-broken-film.
+inline GasFilm broken(double apex) {
+  GasFilm film;
+  film.apex = apex;
+  film.p_out = 150e5;
+  film.end = apex * film.width;
+  const double length = 8 / (3 * std::numbers::pi) *
+                        integral([&](double x) { return std::pow(film.h_m / film.height(x), 3); }, 0, film.width);
+  film.h_star = root_of(
+      [&](double h_star) {
+        film.h_star = h_star;
+        const double held = film.p_out - film.p_in - film.rise(0, film.end);
+        return h_star - 4.0 / 3 * std::sqrt(film.eta * film.U * length / held);
+      },
+      0, film.h_m);
   return film;
 }
 

@@ -47,6 +47,50 @@ TEST(GasEdge, AStarvedFilmHoldsTwentyBarAtItsExit) {
   }
 }
 
+// The lowest place is at a node, between two nodes, and next to one.
+TEST(GasEdge, ABrokenFilmConvergesToSecondOrder) {
+  for (const double apex : {0.5, 0.5 + 1. / 120, 0.437}) {
+    const GasFilm form = broken(apex);
+    double before = 0;
+    for (const int n_cells : {60, 120, 240, 480}) {
+      const SmoothFilm film = film_of(form, n_cells);
+      const Solved solved = steady_under_load(film.problem, inputs_of(form, film), 1.2 * form.h_m);
+      ASSERT_TRUE(solved.report.converged) << apex << ", " << n_cells;
+      EXPECT_TRUE(solved.integrals.is_broken_through);
+      const double film_off = std::abs(solved.state.h_m / form.h_m - 1),
+                   flow_off = std::abs(2 * solved.integrals.flow_right / (form.U * form.h_star) - 1);
+      const double off = std::max(film_off, flow_off);
+      if (n_cells > 60) EXPECT_LT(off, before / 3) << apex << ", " << n_cells << ": " << film_off << ", " << flow_off;
+      before = off;
+    }
+    EXPECT_LT(before, 1e-3) << apex;
+  }
+}
+
+TEST(GasEdge, WhatPassesABrokenFilmSolvesItsEquation) {
+  using One = base::Pack<1, base::InstructionSet::kBaseline>;
+  const double full = 1e-6, reach = 5e-4, held = 2e6;
+  for (const double slope : {0., 1e11, 1e12, 1e13}) {
+    const auto gap = [&](double of_full, double of_held, double of_slope) {
+      return passed_gap<One>(of_full, of_held, of_slope, reach).gap.v;
+    };
+    const PassedGap<One> passed = passed_gap<One>(full, held, slope, reach);
+    const double at_throat = held - slope * (full - passed.gap.v);
+    EXPECT_NEAR(passed.gap.v * std::sqrt(at_throat) / reach, 1, 1e-9) << slope;
+    const double share = 1e-5;
+    const auto rise = [&](double a, double b, double c) {
+      return (gap(full * (1 + a), held * (1 + b), slope * (1 + c)) -
+              gap(full * (1 - a), held * (1 - b), slope * (1 - c))) / (2 * share);
+    };
+    const double tolerance = 1e-6 * full;
+    EXPECT_NEAR(passed.by_full.v * full, rise(share, 0, 0), tolerance) << slope;
+    EXPECT_NEAR(passed.by_held.v * held, rise(0, share, 0), tolerance) << slope;
+    EXPECT_NEAR(passed.by_slope.v * slope, rise(0, 0, share), tolerance) << slope;
+  }
+  // Released: half of a full gap passes.
+  EXPECT_EQ((passed_gap<One>(full, 1e5, 0, reach).gap.v), full);
+}
+
 TEST(GasEdge, EntryAndExitMayBeExchanged) {
   const GasFilm form = starved(0.58e-6);
   const SmoothFilm film = film_of(form, 240);
