@@ -15,6 +15,8 @@ namespace {
 constexpr double kNarrowest = 0.002;
 /// A stretch that is shorter than this share of the throat is the lowest place of a rounded face [-].
 constexpr double kShort = 0.15;
+/// Limit that no film reaches [m Pa^1/2].
+constexpr double kAnyFilm = 1e3;
 /// Share of what a free surface passes that counts as nothing [-].
 constexpr double kHardlyAny = 1e-3;
 
@@ -127,7 +129,7 @@ Throat GasReach::throat() const {
   }
   // 2/3 U f* passes: the wall carries as much with twice that in a full gap.
   throat.reach = 4.0 / 3 * std::sqrt(inputs_->oil->viscosity(behind.pressure) * std::abs(U) * throat_length());
-  if (inputs_->broken == BrokenFilm::kHalfPasses) throat.reach = kUnlimited;
+  if (inputs_->broken == BrokenFilm::kHalfPasses) throat.reach = kAnyFilm;
   if (inputs_->broken == BrokenFilm::kNothingPasses) throat.reach *= kHardlyAny;
   return throat;
 }

@@ -214,22 +214,26 @@ class NewtonSweep {
     if constexpr (kTerms == Terms::kAll) {
       const Real beyond = at(b_.carried, face), carried = h + beyond;
       Flux flux = film::flux(motion_, carried, upstream + beyond, third * h, third, left, right);
-      const Mask is_last = Real::only(at(b_.conductance, face) > Real(0), at(b_.conductance, face + 1) > Real(0));
-      if constexpr (kFilmContent) hold_back(face, is_last, carried, upstream + beyond, third * h, third, left, right, flux);
+      if constexpr (kFilmContent) hold_back(face, carried, upstream + beyond, third * h, third, left, right, flux);
       if (face == 0) limit_inlet(carried, Real(1), Real::load(b_.left_supply), left, right, flux);
-      limit_right(is_last, carried, left, right, flux);
+      limit_right(face, carried, left, right, flux);
       return flux;
     } else {
       return film::flux(motion_, h, upstream, third * h, third, left, right);
     }
   }
 
-  RINGFILM_INLINE void hold_back(int face, Mask is_last, Real carried, Real upstream, Real conductance, Real third,
-                                 const Node& left, const Node& right, Flux& flux) const {
+  /// Films of a block may end at different faces: at the last one the conductance is not 0, and after it it is.
+  RINGFILM_INLINE Mask is_last(int face) const {
+    return Real::only(at(b_.conductance, face) > Real(0), at(b_.conductance, face + 1) > Real(0));
+  }
+
+  RINGFILM_INLINE void hold_back(int face, Real carried, Real upstream, Real conductance, Real third, const Node& left,
+                                 const Node& right, Flux& flux) const {
     const Mask at_throat =
         Real::both(Real(face) > Real::load(b_.throat_begin), Real::load(b_.throat_end) > Real(face));
     if (!Real::any(at_throat)) return;
-    const Real edge_left = face == 0 ? Real(0) : left.filled, edge_right = select(is_last, Real(0), right.filled);
+    const Real edge_left = face == 0 ? Real(0) : left.filled, edge_right = select(is_last(face), Real(0), right.filled);
     const Real carry = motion_.upstream(at(b_.carry, face + 1), at(b_.carry, face));
     const Real least = select(carry > Real(kBetweenWalls), Real(kPressingOnWall), Real(kPressingBetweenWalls));
     film::hold_back(motion_, at_throat, Real::load(b_.throat_pressure), Real::load(b_.throat_reach),
@@ -237,12 +241,12 @@ class NewtonSweep {
                     conductance, third, left, right, flux);
   }
 
-  /// Films of a block may end at different faces: at the last one the conductance is not 0, and after it it is.
-  RINGFILM_INLINE void limit_right(Mask is_last, Real carried, const Node& left, const Node& right, Flux& flux) const {
+  RINGFILM_INLINE void limit_right(int face, Real carried, const Node& left, const Node& right, Flux& flux) const {
     const Real supply = Real::load(b_.right_supply);
     if (!Real::any(supply < Real(kUnlimited))) return;
-    if (!Real::any(is_last)) return;
-    limit_inlet(carried, Real(-1), select(is_last, supply, Real(kUnlimited)), left, right, flux);
+    const Mask last = is_last(face);
+    if (!Real::any(last)) return;
+    limit_inlet(carried, Real(-1), select(last, supply, Real(kUnlimited)), left, right, flux);
   }
 
   RINGFILM_INLINE void limit_inlet(Real carried, Real inward, Real supply, const Node& left, const Node& right,
