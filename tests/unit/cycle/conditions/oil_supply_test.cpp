@@ -175,11 +175,9 @@ TEST(OilSupply, EdgesOfOilFloodTheInletWhateverTheConditionsSupply) {
   const Case flooded = supplied(styles_new_ring(), 1500, OilSupply::kFlooded, 0);
   Case c = supplied(styles_new_ring(), 1500, OilSupply::kFilmOnLiner, 2e-6);
   const double with_gas = simulated(c).values.fmep;
-  EXPECT_EQ(c.time_scheme(), TimeScheme::kBackwardEuler);
   Case oil_at_edges = flooded;
   for (Case* one : {&c, &oil_at_edges}) one->film.chamber_edge = one->film.crankcase_edge = EdgeFluid::kOil;
   EXPECT_EQ(c.film.supply_at_inlet(), OilSupply::kFlooded);
-  EXPECT_EQ(c.time_scheme(), TimeScheme::kBdf2);
   EXPECT_EQ(simulated(c).values.fmep, simulated(oil_at_edges).values.fmep);
   EXPECT_NE(simulated(c).values.fmep, with_gas);
 }
