@@ -15,10 +15,10 @@
 namespace ringfilm::cycle {
 namespace {
 
-/// The integration starts here, from a steady film: mid exhaust stroke, high speed and low load.
-constexpr double kStartAngleDeg = 270;
-/// States are compared with those of one cycle before at this spacing, over the first stroke; with oil on the liner,
-/// which strokes leave to the next ones, over all.
+/// The integration starts here, from a steady film: mid exhaust stroke, high speed and low load. With oil on the liner
+/// at BDC before compression, where a cycle of the oil begins.
+constexpr double kStartAngleDeg = 270, kStartOfOilDeg = 540;
+/// States are compared with those of one cycle before at this spacing, over the first stroke.
 constexpr double kCheckSpacingDeg = 15;
 constexpr double kCheckedDeg = 180;
 constexpr int kCompression = 3;  ///< stroke_at
@@ -49,10 +49,11 @@ CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
       integration_(setup_, with_liner(setup_, place_)),
       recorder_(setup_),
-      k_(static_cast<int>(std::lround(kStartAngleDeg / step_deg_)) % n_steps_),
+      k_(static_cast<int>(std::lround((place_.film ? kStartOfOilDeg : kStartAngleDeg) / step_deg_)) % n_steps_),
       distance_{kNotKnown, kNotKnown},
       oil_ahead_(place_.film != nullptr ? kNotKnown : 0) {
   attempt([this] { integration_.start(k_); });
+  if (place_.film && !shares_liner_) settling_.begin(*place_.film);
 }
 
 template <class Part>
@@ -78,7 +79,7 @@ void CycleRun::arrived() {
   ++steps_integrated_;
   const int since_start = steps_integrated_ % n_steps_;
   const bool has_oil = place_.film != nullptr;
-  const bool is_checked = since_start * step_deg_ <= kCheckedDeg || has_oil;
+  const bool is_checked = since_start * step_deg_ <= kCheckedDeg;
   if (has_oil && begins_compression()) {
     CycleRun* const alone = this;
     if (!shares_liner_) settling_.begin_next_cycle(*place_.film, {&alone, 1});

@@ -86,12 +86,12 @@ double AndersonMixing::ahead() const {
 void OilSettling::begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings) {
   const std::vector<double> end = liner.mass_per_area();
   const double moved_before = mixing_.moved();
-  if (!begin_.empty()) mixing_.add(begin_, end);
+  mixing_.add(begin_, end);
   for (CycleRun* ring : rings) {
-    if (!begin_.empty()) ring->expect_oil_to_move(mixing_.ahead());
+    ring->expect_oil_to_move(mixing_.ahead());
     ring->compare_with_last_cycle();
   }
-  if (iteration_ == OilIteration::kMixed && !begin_.empty() && !rings.front()->oil_repeats()) {
+  if (iteration_ == OilIteration::kMixed && !rings.front()->oil_repeats()) {
     if (mixing_.can_mix() && mixing_.moved() > kFast * moved_before) {
       liner.replace(mixing_.mixture());
       for (CycleRun* ring : rings) ring->forget_last_cycle();

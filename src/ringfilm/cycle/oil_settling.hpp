@@ -44,6 +44,8 @@ class OilSettling {
  public:
   explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
 
+  /// The first cycle begins.
+  void begin(const LinerFilm& liner) { begin_ = liner.mass_per_area(); }
   /// All rings on the liner have ended a cycle of the oil: compares it with the one before and, where the oil lies
   /// elsewhere, lays that with which the next cycle begins. The oil repeats where neither this cycle moved much nor
   /// all cycles to come are expected to, eq-oil-ahead.
@@ -52,7 +54,7 @@ class OilSettling {
  private:
   OilIteration iteration_;
   AndersonMixing mixing_;
-  std::vector<double> begin_;  ///< oil at the begin of the cycle [kg/m2]; empty: none has begun
+  std::vector<double> begin_;  ///< oil at the begin of the cycle [kg/m2]
 };
 
 }  // namespace ringfilm::cycle

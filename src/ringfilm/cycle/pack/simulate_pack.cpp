@@ -60,6 +60,7 @@ bool finish_stroke(CycleRun& ring, Observer* observer) {
 /// All rings until each repeats itself or one stops.
 void integrate(Runs& runs, LinerFilm& liner, OilIteration iteration, Observer* observer) {
   OilSettling settling(iteration);
+  settling.begin(liner);
   std::vector<CycleRun*> rings;
   for (const auto& run : runs) rings.push_back(run.get());
   const auto repeats = [](const auto& run) { return !run->stop() && run->done(); };
