@@ -121,7 +121,7 @@ struct LandPressure {
   bool is_stated() const { return constant || file || computed; }  ///< by a constant, by a file, or computed
 };
 
-/// The keys under `gas_path`: how the gas passes the rings. The defaults are typical and assumed.
+/// The keys under `gas_path`: the gas and how it passes the rings. The defaults are typical and assumed.
 struct GasPath {
   GasPathModel model = GasPathModel::kGiven;     ///< pressures between the rings as stated, or by volumes and orifices
   RingMotion ring_motion = RingMotion::kSeated;  ///< rings on their lower flanks, or moved along the bore's axis
@@ -154,6 +154,8 @@ struct RingGasPath {
   double bore_friction_coefficient = 0.05;  ///< coefficient of friction of the ring on the bore; typical, assumed [-]
   /// Computed: gap through which gas passes the film, at each degree of crank angle; empty: the film seals [m].
   std::vector<double> face_opening;
+  /// Computed: temperatures of the gas above and below the ring; absent: those of chamber and crankcase [K].
+  std::optional<double> computed_temperature_above, computed_temperature_below;
 };
 
 /// Where a face came from; recorded, and not used by any model.

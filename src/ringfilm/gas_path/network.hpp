@@ -39,7 +39,7 @@ struct Path {
 /// Name of a path: "end gap 1", "above ring 1", "below ring 1", "face of ring 1".
 std::string path_name(const Path& path);
 
-/// What borders a compression ring in its groove: indices of regions.
+/// What borders a ring, a compression ring also in its groove: indices of regions.
 struct RingBorders {
   std::size_t above = 0, groove = 0, below = 0;
 };
@@ -61,7 +61,7 @@ class Network {
   bool is_inner(std::size_t region) const { return regions_[region].given == nullptr; }
   /// Place of an inner region in inner().
   std::size_t unknown(std::size_t region) const { return unknown_[region]; }
-  /// Borders of the ring with that index, which must be a compression ring.
+  /// Borders of the ring with that index; an oil ring has no groove.
   const RingBorders& borders(std::size_t ring) const { return borders_[ring]; }
   bool has_groove(std::size_t ring) const { return pack_.rings[ring].kind == RingKind::kCompression; }
 
@@ -100,7 +100,7 @@ class Network {
   std::vector<Region> regions_;
   std::vector<std::size_t> inner_, unknown_;
   std::vector<Path> paths_;
-  std::vector<RingBorders> borders_;          ///< one for each ring; of oil rings unused
+  std::vector<RingBorders> borders_;          ///< one for each ring
   std::vector<double> seated_clearance_;      ///< side clearance of each ring in RingMotion::kSeated [m]
   std::vector<models::GasChannel> channels_;  ///< channels of the side clearance of each ring, unused for oil rings
   std::vector<models::GasChannel> faces_;     ///< over the face of each ring

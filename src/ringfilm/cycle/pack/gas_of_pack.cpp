@@ -120,6 +120,8 @@ void put_gas_pressures(Ring& ring, const gas_path::Pack& pack, const gas_path::G
   if (at.above > 0) ring.pressure_above.computed = region_trace(result, at.above);
   if (at.below + 1 < result.regions.size()) ring.pressure_below.computed = region_trace(result, at.below);
   if (network.has_groove(index)) ring.pressure_behind = region_trace(result, at.groove);
+  ring.gas_path.computed_temperature_above = network.regions()[at.above].temperature;
+  ring.gas_path.computed_temperature_below = network.regions()[at.below].temperature;
   ring.has_computed_gas = true;
 }
 

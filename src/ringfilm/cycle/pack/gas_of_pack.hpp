@@ -12,7 +12,8 @@ namespace ringfilm::cycle {
 gas_path::Pack gas_pack(const Case& c);
 
 /// Puts the pressures that the gas path of a pack gives into one of its rings: those of the piston lands at its edges
-/// and that of its groove behind it. @param index of the ring in gas_path::Pack::rings
+/// and that of its groove behind it; and the temperatures of the gas at its edges.
+/// @param index of the ring in gas_path::Pack::rings
 void put_gas_pressures(Ring& ring, const gas_path::Pack& pack, const gas_path::GasPathResult& result,
                        std::size_t index);
 

@@ -92,6 +92,11 @@ TEST_F(PackStudy, HasTheRingsOfEachScenarioAndTheirSum) {
   const cycle::Case faces = cycle::with_rails(study::scenario_case(plan.study(), plan.point(0)));
   ASSERT_EQ(faces.rings.size(), 4u);  // two rails
   const cycle::Case found = cycle::solve_gas_through_films(faces).input;
+  const double temperature[] = {600, 450, 400, 360, 360};  // above and below the rings and rails, as the case states
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(found.rings[i].ring.gas_path.computed_temperature_above, temperature[i]) << i;
+    EXPECT_EQ(found.rings[i].ring.gas_path.computed_temperature_below, temperature[i + 1]) << i;
+  }
   std::vector<cycle::CycleValues> each;
   for (const cycle::Case& ring : found.rings) each.push_back(cycle::simulate(cycle::prepare(ring)).values);
   EXPECT_EQ(value(plan, all[0], "ring_1_fmep"), each[0].fmep);
