@@ -31,6 +31,16 @@ double interval(const std::vector<Sample>& samples, std::size_t k) {
   return to - samples[k].crank_angle_deg;
 }
 
+/// Masses of gas through a broken film. Straight lines lie between the samples: the flow begins and ends with a jump.
+void put_gas_through_film(const std::vector<Sample>& samples, double duration, CycleValues& values) {
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const std::size_t before = (k == 0 ? samples.size() : k) - 1;
+    const double share = 0.5 * (interval(samples, before) + interval(samples, k)) / kCycleDeg;
+    const double mass = samples[k].gas_flow_through_film * share * duration;
+    (mass > 0 ? values.gas_through_film_forward : values.gas_through_film_back) += std::abs(mass);
+  }
+}
+
 BetweenSamples between(const std::vector<Sample>& samples) {
   std::vector<double> angles;
   for (const Sample& s : samples) angles.push_back(s.crank_angle_deg);
@@ -176,6 +186,7 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.mean_absolute_oil_flow = curves.mean([](const Sample& s) { return std::abs(s.oil_flow_middle); });
   v.peak_film_pressure = curves.largest(&Sample::peak_film_pressure).value;
   v.mean_cavitated_fraction = curves.mean([](const Sample& s) { return s.cavitated_fraction; });
+  put_gas_through_film(base, duration, v);
 
   const auto stroke_energy = [&](int stroke) {
     return curves.integral(stroke, &Sample::power_loss) * duration / kCycleDeg;

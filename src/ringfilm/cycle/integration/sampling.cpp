@@ -9,6 +9,7 @@
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_holding.hpp"
 #include "ringfilm/models/flash_temperature.hpp"
+#include "ringfilm/models/gas/gas_flow.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -58,6 +59,17 @@ double flash_temperature(const Case& c, double boundary_friction, double speed) 
   const Liner& liner = c.liner;
   return models::flash_temperature(heat_flux, c.ring.face_width, speed,
                                    {liner.thermal_conductivity, liner.density, liner.specific_heat});
+}
+
+/// eq-face-flow: gas through a film that does not hold it, towards the crankcase [kg/s].
+/// @param h_m smallest film thickness [m] @param above @param below pressures at the edges [Pa]
+double gas_flow_through_film(const Case& c, double h_m, double above, double below) {
+  const GasPath& gas = c.gas_path;
+  const RingGasPath& ring = c.ring.gas_path;
+  const double temperature = above > below ? ring.computed_temperature_above.value_or(gas.chamber_temperature)
+                                           : ring.computed_temperature_below.value_or(gas.crankcase_temperature);
+  const models::GasChannel face{c.ring_length(), c.ring.face_width, gas.viscosity, gas.gas_constant, temperature};
+  return face.limited_flow({gas.heat_capacity_ratio, gas.choking_smoothing}, h_m, above, below);
 }
 
 }  // namespace
@@ -124,7 +136,11 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.wetted_begin = f.wetted_begin;
   s.wetted_end = f.wetted_end;
-  s.gas_breakthrough = integrals.is_broken_through ? 1 : 0;
+  if (integrals.is_broken_through) {
+    s.gas_breakthrough = 1;
+    s.gas_flow_through_film =
+        gas_flow_through_film(setup.input, s.min_film_thickness, s.gas_pressure, s.crankcase_pressure);
+  }
   const double rho = setup.ring.oil.density;
   const film::EdgeState& trailing = in.U >= 0 ? in.right : in.left;
   const double behind = in.U >= 0 ? integrals.flow_right : -integrals.flow_left;

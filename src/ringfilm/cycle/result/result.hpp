@@ -16,8 +16,8 @@ namespace ringfilm::cycle {
 /// Everything at one crank angle. SI. Loads, friction and flow are for the whole ring: for the circumference pi x bore,
 /// without the gap for an unrolled film. The places where the cavity begins and ends are those of the strip opposite
 /// the gap. Signs: velocity and friction on the liner are positive towards TDC. `viscous_friction_ring` is the shear at
-/// the ring in the same sense of motion, so that the force on the ring itself is its opposite. Oil flow is positive
-/// from chamber to crankcase.
+/// the ring in the same sense of motion, so that the force on the ring itself is its opposite. Flows of oil and gas are
+/// positive from chamber to crankcase.
 struct Sample {
   double crank_angle_deg = 0;          ///< in [0, 720), 0 = firing TDC [degree]
   double piston_position = 0;          ///< distance below TDC [m]
@@ -50,6 +50,7 @@ struct Sample {
   double wetted_begin = 0;             ///< chamber-side end of the wetted face, from the chamber edge [m]
   double wetted_end = 0;               ///< crankcase-side end of it; between them lies no gas of an edge [m]
   double gas_breakthrough = 0;         ///< 1 where gas of an edge reaches the lowest place of the face, else 0 [-]
+  double gas_flow_through_film = 0;    ///< gas through the film where it breaks through, else 0 [kg/s]
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
   double film_temperature = 0;      ///< temperature of the oil film [K]
@@ -130,6 +131,8 @@ struct CycleValues {
   double oil_scraped_down = 0;
   /// Oil that the oil ring lays on the liner less what it scrapes off, per cycle; 0 where the film is not followed [kg]
   double oil_replenished = 0;
+  double gas_through_film_forward = 0;         ///< gas through a broken film towards the crankcase, per cycle [kg]
+  double gas_through_film_back = 0;            ///< gas through it back towards the chamber, per cycle, positive [kg]
   double peak_viscous_heating_rise = 0;        ///< largest rise of the film's temperature by shear [K]
   double peak_viscous_heating_rise_angle = 0;  ///< crank angle of it [degree]
   double peak_flash_temperature = 0;           ///< largest rise of the liner's surface under the face [K]

@@ -10,6 +10,8 @@
 #include "../styles_case.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/integration/sampling.hpp"
 
 /// Gas at the trailing edge of a ring, the inlet flooded.
 namespace ringfilm::cycle::testing {
@@ -96,6 +98,93 @@ TEST(GasEdge, TheNoteOnBreakthroughLeavesAsideTheLongestStretchWithoutIt) {
       longest = std::max(longest, without = s.gas_breakthrough > 0 ? 0 : without + 1);
   }
   EXPECT_EQ(std::fmod(first - last + 720, 720), longest + 1);  // samples are a degree apart
+}
+
+/// eq-channel-flow through a gap over the face, all around the bore, at that temperature [K].
+double laminar_flow(const Case& c, double h, double above, double below, double temperature) {
+  return (above * above - below * below) * h * h * h * std::numbers::pi * c.engine.bore /
+         (24 * c.gas_path.viscosity * c.gas_path.gas_constant * temperature * c.ring.face_width);
+}
+
+TEST(GasThroughFilm, IsThatOfAChannelLimitedByItsMouth) {
+  Case c = with_gas(styles_new_ring(), 1500);
+  const CycleResult result = simulated(c);
+  const Sample& broken = at(result, 20);
+  ASSERT_EQ(broken.gas_breakthrough, 1);
+  const double h = broken.min_film_thickness, above = broken.gas_pressure;
+  const double laminar = laminar_flow(c, h, above, broken.crankcase_pressure, 600);
+  // The mouth would let some 85 times as much through: it takes 1/2/85^2 of the flow.
+  EXPECT_NEAR(broken.gas_flow_through_film, laminar, 1e-3 * laminar);
+
+  c.gas_path.viscosity = 1e-12;  // so that the mouth alone limits the flow: choked, the closed form of its maximum
+  const CycleResult thin = simulated(c);
+  const double g = c.gas_path.heat_capacity_ratio;
+  const double psi = std::sqrt(g) * std::pow(2 / (g + 1), (g + 1) / (2 * (g - 1)));
+  const double choked = std::numbers::pi * c.engine.bore * h * above / std::sqrt(c.gas_path.gas_constant * 600) * psi;
+  EXPECT_EQ(at(thin, 20).min_film_thickness, h);
+  EXPECT_NEAR(at(thin, 20).gas_flow_through_film, choked, 1e-9 * choked);
+}
+
+TEST(GasThroughFilm, OfACycleIsTheTrapezoidOverItsSteps) {
+  const Case c = with_gas(styles_new_ring(), 1500);
+  const CycleResult result = simulated(c);
+  double forward = 0, back = 0;
+  for (std::size_t k = 0; k < result.samples.size(); ++k) {
+    const Sample &here = result.samples[k], &next = result.samples[(k + 1) % result.samples.size()];
+    if (here.gas_breakthrough == 0) {
+      EXPECT_EQ(here.gas_flow_through_film, 0) << here.crank_angle_deg;
+    }
+    const double half_a_degree = 0.5 / 360 / 25;  // at 25 turns a second [s]
+    for (const double flow : {here.gas_flow_through_film, next.gas_flow_through_film}) {
+      (flow > 0 ? forward : back) += half_a_degree * std::abs(flow);
+    }
+  }
+  EXPECT_GT(forward, 0);
+  const CycleValues of_samples = cycle_values(prepare(c), result.samples);
+  EXPECT_NEAR(of_samples.gas_through_film_forward, forward, 1e-9 * forward);
+  EXPECT_NEAR(of_samples.gas_through_film_back, back, 1e-9 * forward);
+  // Some steps are shorter than a degree; of those at the begin or end of a break less than one degree of 18 counts.
+  EXPECT_NEAR(result.values.gas_through_film_forward, forward, forward / 18);
+}
+
+TEST(GasThroughFilm, IsZeroBetweenEdgesOfOil) {
+  const CycleResult result = simulated(styles_new_ring());
+  for (const Sample& s : result.samples) EXPECT_EQ(s.gas_flow_through_film, 0) << s.crank_angle_deg;
+  EXPECT_EQ(result.values.gas_through_film_forward, 0);
+  EXPECT_EQ(result.values.gas_through_film_back, 0);
+}
+
+/// Gas through a film of that thickness, taken to be broken, between two pressures [kg/s].
+double flow_through(const Case& c, double h, double above, double below) {
+  const cycle::Setup setup = prepare(c);
+  const TimeIntegration integration(setup);
+  film::FilmState state;
+  state.h_m = h;
+  Instant instant;
+  instant.crank_angle_deg = 75;
+  instant.at = ring_conditions(setup, instant.crank_angle_deg, film::kSteady);
+  instant.at.inputs.left.pressure = above;
+  instant.at.inputs.right.pressure = below;
+  instant.state = &state;
+  film::FilmIntegrals integrals;
+  integrals.is_broken_through = true;
+  return sample(setup, integration, instant, integrals).gas_flow_through_film;
+}
+
+TEST(GasThroughFilm, HasTheTemperatureOfTheSideThatItComesFrom) {
+  Case c = with_gas(styles_new_ring(), 1500);
+  const double h = 1e-6, high = 3e5, low = 1e5;
+  const auto expect = [&](double above, double below, double temperature) {
+    const double laminar = laminar_flow(c, h, above, below, temperature);
+    EXPECT_NEAR(flow_through(c, h, above, below), laminar, 1e-5 * std::abs(laminar));  // the mouth: 1e-6
+  };
+  expect(high, low, 600);
+  expect(low, high, 360);  // negative: towards the chamber
+  c.ring.gas_path.computed_temperature_above = 450;
+  c.ring.gas_path.computed_temperature_below = 400;
+  expect(high, low, 450);
+  expect(low, high, 400);
+  EXPECT_EQ(flow_through(c, h, high, high), 0);
 }
 
 TEST(GasEdge, DoesNotDependOnHowTheFaceIsTurned) {

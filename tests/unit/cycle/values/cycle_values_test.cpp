@@ -47,6 +47,22 @@ TEST(CycleValues, ParabolasWithinStrokesAreExact) {
   EXPECT_NEAR(values.peak_total_friction_angle, 430, 1e-9);
 }
 
+// Half of the steps on both sides belongs to a sample: 90 + 50, 50 + 40 and 40 + 180 of 720 degree.
+TEST(CycleValues, GasThroughABrokenFilmCountsForwardAndBack) {
+  const ringfilm::cycle::Setup setup = prepare(testing::styles_new_ring());
+  std::vector<Sample> samples(4);
+  const double angle[] = {0, 100, 180, 540}, flow[] = {1e-6, 2e-6, -4e-6, 0};
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    samples[k].crank_angle_deg = angle[k];
+    samples[k].applied_load = 1;
+    samples[k].gas_flow_through_film = flow[k];
+  }
+  const CycleValues values = cycle_values(setup, samples);
+  const double duration = 0.08;  // 1500 rpm
+  EXPECT_NEAR(values.gas_through_film_forward, (1e-6 * 140 + 2e-6 * 90) / 720 * duration, 1e-18);
+  EXPECT_NEAR(values.gas_through_film_back, 4e-6 * 220 / 720 * duration, 1e-18);
+}
+
 // Steps of unequal lengths between which the film changes by factors of up to 1000, with dead centres anywhere.
 TEST(CycleValues, ExtremesOfFilmAndLambdaRatioAreAboveZero) {
   const ringfilm::cycle::Setup setup = prepare(testing::styles_new_ring());

@@ -11,6 +11,7 @@ const kSigned = [
   'oil_flow_middle',
   'oil_flow_chamber_edge',
   'oil_flow_crankcase_edge',
+  'gas_flow_through_film',
 ];
 
 /** Does a curve have signs, also that of a ring of a pack: ring_2_friction_on_liner? */
