@@ -191,7 +191,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
   }
   const double untrusted = untrusted_load > 0 ? untrusted_load / load : 0;
   result.notes = advice(setup_);
-  append_validity_notes(setup_, integration.unloaded_grid(), base, result.complete ? result.values.fmep : 0.0,
+  append_validity_notes(setup_, integration.unloaded_grid(), base, result.complete ? result.values : CycleValues{},
                         {polynomial_steps_, polynomial_share_, untrusted}, result.notes);
   std::vector<UncontrolledStep> uncontrolled;
   for (const auto& steps : uncontrolled_) uncontrolled.insert(uncontrolled.end(), steps.begin(), steps.end());

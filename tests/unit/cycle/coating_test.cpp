@@ -33,7 +33,7 @@ std::vector<Note> notes_of(const Case& c, double lambda_ratio) {
   sample.min_film_thickness = 1e-6;
   const Setup setup = prepare(c);
   std::vector<Note> notes;
-  append_validity_notes(setup, face_grid(setup), {sample}, 0, {}, notes);
+  append_validity_notes(setup, face_grid(setup), {sample}, {}, {}, notes);
   return notes;
 }
 

@@ -32,8 +32,10 @@ Sample usual_sample() {
 
 std::vector<Note> notes_of(const std::vector<Sample>& samples, double fmep) {
   const Setup setup = prepare(styles_new_ring());
+  CycleValues values;
+  values.fmep = fmep;
   std::vector<Note> notes;
-  append_validity_notes(setup, face_grid(setup), samples, fmep, {}, notes);
+  append_validity_notes(setup, face_grid(setup), samples, values, {}, notes);
   return notes;
 }
 
@@ -203,7 +205,7 @@ TEST(Validity, TheNoteOnLongCellsCountsTheCellsOfTheGrid) {
     setup.cells = cells;
     const film::FilmGrid grid = face_grid(setup);
     std::vector<Note> notes;
-    append_validity_notes(setup, grid, {s}, 0, {}, notes);
+    append_validity_notes(setup, grid, {s}, {}, {}, notes);
     const auto found =
         std::find_if(notes.begin(), notes.end(), [](const Note& note) { return note.topic == "cells-too-long"; });
     ASSERT_NE(found, notes.end());
@@ -233,7 +235,7 @@ TEST(Validity, ATensionBeyondTheRangeOfTheElasticPressureIsRefused) {
 std::vector<std::string> topics_of(const Case& c) {
   const Setup setup = prepare(c);
   std::vector<Note> notes = advice(setup);
-  append_validity_notes(setup, face_grid(setup), {usual_sample()}, 20e3, {}, notes);
+  append_validity_notes(setup, face_grid(setup), {usual_sample()}, {}, {}, notes);
   std::vector<std::string> all;
   for (const Note& note : notes) all.push_back(note.topic);
   return all;

@@ -175,7 +175,15 @@ std::optional<std::pair<double, double>> span_of(const std::vector<Sample>& samp
   return std::pair(angles[first], angles[(first + angles.size() - 1) % angles.size()]);
 }
 
-void append_breakthrough_note(const Case& c, const std::vector<Sample>& base, std::vector<Note>& notes) {
+/// How much gas blows through a broken film; nothing of a cycle that was not finished.
+std::string words_on_gas_through_film(const CycleValues& values) {
+  const double forward = values.gas_through_film_forward, back = values.gas_through_film_back;
+  if (forward + back == 0) return "";
+  return ", and " + text_in(forward, kMilligram, 3) + " of gas per cycle blow through towards the crankcase" +
+         (back > 0 ? ", " + text_in(back, kMilligram, 3) + " back" : "") + "; an upper bound (eq-face-flow)";
+}
+
+void append_breakthrough_note(const std::vector<Sample>& base, const CycleValues& values, std::vector<Note>& notes) {
   const auto broken = [](const Sample& s) { return s.gas_breakthrough > 0; };
   const auto span = span_of(base, broken);
   if (!span) return;
@@ -183,8 +191,7 @@ void append_breakthrough_note(const Case& c, const std::vector<Sample>& base, st
       {"gas-breaks-through",
        formatted("gas of an edge reaches the lowest place of the face, first at %.0f and last at %.0f degree: the "
                  "film does not hold it there%s",
-                 span->first, span->second,
-                 c.gas_path.passes_films() ? "" : ", and how much gas blows through is not computed"),
+                 span->first, span->second, words_on_gas_through_film(values).c_str()),
        count(base, broken)});
 }
 
@@ -390,8 +397,8 @@ void append_limit_notes(const Setup& setup, const std::vector<Sample>& base, dou
 
 }  // namespace
 
-void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
-                           const UntrustedContact& untrusted, std::vector<Note>& notes) {
+void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base,
+                           const CycleValues& values, const UntrustedContact& untrusted, std::vector<Note>& notes) {
   if (base.empty()) return;
   const auto lowest = std::min_element(
       base.begin(), base.end(), [](const Sample& a, const Sample& b) { return a.lambda_ratio < b.lambda_ratio; });
@@ -421,11 +428,11 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
                      count(base, [](const Sample& s) { return shear_rate(s) > kNewtonianUpTo; })});
   }
   append_origin_note(setup.input, notes);
-  append_limit_notes(setup, base, fmep, notes);
+  append_limit_notes(setup, base, values.fmep, notes);
   append_asperity_notes(setup, base, notes);
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
   append_measured_flow_notes(setup, base, notes);
-  append_breakthrough_note(setup.input, base, notes);
+  append_breakthrough_note(base, values, notes);
   append_heating_note(setup, base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
   append_grid_note(setup, notes);

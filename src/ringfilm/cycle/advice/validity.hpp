@@ -16,9 +16,9 @@ struct UntrustedContact {
 };
 
 /// Notes on models used outside the range in which they were made, and on results that no ring can have.
-/// @param grid the cells of the film  @param fmep of the cycle [Pa]; 0 where it was not finished
-void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base, double fmep,
-                           const UntrustedContact& untrusted, std::vector<Note>& notes);
+/// @param grid the cells of the film  @param values of the cycle; zeros where it was not finished
+void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const std::vector<Sample>& base,
+                           const CycleValues& values, const UntrustedContact& untrusted, std::vector<Note>& notes);
 
 /// The note on steps of the cycle that could not be cut as far as their error requires: a limit of the result, or for
 /// information where it changes the values by less than the accuracy of the case.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "../styles_case.hpp"
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
@@ -98,6 +99,8 @@ TEST(GasEdge, TheNoteOnBreakthroughLeavesAsideTheLongestStretchWithoutIt) {
       longest = std::max(longest, without = s.gas_breakthrough > 0 ? 0 : without + 1);
   }
   EXPECT_EQ(std::fmod(first - last + 720, 720), longest + 1);  // samples are a degree apart
+  const std::string mass = text_in(result.values.gas_through_film_forward, kMilligram, 3);
+  EXPECT_THAT(note->message, ::testing::HasSubstr(mass + " of gas per cycle blow through towards the crankcase"));
 }
 
 /// eq-channel-flow through a gap over the face, all around the bore, at that temperature [K].
