@@ -189,6 +189,12 @@ TEST(CaseFields, AreInUseOnlyWithTheirModel) {
   c.lubricant.table_file = "oil.csv";
   EXPECT_FALSE(active("lubricant.reference_temperature", c));
   EXPECT_FALSE(active("lubricant.compressibility", c));
+
+  EXPECT_FALSE(active("gas_path.viscosity", c));
+  c.film.crankcase_edge = EdgeFluid::kGas;  // which may blow through the film
+  EXPECT_TRUE(active("gas_path.viscosity", c));
+  EXPECT_TRUE(active("gas_path.crankcase_temperature", c));
+  EXPECT_FALSE(active("gas_path.discharge_coefficient", c));
 }
 
 TEST(CaseRules, HoldForAValidCase) { EXPECT_THAT(broken_rules(sound_case()), IsEmpty()); }
