@@ -291,7 +291,11 @@ def broken_film():
     curve = ((0, 0), (0.06, 0.35), (0.2, 0.62), (0.5, 0.86), (1, 1))
     meniscus = [(begin - 40 + 40 * along, wall - ahead - (height(begin) - ahead) * up) for up, along in curve]
     outline = [(left, wall), (left, wall - ahead)] + meniscus
-    outline += [(x, wall - height(x)) for x in step] + [(throat + 14, wall - behind), (right, wall - behind), (right, wall)]
+    outline += [(x, wall - height(x)) for x in step] + [
+        (throat + 14, wall - behind),
+        (right, wall - behind),
+        (right, wall),
+    ]
     picture.polyline(outline, close=True, fill=OIL, stroke="none")
     shape = [(x, wall - height(x)) for x in range(left, right + 1, 4)]
     picture.polyline([(left, 40)] + shape + [(right, 40)], close=True, fill="#b9c4d2")
@@ -312,10 +316,16 @@ def broken_film():
     picture.line(left, zero, right, zero, width=0.9)
     picture.arrow(left, zero, left, top - 12, width=1.1)
     picture.text(left + 8, top - 4, "pressure", size=13)
-    rise = [(begin - 20 + (throat - begin + 20) * t, low + (at_throat - low) * t**2.2) for t in (i / 20 for i in range(21))]
+    rise = [
+        (begin - 20 + (throat - begin + 20) * t, low + (at_throat - low) * t**2.2)
+        for t in (i / 20 for i in range(21))
+    ]
     picture.polyline([(left, low)] + rise, stroke=ORANGE, width=2.2)
     length = 70
-    gas = [(throat - length / 2 + length * t, at_throat + (high - at_throat) * (3 * t * t - 2 * t**3)) for t in (i / 20 for i in range(21))]
+    gas = [
+        (throat - length / 2 + length * t, at_throat + (high - at_throat) * (3 * t * t - 2 * t**3))
+        for t in (i / 20 for i in range(21))
+    ]
     picture.polyline(gas + [(right, high)], stroke=BLUE, width=2.2)
     picture.line(throat, wall - gap, throat, zero, width=0.9, dashes="4 4")
     picture.arrow(throat - length / 2, zero + 14, throat + length / 2, zero + 14, both=True, width=1.1)

@@ -394,7 +394,7 @@ struct Film {
   EdgeFluid chamber_edge = EdgeFluid::kOil;
   EdgeFluid crankcase_edge = EdgeFluid::kOil;  ///< fluid at the edge towards the crankcase, as chamber_edge
 
-  OilSupply supply = OilSupply::kFlooded;  ///< what enters at an edge of gas; see supply_at_inlet
+  OilSupply supply = OilSupply::kFlooded;        ///< what enters at an edge of gas; see supply_at_inlet
   BrokenFilm broken = BrokenFilm::kFreeSurface;  ///< what passes where gas of an edge blows through the film
 
   Roughness flow_factors = Roughness::kNone;      ///< factors of the flow by pressure

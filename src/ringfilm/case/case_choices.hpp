@@ -205,8 +205,8 @@ enum class Scraped {
 using film::AverageGap;                          ///< `film.average_gap`
 using film::Roughness;                           ///< `film.flow_factors`, `film.shear_flow`, `film.stress_factors`
 using ShearThinning = models::ShearThinningLaw;  ///< `lubricant.shear_thinning`
-using film::EdgeFluid;                           ///< `film.chamber_edge`, `film.crankcase_edge`
 using film::BrokenFilm;                          ///< `film.broken`
+using film::EdgeFluid;                           ///< `film.chamber_edge`, `film.crankcase_edge`
 
 /// `solver.crank_step_control`: how long a crank step is.
 enum class StepControl {

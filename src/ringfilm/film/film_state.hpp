@@ -123,7 +123,7 @@ struct FilmInputs {
   double load = 0;                             ///< W per length [N/m]
   double time_step = kSteady;                  ///< [s]
   std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
-  double h_m_before = 0;     ///< film by which the narrowest stretch of the gap is found (GasReach); 0: unknown [m]
+  double h_m_before = 0;  ///< film by which the narrowest stretch of the gap is found (GasReach); 0: unknown [m]
   BrokenFilm broken = BrokenFilm::kFreeSurface;
   std::optional<int> crest;  ///< node up to which a full film keeps the gases of both edges apart (GasReach)
   Fallback fallback = Fallback::kSearch;

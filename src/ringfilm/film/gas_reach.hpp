@@ -10,7 +10,7 @@ namespace ringfilm::film {
 struct Throat {
   int first_face = 0, last_face = -1;  ///< none where last < first
   double pressure = 0;                 ///< of the gas behind them, absolute [Pa]
-  double reach = 0;                    ///< gap times the root of pressure, by which the passing oil is limited [m Pa^1/2]
+  double reach = 0;  ///< gap times the root of pressure, by which the passing oil is limited [m Pa^1/2]
   double place = 0;  ///< of the narrowest place, from the node before the face in the direction of the motion, over the
                      ///< length of the cell, 0 to 1 [-]
 };

@@ -80,7 +80,8 @@ TEST(GasEdge, WhatPassesABrokenFilmSolvesItsEquation) {
     const double share = 1e-5;
     const auto rise = [&](double a, double b, double c) {
       return (gap(full * (1 + a), held * (1 + b), slope * (1 + c)) -
-              gap(full * (1 - a), held * (1 - b), slope * (1 - c))) / (2 * share);
+              gap(full * (1 - a), held * (1 - b), slope * (1 - c))) /
+             (2 * share);
     };
     const double tolerance = 1e-6 * full;
     EXPECT_NEAR(passed.by_full.v * full, rise(share, 0, 0), tolerance) << slope;

@@ -121,10 +121,10 @@ class LinerOil {
   std::shared_ptr<LinerFilm> film_;  ///< as all rings have left it
   LinerFilm fresh_;                  ///< as the oil ring leaves it
   LinerFilm left_;                   ///< as this ring leaves it in its present stroke
-  double bead_ = 0;           ///< negative: taken from what the next step sweeps [kg/m]
-  double owed_ = 0;           ///< behind the ring, to be laid by the next step, at most 0 [kg/m]
-  double at_chamber_ = 0;     ///< passed in +x through the chamber edge in the step before [kg/m]
-  double at_crankcase_ = 0;   ///< passed in +x through the crankcase edge in the step before [kg/m]
+  double bead_ = 0;                  ///< negative: taken from what the next step sweeps [kg/m]
+  double owed_ = 0;                  ///< behind the ring, to be laid by the next step, at most 0 [kg/m]
+  double at_chamber_ = 0;            ///< passed in +x through the chamber edge in the step before [kg/m]
+  double at_crankcase_ = 0;          ///< passed in +x through the crankcase edge in the step before [kg/m]
   bool up_ = true;
   bool begun_ = false;
   std::array<Pass, kStrokes> passes_;

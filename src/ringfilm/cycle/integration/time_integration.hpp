@@ -218,7 +218,7 @@ class TimeIntegration {
     bool is_repeated = false;  ///< shorter than a step that was not accepted
     bool is_second_order = false;
     double of_flow_before = 0;  ///< share of what the step before passed on in what this one passes on [-]
-  } step_;  ///< proposed
+  } step_;                      ///< proposed
   Instant instant_;
   StepEffort effort_;
   Totals totals_;

@@ -246,9 +246,8 @@ inline constexpr double kPressingOnWall = 0.5, kPressingBetweenWalls = 0.9;
 /// least that presses
 template <class Real, class Mask, bool kFilmContent, Terms kTerms>
 RINGFILM_INLINE void hold_back(const Motion<Real, kFilmContent, kTerms>& motion, Mask at_throat, Real pressure,
-                               Real reach, Real place, Real behind, Real least, Real h, Real upstream,
-                               Real conductance, Real third, const Node<Real>& left, const Node<Real>& right,
-                               Flux<Real>& flux) {
+                               Real reach, Real place, Real behind, Real least, Real h, Real upstream, Real conductance,
+                               Real third, const Node<Real>& left, const Node<Real>& right, Flux<Real>& flux) {
   const Real held = pressure - motion.upstream(left.p, right.p);
   const auto is_held = Real::both(at_throat, held > Real(0));
   if (!Real::any(is_held)) return;
@@ -266,15 +265,15 @@ RINGFILM_INLINE void hold_back(const Motion<Real, kFilmContent, kTerms>& motion,
   const Real drho = motion.upstream(left.drho, right.drho), dK = motion.upstream(left.dK, right.dK);
   const Real by_pressure = motion.quarter_U * (passed.gap * drho) +
                            rate * (passed.by_slope * slope * (drho / rho - dK / K) - passed.by_held);
-  const Real by_content = rate * passed.by_full * carried.slope * motion.inverse_content_scale *
-                          motion.upstream(left.gain, right.gain);
-  const Real by_before = motion.upstream(select(left.is_film, by_pressure, by_content),
-                                         select(right.is_film, by_pressure, by_content));
+  const Real by_content =
+      rate * passed.by_full * carried.slope * motion.inverse_content_scale * motion.upstream(left.gain, right.gain);
+  const Real by_before =
+      motion.upstream(select(left.is_film, by_pressure, by_content), select(right.is_film, by_pressure, by_content));
   const Real by_behind = by_full * (flux.value - value);
-  const Real by_h = rate * (passed.by_full * content - Real(3) * passed.by_slope * slope * third / where(conductance, 1));
-  const auto mixed = [&](Real held_back, Real of_film) RINGFILM_INLINE_BODY {
-    return select(is_held, free * held_back + full * of_film, of_film);
-  };
+  const Real by_h =
+      rate * (passed.by_full * content - Real(3) * passed.by_slope * slope * third / where(conductance, 1));
+  const auto mixed = [&](Real held_back, Real of_film)
+                         RINGFILM_INLINE_BODY { return select(is_held, free * held_back + full * of_film, of_film); };
   const Real none(0);
   const Real left_before = motion.upstream(by_before, none), right_before = motion.upstream(none, by_before);
   const Real left_behind = select(is_held, motion.upstream(none, by_behind), none),

@@ -152,16 +152,16 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
   if (film.deficit_share > 0 && i >= film.first_held && i <= film.last_held && held > 0) {
     using One = base::Pack<1, base::InstructionSet::kBaseline>;
     const double density = rho[0] + rho[1], rate = 0.25 * U * density;
-    const double rise =
-        film.throat_place * (rate < 0 ? -rate : rate) / (conductance(h * h * h, film.spacing[i]) * (mobile(0) + mobile(1)));
-    const double held_back = rate * passed_gap<One>(content * carried_gap(content, upstream, stream).gap, held, rise,
-                                                    film.throat_reach)
-                                        .gap.v;
+    const double rise = film.throat_place * (rate < 0 ? -rate : rate) /
+                        (conductance(h * h * h, film.spacing[i]) * (mobile(0) + mobile(1)));
+    const double held_back =
+        rate *
+        passed_gap<One>(content * carried_gap(content, upstream, stream).gap, held, rise, film.throat_reach).gap.v;
     const bool is_edge = behind == 0 || behind == film.n_cells;
     const bool on_wall = behind < film.left_gas_end || behind >= film.right_gas_begin;
-    const double pressing = pressing_share<One>(is_edge ? 0 : 1 - film.deficit[behind],
-                                                on_wall ? kPressingOnWall : kPressingBetweenWalls)
-                                .v;
+    const double pressing =
+        pressing_share<One>(is_edge ? 0 : 1 - film.deficit[behind], on_wall ? kPressingOnWall : kPressingBetweenWalls)
+            .v;
     flux = (1 - pressing) * held_back + pressing * flux;
   }
   if (!is_limited || !(film.is_steady || inward * dp < 0)) return flux;

@@ -89,11 +89,11 @@ struct LaneBlock {
   alignas(64) Lanes left_supply, right_supply;  ///< four times that of the edges, or kUnlimited [kg/m2]
   // Throat: its faces from half a face before the first to half a face after the last, the rest as there
   alignas(64) Lanes throat_begin, throat_end, throat_pressure, throat_reach, throat_place;
-  alignas(64) Lanes movable;                    ///< 1: h_m is unknown; 0: it is given
-  alignas(64) Lanes start_h;                    ///< h_m that weighs the multiplier [m]
-  alignas(64) Lanes cavity_K;                   ///< K at the cavitation pressure [s/m2]
-  alignas(64) Lanes contact_load;               ///< W_a where no fit gives it [N/m]
-  alignas(64) Lanes contact_slope;              ///< dW_a/dh_m of it [N/m2]
+  alignas(64) Lanes movable;        ///< 1: h_m is unknown; 0: it is given
+  alignas(64) Lanes start_h;        ///< h_m that weighs the multiplier [m]
+  alignas(64) Lanes cavity_K;       ///< K at the cavitation pressure [s/m2]
+  alignas(64) Lanes contact_load;   ///< W_a where no fit gives it [N/m]
+  alignas(64) Lanes contact_slope;  ///< dW_a/dh_m of it [N/m2]
 
   // Fits
   alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]

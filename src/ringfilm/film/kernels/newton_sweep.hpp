@@ -230,8 +230,7 @@ class NewtonSweep {
 
   RINGFILM_INLINE void hold_back(int face, Real carried, Real upstream, Real conductance, Real third, const Node& left,
                                  const Node& right, Flux& flux) const {
-    const Mask at_throat =
-        Real::both(Real(face) > Real::load(b_.throat_begin), Real::load(b_.throat_end) > Real(face));
+    const Mask at_throat = Real::both(Real(face) > Real::load(b_.throat_begin), Real::load(b_.throat_end) > Real(face));
     if (!Real::any(at_throat)) return;
     const Real edge_left = face == 0 ? Real(0) : left.filled, edge_right = select(is_last(face), Real(0), right.filled);
     const Real carry = motion_.upstream(at(b_.carry, face + 1), at(b_.carry, face));

@@ -63,9 +63,9 @@ void LaneNewton::clear(int lane) {
 
 void LaneNewton::clear_from(int lane, int node) {
   for (int i = node; i < most_cells_ + 1 + kPadding; ++i) {
-    for (double* array : {block_.bound, block_.inflow, block_.node_height, block_.share, block_.face_height,
-                          block_.conductance, block_.drho_dp, block_.dK_dp, block_.stored, block_.carried,
-                          block_.load_share}) {
+    for (double* array :
+         {block_.bound, block_.inflow, block_.node_height, block_.share, block_.face_height, block_.conductance,
+          block_.drho_dp, block_.dK_dp, block_.stored, block_.carried, block_.load_share}) {
       nodal(array, i, lane) = 0;
     }
     for (double* array : {block_.z, block_.rho, block_.K, block_.mobility, block_.carry}) nodal(array, i, lane) = 1;

@@ -284,7 +284,8 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
 
 /// Assumption about what passes while gas blows through the film.
 Assumption broken_film(const Case& c) {
-  const char* what = c.film.broken == cycle::BrokenFilm::kFreeSurface ? "as much oil as a free surface carries against it"
+  const char* what = c.film.broken == cycle::BrokenFilm::kFreeSurface
+                         ? "as much oil as a free surface carries against it"
                      : c.film.broken == cycle::BrokenFilm::kHalfPasses ? "half of the gap, as without gas,"
                                                                        : "no oil";
   return assumption("broken-film",
