@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ringfilm/film/kernels/balance.hpp"
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 
@@ -15,6 +16,8 @@ namespace {
 constexpr double kNarrowest = 0.002;
 /// A stretch that is shorter than this share of the throat is the lowest place of a rounded face [-].
 constexpr double kShort = 0.15;
+/// A place that is nearer to a node than this share of a cell is the node [-].
+constexpr double kOnNode = 1e-9;
 /// Limit that no film reaches [m Pa^1/2].
 constexpr double kAnyFilm = 1e3;
 /// Share of what a free surface passes that counts as nothing [-].
@@ -39,7 +42,9 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs)
   const auto is_narrow = [&](double h) { return h == lowest || inputs.h_m_before + h < widest; };
   begin_ = static_cast<int>(std::find_if(height.begin(), height.end(), is_narrow) - height.begin());
   end_ = static_cast<int>(height.rend() - std::find_if(height.rbegin(), height.rend(), is_narrow)) - 1;
-  if (grid.x[end_] - grid.x[begin_] <= kShort * throat_length()) {
+  // An edge that is the lowest place keeps the gas of the other one out of it.
+  const bool is_inside = begin_ > 0 && end_ < n_cells_;
+  if (is_inside && grid.x[end_] - grid.x[begin_] <= kShort * throat_length()) {
     set_place();
   } else {
     share_fall(narrowest, widest);
@@ -59,19 +64,18 @@ double GasReach::throat_length() const {
   return length / kOfParabola;
 }
 
-/// The gases meet where the parabola through the lowest node and its neighbours is lowest.
+/// The gases meet where the slope of the face, which is linear along a parabola, is 0.
 void GasReach::set_place() {
   const std::vector<double>&height = grid_->node_height, &x = grid_->x;
-  const int lowest = static_cast<int>(std::min_element(height.begin(), height.end()) - height.begin());
-  place_ = x[lowest];
-  if (lowest > 0 && lowest < n_cells_) {
-    const double before = x[lowest] - x[lowest - 1], after = x[lowest + 1] - x[lowest];
-    const double fall = (height[lowest - 1] - height[lowest]) / before,
-                 rise = (height[lowest + 1] - height[lowest]) / after;
-    // Slopes are those midway between the nodes.
-    if (fall + rise > 0) place_ += 0.5 * (fall * after - rise * before) / (fall + rise);
-  }
-  end_ = std::clamp(place_ < x[lowest] ? lowest - 1 : lowest, 0, n_cells_ - 1);
+  const auto slope = [&](int cell) { return (height[cell + 1] - height[cell]) / (x[cell + 1] - x[cell]); };
+  const auto middle = [&](int cell) { return 0.5 * (x[cell] + x[cell + 1]); };
+  const double fall = -slope(begin_ - 1), rise = slope(end_), from = middle(begin_ - 1), to = middle(end_);
+  place_ = fall + rise > 0 ? from + (to - from) * fall / (fall + rise) : 0.5 * (from + to);
+  int before = begin_ - 1;
+  while (x[before + 1] < place_ - kOnNode * grid_->spacing[before]) ++before;
+  // A node that is the place itself belongs to the film before it, whichever way the wall moves.
+  const bool is_node = std::abs(x[before + 1] - place_) < kOnNode * grid_->spacing[before];
+  end_ = is_node && inputs_->U >= 0 ? before + 1 : before;
   begin_ = end_ + 1;
 }
 
@@ -113,9 +117,30 @@ double GasReach::carry(int i) const {
   return follows_wall && gas_at(i) != nullptr ? kOnWall : kBetweenWalls;
 }
 
+MeetingPlace GasReach::meeting_place() const {
+  if (!is_place()) return {};
+  const auto per_deficit = [this](int i) {
+    const bool is_edge = i == 0 || i == n_cells_;
+    if (is_edge) return 1.0;
+    return 1 / (1 - (carry(i) > kBetweenWalls ? kPressingOnWall : kPressingBetweenWalls));
+  };
+  return {end_, begin_, 0.5 * (grid_->x[end_] + grid_->x[begin_]) - place_, per_deficit(end_), per_deficit(begin_)};
+}
+
+double GasReach::load_beyond_place(const std::vector<double>& p, const std::vector<double>& deficit) const {
+  if (!is_place()) return 0;
+  const MeetingPlace at = meeting_place();
+  const double shift = deficit.empty() ? at.beyond : at.shift(deficit[at.before], deficit[at.after]);
+  return shift * (p[at.after] - p[at.before]);
+}
+
 Throat GasReach::throat() const {
   const double U = inputs_->U;
   const EdgeState &behind = U >= 0 ? inputs_->right : inputs_->left, &ahead = U >= 0 ? inputs_->left : inputs_->right;
+  // A steady film on a narrowest stretch ends where the gas along it has its pressure; at an edge there is no film to
+  // hold back.
+  const bool is_at_edge = std::min(begin_, end_) == 0 || std::max(begin_, end_) == n_cells_;
+  if (!is_place() && (inputs_->is_steady() || is_at_edge)) return {};
   if (inputs_->crest || behind.fluid != EdgeFluid::kGas || !(behind.pressure > beside(ahead))) return {};
   Throat throat;
   throat.pressure = behind.pressure;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "ringfilm/film/film_state.hpp"
@@ -9,10 +10,24 @@ namespace ringfilm::film {
 /// (eq-broken-film).
 struct Throat {
   int first_face = 0, last_face = -1;  ///< none where last < first
-  double pressure = 0;                 ///< of the gas behind them, absolute [Pa]
+  double pressure = 0;                 ///< pressure of the gas behind them, absolute [Pa]
   double reach = 0;  ///< gap times the root of pressure, by which the passing oil is limited [m Pa^1/2]
-  double place = 0;  ///< of the narrowest place, from the node before the face in the direction of the motion, over the
-                     ///< length of the cell, 0 to 1 [-]
+  double place = 0;  ///< distance of the narrowest place from the node before the face in the direction of the motion,
+                     ///< over the length of the cell, 0 to 1 [-]
+};
+
+/// The two nodes about a place between them where gases meet. Where gas fills one of them, its pressure acts up to the
+/// place itself, and not halfway to the other node.
+struct MeetingPlace {
+  int before = 0, after = 0;                             ///< in +x
+  double beyond = 0;                                     ///< from the place to the middle between the nodes [m]
+  double per_deficit_before = 0, per_deficit_after = 0;  ///< share of gas in a node, over its deficit [-]
+
+  /// By how much more of the gap has the pressure of node `after` than belongs to it, and less that of `before` [m].
+  double shift(double deficit_before, double deficit_after) const {
+    return beyond *
+           std::clamp(std::max(deficit_before * per_deficit_before, deficit_after * per_deficit_after), 0., 1.);
+  }
 };
 
 /// How far the gas of each edge comes into the gap, and the lowest pressure of the film there (eq-pressure-bound). The
@@ -44,11 +59,9 @@ class GasReach {
   double end_place() const { return is_place() ? place_ : grid_->x[end_]; }      ///< [m]
 
   Throat throat() const;
-  /// By how much more of the gap has the pressure of node begin() than belongs to it, and less that of node end(): gas
-  /// comes up to the place itself [m].
-  double beyond_place() const { return is_place() ? 0.5 * (grid_->x[end_] + grid_->x[begin_]) - place_ : 0; }
-  /// What that adds to the load [N/m]. @param p at the nodes [Pa]
-  double load_beyond_place(const std::vector<double>& p) const { return beyond_place() * (p[begin_] - p[end_]); }
+  MeetingPlace meeting_place() const;
+  /// What gas up to the place itself adds to the load [N/m]. @param deficit at the nodes; empty: gas fills all
+  double load_beyond_place(const std::vector<double>& p, const std::vector<double>& deficit) const;
 
  private:
   bool is_within(int i) const { return i >= begin_ && i <= end_ && i > 0 && i < n_cells_; }

@@ -43,7 +43,7 @@ double asperity_load(const FilmProblem& problem, double h_m, double* slope) {
 }
 
 double hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state) {
-  double load = GasReach(problem.grid, inputs).load_beyond_place(state.p);
+  double load = GasReach(problem.grid, inputs).load_beyond_place(state.p, state.deficit);
   for (std::size_t i = 0; i < state.p.size(); ++i) load += problem.grid.share[i] * state.p[i];
   return load;
 }

@@ -78,7 +78,7 @@ inline GasFilm flooded() {
 inline GasFilm broken(double apex) {
   GasFilm film;
   film.apex = apex;
-  film.p_out = 150e5;
+  film.p_out = 250e5;
   film.end = apex * film.width;
   const double length = 8 / (3 * std::numbers::pi) *
                         integral([&](double x) { return std::pow(film.h_m / film.height(x), 3); }, 0, film.width);
@@ -86,7 +86,7 @@ inline GasFilm broken(double apex) {
       [&](double h_star) {
         film.h_star = h_star;
         const double held = film.p_out - film.p_in - film.rise(0, film.end);
-        return h_star - 4.0 / 3 * std::sqrt(film.eta * film.U * length / held);
+        return h_star * h_star * held - 16.0 / 9 * film.eta * film.U * length;
       },
       0, film.h_m);
   return film;
@@ -96,6 +96,7 @@ inline FilmInputs inputs_of(const GasFilm& film, const SmoothFilm& smooth) {
   FilmInputs inputs = smooth.inputs();
   inputs.U = film.U;
   inputs.load = film.load();
+  inputs.h_m_before = film.h_m;
   inputs.p_cavitation = film.p_in;
   inputs.left.pressure = film.p_in;
   if (film.begin > 0) {

@@ -51,7 +51,6 @@ TEST(GasEdge, AStarvedFilmHoldsTwentyBarAtItsExit) {
 TEST(GasEdge, ABrokenFilmConvergesToSecondOrder) {
   for (const double apex : {0.5, 0.5 + 1. / 120, 0.437}) {
     const GasFilm form = broken(apex);
-    double before = 0;
     for (const int n_cells : {60, 120, 240, 480}) {
       const SmoothFilm film = film_of(form, n_cells);
       const Solved solved = steady_under_load(film.problem, inputs_of(form, film), 1.2 * form.h_m);
@@ -60,10 +59,9 @@ TEST(GasEdge, ABrokenFilmConvergesToSecondOrder) {
       const double film_off = std::abs(solved.state.h_m / form.h_m - 1),
                    flow_off = std::abs(2 * solved.integrals.flow_right / (form.U * form.h_star) - 1);
       const double off = std::max(film_off, flow_off);
-      if (n_cells > 60) EXPECT_LT(off, before / 3) << apex << ", " << n_cells << ": " << film_off << ", " << flow_off;
-      before = off;
+      // Seen: 8 to 30 over the square of the cells.
+      EXPECT_LT(off, 40. / (n_cells * n_cells)) << apex << ", " << n_cells << ": " << film_off << ", " << flow_off;
     }
-    EXPECT_LT(before, 1e-3) << apex;
   }
 }
 

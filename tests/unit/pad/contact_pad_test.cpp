@@ -213,7 +213,7 @@ TEST(PadBetweenGases, OnALandFollowsATiltSmoothly) {
     for (const std::size_t end : {1, 2}) {
       cycle::Case tilted = c;
       tilted.pad.gap_height[end] = 1e-11;
-      EXPECT_NEAR(solved(tilted).load / flat, 1, 1e-3) << k;
+      EXPECT_NEAR(solved(tilted).load / flat, 1, 2e-3) << k;
     }
   }
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kRounding = 1e-12;
 /// Share of its mean speed with which a step of second order ends at the least: one that ends at a dead centre takes up
 /// oil, too [-].
-constexpr double kLeastSpeed = 0.02;
+constexpr double kMinSpeed = 0.02;
 
 }  // namespace
 
@@ -135,7 +135,7 @@ void LinerOil::limit(RingConditions& at, double from_deg, double to_deg, double 
     return;
   }
   const double mean = swept.length() * setup_->engine.speed / radians(to_deg - from_deg);
-  const double speed = std::max(std::abs(at.piston_velocity), kLeastSpeed * mean);
+  const double speed = std::max(std::abs(at.piston_velocity), kMinSpeed * mean);
   at.inputs.U = swept.up ? speed : -speed;
   film::EdgeState& lead = swept.up ? at.inputs.left : at.inputs.right;
   if (lead.fluid != film::EdgeFluid::kGas) return;

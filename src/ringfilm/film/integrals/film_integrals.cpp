@@ -192,7 +192,7 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
   const FilmSums of_film =
       sums_of_film(problem, *inputs.oil, state, film, {inputs.U, 1 / inputs.time_step, previous.mass_per_area.data()},
                    flow.requested());
-  sums.hydrodynamic_load = of_film.hydrodynamic_load + reach.load_beyond_place(state.p);
+  sums.hydrodynamic_load = of_film.hydrodynamic_load + reach.load_beyond_place(state.p, state.deficit);
   sums.shear_couette = of_film.shear_couette;
   sums.shear_poiseuille = of_film.shear_poiseuille;
   if (state.factors) {

@@ -203,7 +203,7 @@ RINGFILM_INLINE void limit_inlet(Real quarter_U, Real h, Real inward, Real suppl
 /// What the moving wall carries through the narrowest place while gas blows through there against the motion.
 template <class Real>
 struct PassedGap {
-  Real gap;                         ///< of a full gap that would carry as much [m]
+  Real gap;                         ///< height of a full gap that would carry as much [m]
   Real by_held, by_full, by_slope;  ///< slopes in the arguments
 };
 

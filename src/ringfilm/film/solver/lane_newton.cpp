@@ -241,6 +241,7 @@ void LaneNewton::set_step(int lane, const FilmInputs& inputs, const FilmState& p
 void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
   const Lane& at = lanes_[lane];
   block_.terms = at.problem->terms;
+  lanes_[lane].meeting_place = {};
   if (block_.terms == Terms::kPlain) {
     if (inputs.has_gas()) throw std::invalid_argument("a film between edges of oil has gas at an edge");
     if (inputs.factors) throw std::invalid_argument("a film between smooth walls has flow factors");
@@ -257,14 +258,23 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
     nodal(block_.stored, i, lane) = factors ? factor(factors->stored, i, 0) : 0;
     if (i < at.n_cells) nodal(block_.carried, i, lane) = factors ? factor(factors->carried, i, 0) : 0;
   }
-  const std::vector<double>& share = at.problem->grid.share;
   for (int i = 0; i <= at.n_cells; ++i) {
     nodal(block_.bound, i, lane) = reach.pressure_bound(i) - inputs.p_cavitation;
-    nodal(block_.load_share, i, lane) = share[i];
+    nodal(block_.load_share, i, lane) = at.problem->grid.share[i];
   }
-  nodal(block_.load_share, reach.begin(), lane) += reach.beyond_place();
-  nodal(block_.load_share, reach.end(), lane) -= reach.beyond_place();
+  lanes_[lane].meeting_place = reach.meeting_place();
   set_throat(lane, reach.throat());
+}
+
+/// The load shares of the nodes between which the gases meet, as the iteration has filled them.
+void LaneNewton::set_load_shares(int lane) {
+  const MeetingPlace& at = lanes_[lane].meeting_place;
+  if (at.beyond == 0) return;
+  const std::vector<double>& share = lanes_[lane].problem->grid.share;
+  const auto deficit = [&](int i) { return -nodal(block_.z, i, lane) * block_.inverse_content_scale[lane]; };
+  const double shift = at.shift(deficit(at.before), deficit(at.after));
+  nodal(block_.load_share, at.after, lane) = share[at.after] + shift;
+  nodal(block_.load_share, at.before, lane) = share[at.before] - shift;
 }
 
 void LaneNewton::set_throat(int lane, const Throat& throat) {
@@ -303,7 +313,10 @@ void LaneNewton::evaluate_properties(int lane) {
 
 void LaneNewton::iterate() {
   for (int lane = 0; lane < width_; ++lane) {
-    if (lanes_[lane].phase == Phase::kRunning) evaluate_properties(lane);
+    if (lanes_[lane].phase == Phase::kRunning) {
+      evaluate_properties(lane);
+      set_load_shares(lane);
+    }
     if (is_damped(lane)) keep_contents(lane);
   }
   (width_ == 1 ? kernels_->single_sweep : kernels_->sweep)(block_);

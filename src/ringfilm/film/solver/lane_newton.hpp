@@ -82,6 +82,7 @@ class LaneNewton {
     double thickest = 0;      ///< film that is sought [m]
     double far_too_much = 0;  ///< excess of the load at which a search has seen enough; 0: none [N/m]
     FrontAdvance fronts;
+    MeetingPlace meeting_place;
     std::vector<double> z_before;  ///< the iteration, where its step is damped
   };
   double& nodal(double* array, int i, int lane) const { return array[i * width_ + lane]; }
@@ -96,6 +97,7 @@ class LaneNewton {
   void clear_contact(int lane);
   void note_laws();
   void set_terms(int lane, const FilmInputs& inputs);
+  void set_load_shares(int lane);
   void set_throat(int lane, const Throat& throat);
   void fit_block();
   void evaluate_properties(int lane);
