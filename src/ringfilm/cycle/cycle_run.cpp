@@ -28,6 +28,8 @@ constexpr int kCompression = 3;  ///< stroke_at
 /// cycles, and so reaches any tolerance. One that does not is held up by something else: the rounding of the iteration,
 /// or steps that differ from cycle to cycle.
 constexpr std::size_t kCyclesToHalve = 50;
+/// Films next to oil that moves on and on may differ by so much from cycle to cycle, with a note [-].
+constexpr double kMaxUnsettled = 0.05;
 constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 
 /// A ring that is not part of a pack has a liner of its own.
@@ -118,14 +120,12 @@ double CycleRun::distance_ahead() const { return std::max(distance_.largest(), o
 double CycleRun::allowed_distance() const {
   const Solver& solver = setup_.input.solver;
   const double iterated = kPeriodicityFactor * solver.tolerance;
-  // The steps of a cycle follow from the film, and the film on the liner from the steps of the cycle before: with the
-  // error that a step may make, cycles differ.
+  // The film follows from the oil on the liner, which is not known better.
   // What the iteration leaves of the forces moves a ring that bends much farther than a rigid one.
   constexpr double kSofterRing = 100;
   if (setup_.input.bends()) return kSofterRing * iterated;
-  const bool follows_steps = setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner &&
-                             solver.crank_step_control == StepControl::kAdaptive;
-  return follows_steps ? std::max(iterated, solver.step_error) : iterated;
+  const bool follows_liner = setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner;
+  return follows_liner ? std::max(iterated, solver.step_error) : iterated;
 }
 
 void CycleRun::check_approach() {
@@ -133,9 +133,13 @@ void CycleRun::check_approach() {
   distances_.push_back(distance);
   const std::size_t n = distances_.size();
   if (n <= kCyclesToHalve || distance <= distances_[n - 1 - kCyclesToHalve] / 2) return;
-  if (distance > distance_.largest() && !takes_unsettled_) {
+  if (!takes_unsettled_ && place_.film) {
     takes_unsettled_ = true;
     distances_.clear();
+    return;
+  }
+  if (takes_unsettled_ && distance_.film <= kMaxUnsettled) {
+    moves_on_ = true;
     return;
   }
   throw ConvergenceError(
@@ -181,8 +185,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 }
 
 CycleResult CycleRun::result(Completeness others) const {
-  CycleResult result =
-      recorder_.result(integration_, distance_ahead(), steps_integrated_, repeats_ ? others : Completeness::kStopped);
+  CycleResult result = recorder_.result(integration_, distance_ahead(), steps_integrated_,
+                                        stop_ || !done() ? Completeness::kStopped : others);
   if (result.complete && takes_unsettled_ && oil_ahead_ > setup_.input.solver.step_error) {
     result.notes.push_back(settling_note(result.effort.cycles_integrated, oil_ahead_));
     sort_notes(result.notes);

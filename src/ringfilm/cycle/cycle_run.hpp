@@ -38,7 +38,7 @@ class CycleRun final : public BatchMember {
 
   TimeIntegration& integration() override { return integration_; }
   void conclude(const film::FilmReport& report) override;
-  bool done() const override { return stop_ || repeats_; }
+  bool done() const override { return stop_ || repeats_ || moves_on_; }
 
   const Setup& setup() const { return setup_; }
   int steps_integrated() const { return steps_integrated_; }
@@ -90,6 +90,7 @@ class CycleRun final : public BatchMember {
   bool takes_unsettled_ = false;   ///< cycles that differ little, though what they add up to is not known to be small
   std::vector<double> distances_;  ///< at the end of each cycle
   bool repeats_ = false;
+  bool moves_on_ = false;  ///< the oil on the liner settles no further, and the film as little as it does
   std::optional<Stop> stop_;
 };
 

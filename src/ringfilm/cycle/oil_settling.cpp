@@ -23,8 +23,6 @@ constexpr double kAstray = 2;
 constexpr double kMinShare = 0.1;
 /// What moves less than this share of what moved before comes to rest by itself.
 constexpr double kFast = 0.25;
-/// What all cycles to come move, as a multiple of what the first one moved, if each moves 0.9 of the one before.
-constexpr double kUnknownApproach = 10;
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -70,17 +68,18 @@ std::vector<double> AndersonMixing::mixture() const {
   return mixed;
 }
 
-double AndersonMixing::ahead() const {
+double AndersonMixing::cycles_ahead() const {
+  if (!can_mix()) return approach_;
   const Pair& now = history_.back();
   if (now.share == 0) return 0;
-  double cycles = can_mix() ? 0 : kUnknownApproach;
+  double cycles = 0;
   for (std::size_t i = 0; i + 1 < history_.size(); ++i) {
     const std::vector<double> slower = difference(now.moved, history_[i].moved);
     std::vector<double> apart = difference(now.image, history_[i].image);
     std::partial_sum(apart.begin(), apart.end(), apart.begin());
     cycles = std::max(cycles, std::sqrt(product(apart, apart) / product(slower, slower)));
   }
-  return cycles * now.share;
+  return cycles;
 }
 
 void OilSettling::begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings) {

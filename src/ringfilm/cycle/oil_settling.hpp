@@ -17,6 +17,11 @@ enum class OilIteration { kPlain, kMixed };
 /// eq-oil-mixing.
 class AndersonMixing {
  public:
+  /// What all cycles to come move, as a multiple of what the first one moved, if each moves 0.9 of the one before.
+  static constexpr double kUnknownApproach = 10;
+  /// @param approach such a multiple, from what is known of the map before
+  explicit AndersonMixing(double approach = kUnknownApproach) : approach_(approach) {}
+
   /// @param image what the map makes of the argument; at least 0 in all cells, as are the mixtures
   void add(const std::vector<double>& argument, const std::vector<double>& image);
 
@@ -25,7 +30,9 @@ class AndersonMixing {
   std::vector<double> mixture() const;
   /// What all images to come are expected to move from the last one on, eq-oil-ahead, as a share of all [-]. Of a
   /// single image, whose approach is not known, a multiple of what it moved.
-  double ahead() const;
+  double ahead() const { return history_.empty() ? 0 : cycles_ahead() * history_.back().share; }
+  /// The multiple of what the last image moved that all to come are expected to move [-].
+  double cycles_ahead() const;
   /// How much the map still moves, as a norm.
   double moved() const { return history_.empty() ? 0 : history_.back().norm; }
 
@@ -36,13 +43,17 @@ class AndersonMixing {
     double norm = 0;            ///< norm of `moved`
     double share = 0;           ///< share of all oil that lies elsewhere in the image than in the argument
   };
+  double approach_;
   std::vector<Pair> history_;  ///< the latest last
 };
 
 /// The oil on a liner over the cycles that its rings need until it repeats.
 class OilSettling {
  public:
-  explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
+  /// @param approach as of AndersonMixing
+  explicit OilSettling(OilIteration iteration = OilIteration::kMixed,
+                       double approach = AndersonMixing::kUnknownApproach)
+      : iteration_(iteration), mixing_(approach) {}
 
   /// The first cycle begins.
   void begin(const LinerFilm& liner) { begin_ = liner.mass_per_area(); }
@@ -50,6 +61,7 @@ class OilSettling {
   /// elsewhere, lays that with which the next cycle begins. The oil repeats where neither this cycle moved much nor
   /// all cycles to come are expected to, eq-oil-ahead.
   void begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings);
+  double cycles_ahead() const { return mixing_.cycles_ahead(); }  ///< as of AndersonMixing
 
  private:
   OilIteration iteration_;

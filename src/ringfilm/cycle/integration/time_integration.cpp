@@ -32,8 +32,10 @@ std::string reason(const Setup& setup, const film::FilmProblem& problem, const f
                    const film::FilmReport& report) {
   const film::FilmGrid& grid = problem.grid;
   const double pressing = inputs.mean_pressure(grid);
-  const double at_edges = inputs.has_gas() ? film::least_hydrodynamic_load(problem, inputs) / grid.width
-                                           : 0.5 * (inputs.left.pressure + inputs.right.pressure);
+  const double between_edges = 0.5 * (inputs.left.pressure + inputs.right.pressure);  // load of a wide gap over width
+  const double at_edges = inputs.has_gas()
+                              ? std::max(film::least_hydrodynamic_load(problem, inputs) / grid.width, between_edges)
+                              : between_edges;
   const double load = number_in(inputs.load, kNewtonPerMillimetre);
   const double smallest_cell = *std::min_element(grid.spacing.begin(), grid.spacing.end());
   switch (report.failure) {
@@ -476,14 +478,23 @@ TimeIntegration::Distance TimeIntegration::distance(const Snapshot& snapshot) co
     const double now = state_.h_m + film_.rise(state_, j), then = other.h_m + film_.rise(other, j);
     distance.film = std::max(distance.film, std::abs(std::log(now / then)));
   }
+  if (liner_oil_) {
+    // A meniscus that lies a little elsewhere changes single nodes. What lies next to gas bears nothing: it is as the
+    // oil on the liner is.
+    const std::vector<double>& share = problem().grid.share;
+    double sum = 0;
+    for (std::size_t i = 0; i < state_.p.size(); ++i) {
+      sum += share[i % share.size()] / problem().grid.width * std::abs(state_.p[i] - other.p[i]) / scale;
+    }
+    distance.film = std::max(distance.film, sum);
+    distance.on_liner = share_elsewhere(liner_oil_->film().mass_per_area(), snapshot.on_liner);
+    return distance;
+  }
   for (std::size_t i = 0; i < state_.p.size(); ++i) {
     distance.film = std::max(distance.film, std::abs(state_.p[i] - other.p[i]) / scale);
     if (problem().cavitation == film::Cavitation::kMassConserving) {
       distance.film = std::max(distance.film, std::abs(state_.deficit[i] - other.deficit[i]));
     }
-  }
-  if (liner_oil_) {
-    distance.on_liner = share_elsewhere(liner_oil_->film().mass_per_area(), snapshot.on_liner);
   }
   return distance;
 }

@@ -13,6 +13,10 @@ namespace {
 
 using Runs = std::vector<std::unique_ptr<CycleRun>>;
 
+/// Cells and crank step with which the oil of a pack settles first: it moves little more on finer ones.
+constexpr int kCoarseCells = 50;
+constexpr double kCoarseStepDeg = 2;
+
 /// Height of the piston land below a ring. Where the case leaves it open, with a note: as high as the face is wide.
 /// The note names no number: results label it with that of the ring as the case counts, which rails do not change.
 double land_below(Setup& ring) {
@@ -58,8 +62,7 @@ bool finish_stroke(CycleRun& ring, Observer* observer) {
 }
 
 /// All rings until each repeats itself or one stops.
-void integrate(Runs& runs, LinerFilm& liner, OilIteration iteration, Observer* observer) {
-  OilSettling settling(iteration);
+void integrate(Runs& runs, LinerFilm& liner, OilSettling& settling, Observer* observer) {
   settling.begin(liner);
   std::vector<CycleRun*> rings;
   for (const auto& run : runs) rings.push_back(run.get());
@@ -73,6 +76,34 @@ void integrate(Runs& runs, LinerFilm& liner, OilIteration iteration, Observer* o
   }
 }
 
+/// The oil with which the rings begin, and what is known of how it settles.
+struct Start {
+  LinerFilm liner;
+  double approach = AndersonMixing::kUnknownApproach;  ///< as of AndersonMixing
+};
+
+/// Where it pays, settled on coarse cells and steps, else a fresh liner.
+Start start_of_oil(const std::vector<Setup>& rings, const std::vector<double>& below, OilIteration iteration) {
+  Start fresh{fresh_liner(rings.back(), below.back())};
+  std::vector<Setup> coarse = rings;
+  bool pays = iteration == OilIteration::kMixed;
+  for (Setup& ring : coarse) {
+    Solver& solver = ring.input.solver;
+    pays &= solver.cells > kCoarseCells && solver.crank_step_deg < kCoarseStepDeg &&
+            ring.cells == CellsOfFace::kUniform && ring.surfaces == Surfaces::kRigid && !ring.input.is_unrolled();
+    solver.cells = kCoarseCells;
+    solver.crank_step_deg = kCoarseStepDeg;
+    solver.crank_step_control = StepControl::kFixed;
+  }
+  if (!pays) return fresh;
+  const auto liner = std::make_shared<LinerFilm>(fresh.liner);
+  Runs runs = started(coarse, below, liner);
+  OilSettling settling(iteration);
+  integrate(runs, *liner, settling, nullptr);
+  if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run->stop(); })) return fresh;
+  return {*liner, std::max(settling.cycles_ahead(), fresh.approach)};
+}
+
 }  // namespace
 
 bool shares_oil(const Case& pack) {
@@ -82,9 +113,11 @@ bool shares_oil(const Case& pack) {
 std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer, OilIteration iteration) {
   const std::vector<double> below = below_first_ring(rings);
   for (;;) {
-    const auto liner = std::make_shared<LinerFilm>(fresh_liner(rings.back(), below.back()));
+    const Start start = start_of_oil(rings, below, iteration);
+    const auto liner = std::make_shared<LinerFilm>(start.liner);
     Runs runs = started(rings, below, liner);
-    integrate(runs, *liner, iteration, observer);
+    OilSettling settling(iteration, start.approach);
+    integrate(runs, *liner, settling, observer);
     const auto stopped =
         std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run->stop().has_value(); });
     if (stopped != runs.end()) {

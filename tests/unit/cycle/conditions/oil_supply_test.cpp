@@ -167,8 +167,9 @@ TEST(OilSupply, AFilmAlongTheStrokeIsMetWhereItLies) {
 TEST(OilSupply, MuchOilFloodsTheInlet) {
   const CycleResult given = simulated(supplied(styles_new_ring(), 1500, OilSupply::kGiven, 100e-6));
   const CycleResult flooded = simulated(supplied(styles_new_ring(), 1500, OilSupply::kFlooded, 0));
-  // They differ in the fluid of cavities next to the inlet alone: gas, not p_c.
-  EXPECT_NEAR(given.values.fmep / flooded.values.fmep, 1, 1e-3);
+  // They differ in the fluid of cavities next to the inlet, gas and not p_c, and in how full a gap presses behind a
+  // broken film.
+  EXPECT_NEAR(given.values.fmep / flooded.values.fmep, 1, 5e-3);
 }
 
 TEST(OilSupply, EdgesOfOilFloodTheInletWhateverTheConditionsSupply) {
