@@ -386,6 +386,19 @@ class Refusals(PadTest):
             words=("--set", "pad.face.crown_height=10 um"),
         )
 
+    def test_grooves(self):
+        cosine = ("pad.gap=", "pad.face.form=cosine", "pad.face.crown_height=10 um", "pad.separation=10 um")
+
+        def refuse(*fragments, stated):
+            self.refuse(*fragments, words=[word for setting in (*cosine, *stated) for word in ("--set", setting)])
+
+        size = ["pad.grooves.width=1 mm", "pad.grooves.depth=1 mm"]
+        refuse("pad.grooves.width is missing", "pad.grooves.depth is missing", stated=["pad.grooves.positions=[0]"])
+        refuse("1.2 of a groove is not on the pad", stated=[*size, "pad.grooves.positions=[0, 1.2]"])
+        refuse("0.25 is not beyond the one before it", stated=[*size, "pad.grooves.positions=[0.2, 0.25]"])
+        refuse("at the lowest point of the gap, x = 5 mm", stated=[*size, "pad.grooves.positions=[0.5]"])
+        self.refuse_set("pad.grooves.positions=[0.5]", "is not used", 'pad.face.form is not "points"')
+
     def test_a_file_and_a_formula_of_the_gap(self):
         face = '[pad.face]\nform = "parabola"\ncrown_height = "10 um"\n'
         (self.folder / "pad.toml").write_text(PAD.replace("0 um", "9 um") + face)

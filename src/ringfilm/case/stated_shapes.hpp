@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-/// Shapes of bore and ring as a case states them.
+/// Shapes of bore, ring and pad as a case states them.
 namespace ringfilm::cycle {
 
 /// One term of a series around the bore, amplitude cos(order (angle - phase)).
@@ -37,6 +37,13 @@ struct FreeRing {
 struct PressurePoints {
   double first_angle_deg = 0;    ///< [degree]
   std::vector<double> pressure;  ///< [Pa]
+};
+
+/// The keys under `pad.grooves`: grooves over the whole width of a gap by a formula.
+struct PadGrooves {
+  std::vector<double> positions;  ///< middles as fractions of the length, increasing; empty: no grooves [-]
+  double width = 0;               ///< along x [m]
+  double depth = 0;               ///< added to the gap [m]
 };
 
 }  // namespace ringfilm::cycle

@@ -11,6 +11,11 @@ GapSurface::GapSurface(std::vector<double> x, std::vector<double> y, std::vector
       ends_y_(ends(y_)),
       height_(std::move(height)) {}
 
+GapSurface::GapSurface(std::vector<film::GapPiece> along, double width)
+    : ends_y_{{0, width}}, formulas_(std::move(along)) {
+  for (const film::GapPiece& piece : formulas_) ends_x_.emplace_back(piece.begin, piece.end);
+}
+
 GapSurface::Axis GapSurface::axis(std::vector<double> places) {
   Axis axis;
   axis.first.push_back(0);
@@ -43,7 +48,7 @@ GapSurface::Between GapSurface::between(const Axis& axis, int piece, double plac
 }
 
 double GapSurface::height(int piece_x, int piece_y, double x, double y) const {
-  if (formula_) return formula_(x);
+  if (!formulas_.empty()) return formulas_[piece_x].height(x);
   const Between i = between(x_, piece_x, x), j = between(y_, piece_y, y);
   const double* low = height_.data() + static_cast<std::size_t>(j.point) * x_.places.size() + i.point;
   const double* high = low + x_.places.size();

@@ -1,7 +1,8 @@
 #pragma once
-#include <functional>
 #include <utility>
 #include <vector>
+
+#include "ringfilm/film/film_state.hpp"
 
 namespace ringfilm::pad {
 
@@ -14,9 +15,8 @@ class GapSurface {
   /// @param height for each x of the first y, then of the next [m]
   GapSurface(std::vector<double> x, std::vector<double> y, std::vector<double> height);
 
-  /// One piece, the same at every y. @param height over x [m]
-  GapSurface(double length, double width, std::function<double(double)> height)
-      : ends_x_{{0, length}}, ends_y_{{0, width}}, formula_(std::move(height)) {}
+  /// The same at every y. @param along pieces by formulas, from x = 0 to the length
+  GapSurface(std::vector<film::GapPiece> along, double width);
 
   /// Begin and end of each piece [m].
   const std::vector<std::pair<double, double>>& pieces_x() const { return ends_x_; }
@@ -42,7 +42,7 @@ class GapSurface {
   Axis x_, y_;
   std::vector<std::pair<double, double>> ends_x_, ends_y_;
   std::vector<double> height_;
-  std::function<double(double)> formula_;  ///< empty: points
+  std::vector<film::GapPiece> formulas_;  ///< one for each piece along x; empty: points
 };
 
 }  // namespace ringfilm::pad

@@ -1,7 +1,6 @@
 #include "ringfilm/pad/pad_setup.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "ringfilm/base/table.hpp"
@@ -14,14 +13,26 @@
 namespace ringfilm::pad {
 namespace {
 
-/// The formula of a gap, above its lowest point.
-std::function<double(double)> formula(const cycle::Pad& pad, double lowest) {
-  return [face = cycle::face_of_formula(pad.face, pad.length), lowest](double x) { return face.height(x) - lowest; };
+/// The formula of a gap, above its lowest point, with grooves between the lands.
+std::vector<film::GapPiece> formula_pieces(const cycle::Pad& pad, double lowest) {
+  const auto land = [face = cycle::face_of_formula(pad.face, pad.length), lowest](double x) {
+    return face.height(x) - lowest;
+  };
+  const auto groove = [land, depth = pad.grooves.depth](double x) { return land(x) + depth; };
+  std::vector<film::GapPiece> pieces;
+  double begin = 0;
+  for (const auto& [from, to] : cycle::groove_ends(pad)) {
+    if (from > begin) pieces.push_back({begin, from, land});
+    pieces.push_back({from, to, groove});
+    begin = to;
+  }
+  if (begin < pad.length) pieces.push_back({begin, pad.length, land});
+  return pieces;
 }
 
 /// The gap between its steps.
 std::vector<film::GapPiece> gap_pieces(const cycle::Pad& pad, double lowest) {
-  if (pad.has_formula()) return {{0, pad.length, formula(pad, lowest)}};
+  if (pad.has_formula()) return formula_pieces(pad, lowest);
   std::vector<film::GapPiece> pieces;
   std::vector<double> x, height;
   const auto close_piece = [&] {
@@ -41,7 +52,7 @@ std::vector<film::GapPiece> gap_pieces(const cycle::Pad& pad, double lowest) {
 
 /// The gap over x and y; one that is given along x alone is the same at every y.
 GapSurface gap_surface(const cycle::Pad& pad, double lowest) {
-  if (pad.has_formula()) return {pad.length, *pad.width, formula(pad, lowest)};
+  if (pad.has_formula()) return {formula_pieces(pad, lowest), *pad.width};
   std::vector<double> y = pad.gap_y, height;
   for (const double h : pad.gap_height) height.push_back(h - lowest);
   if (y.empty()) {
@@ -97,8 +108,8 @@ PadSetup prepare_pad(const cycle::Case& c) {
     setup.contact = cycle::asperity_contact(c);
     cycle::append_contact_notes(c, cycle::roughness(c), setup.notes);
   }
-  setup.lowest_gap = pad.has_formula() ? cycle::face_of_formula(pad.face, pad.length).minimum().height
-                                       : *std::min_element(pad.gap_height.begin(), pad.gap_height.end());
+  const models::RingFace::Minimum lowest = cycle::lowest_point(pad);
+  setup.lowest_gap = lowest.height;
   if (pad.width) {
     setup.surface = gap_surface(pad, setup.lowest_gap);
   } else {

@@ -289,6 +289,24 @@ TEST(PadGap, OfAFormulaIsThatOfItsPoints) {
               [](double x) { return 10e-6 * (1 + std::cos(2 * std::numbers::pi * (x / kLength + 0.25))); });
 }
 
+TEST(PadGap, GroovesOfAFormulaAreTheStepsOfItsPoints) {
+  cycle::Case grooved = slider();
+  grooved.pad.face = {cycle::FaceForm::kPolynomial, {-1, 20}, 1e-3, 1e-6};
+  grooved.pad.grooves = {{0, 0.6}, 1e-3, 30e-6};
+  cycle::Case points = grooved;
+  points.pad.face = cycle::Pad().face;
+  points.pad.gap_x = {0, 0.5e-3, 0.5e-3, 5.5e-3, 5.5e-3, 6.5e-3, 6.5e-3, kLength};
+  points.pad.gap_height = {50e-6, 49.5e-6, 19.5e-6, 14.5e-6, 44.5e-6, 43.5e-6, 13.5e-6, kOutlet};
+  for (const auto& width : {std::optional<double>(), std::optional<double>(kLength)}) {
+    grooved.pad.width = points.pad.width = width;
+    grooved.solver.cells_y = points.solver.cells_y = 20;
+    const PadResult a = solve_pad(grooved), b = solve_pad(points);
+    EXPECT_EQ(a.x.size(), b.x.size());
+    EXPECT_NEAR(a.samples.back().load / b.samples.back().load, 1, 1e-9);
+    EXPECT_NEAR(a.samples.back().friction_moving / b.samples.back().friction_moving, 1, 1e-9);
+  }
+}
+
 TEST(PadGap, OfAFormulaIsNotCutByTheLengthOfTheCells) {
   cycle::Case c = slider();
   c.pad.face = {.form = cycle::FaceForm::kParabola, .crown_height = 20e-6, .apex = 0.123456789};  // no node there

@@ -4,6 +4,9 @@ namespace ringfilm::cycle::table {
 namespace {
 
 constexpr When kGapPoints{[](const Case& c) { return !c.pad.has_formula(); }, "pad.face.form = \"points\""};
+constexpr When kFormula{[](const Case& c) { return c.pad.has_formula(); }, "pad.face.form is not \"points\""};
+constexpr When kGrooves{[](const Case& c) { return c.pad.has_formula() && !c.pad.grooves.positions.empty(); },
+                        "pad.grooves.positions is given"};
 constexpr When kSeparation{[](const Case& c) { return c.pad.separation.has_value(); }, "pad.separation is given"};
 constexpr When kOscillation{[](const Case& c) { return c.pad.oscillation.amplitude.has_value(); },
                             "pad.oscillation.amplitude is given"};
@@ -177,6 +180,32 @@ void append_pad_fields(std::vector<Field>& fields) {
   fields.insert(
       fields.end(),
       {
+          field({.key = "pad.grooves.positions",
+                 .kind = NumberListKind{member<&Case::pad, &Pad::grooves, &PadGrooves::positions>},
+                 .unit = kPlainNumber,
+                 .need = Need::kOptional,
+                 .when = kFormula,
+                 .help = "middles of grooves over the whole width, as fractions of the length from x = 0",
+                 .example = "[0, 0.5, 1]",
+                 .uses = {.cycle = false, .pad = true}}),
+          field({.key = "pad.grooves.width",
+                 .kind = NumberKind{member<&Case::pad, &Pad::grooves, &PadGrooves::width>},
+                 .unit = kMillimetre,
+                 .range = above(0, 1e3),
+                 .need = Need::kRequired,
+                 .when = kGrooves,
+                 .help = "width of each groove along x; at an end of the pad half of it",
+                 .example = "\"5 mm\"",
+                 .uses = {.cycle = false, .pad = true}}),
+          field({.key = "pad.grooves.depth",
+                 .kind = NumberKind{member<&Case::pad, &Pad::grooves, &PadGrooves::depth>},
+                 .unit = kMicrometre,
+                 .range = above(0, 1),
+                 .need = Need::kRequired,
+                 .when = kGrooves,
+                 .help = "depth of each groove, added to the gap",
+                 .example = "\"1 mm\"",
+                 .uses = {.cycle = false, .pad = true}}),
           field({.key = "pad.oscillation.amplitude",
                  .kind = OptionalNumberKind{member<&Case::pad, &Pad::oscillation, &PadOscillation::amplitude>},
                  .unit = kMicrometre,

@@ -71,6 +71,37 @@ bool check_gap(const Pad& pad, Breaches& breaches) {
   return is_long && is_wide;
 }
 
+/// @returns whether the grooves lie on the pad one after the other, none of them at its lowest point
+bool check_grooves(const Pad& pad, Breaches& breaches) {
+  if (!pad.has_formula() || pad.grooves.positions.empty()) return true;
+  const auto refuse = [&](const std::string& fault, const char* remedy) {
+    breaches.push_back({"pad.grooves.positions", fault, remedy});
+    return false;
+  };
+  const double lowest = lowest_point(pad).x;
+  double end = -1;  // end of the groove before [m]; none before the first
+  const std::vector<double>& positions = pad.grooves.positions;
+  const auto ends = groove_ends(pad);
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const std::string position = number_text(positions[k]);
+    if (!(positions[k] >= 0 && positions[k] <= 1)) {
+      return refuse("the position " + position + " of a groove is not on the pad",
+                    "positions are fractions of pad.length, from 0 to 1");
+    }
+    if (!(ends[k].first > end)) {
+      return refuse("the groove at the position " + position + " is not beyond the one before it",
+                    "list the positions from x = 0 on, more than pad.grooves.width apart");
+    }
+    if (lowest >= ends[k].first && lowest <= ends[k].second) {
+      return refuse("the groove at the position " + position +
+                        " lies at the lowest point of the gap, x = " + text_in(lowest, kMillimetre),
+                    "the separation counts from that point; move the groove, or take a narrower one");
+    }
+    end = ends[k].second;
+  }
+  return true;
+}
+
 /// Where the gap is joined with itself it must not jump.
 void check_joined_gap(const Pad& pad, Breaches& breaches) {
   if (pad.sides != Sides::kPeriodic || pad.gap_y.empty()) return;
@@ -108,15 +139,11 @@ void check_edge_pressures(const Case& c, Breaches& breaches) {
 }
 
 void check_film(const Pad& pad, Breaches& breaches) {
-  models::RingFace::Minimum lowest{};
+  const models::RingFace::Minimum lowest = lowest_point(pad);
   std::string across;
-  if (pad.has_formula()) {
-    lowest = face_of_formula(pad.face, pad.length).minimum();
-  } else {
-    const auto at = std::min_element(pad.gap_height.begin(), pad.gap_height.end());
-    const std::size_t k = at - pad.gap_height.begin(), n_x = pad.gap_x.size();
-    lowest = {pad.gap_x[k % n_x], *at};
-    if (!pad.gap_y.empty()) across = ", y = " + text_in(pad.gap_y[k / n_x], kMillimetre);
+  if (!pad.has_formula() && !pad.gap_y.empty()) {
+    const auto at = std::find(pad.gap_height.begin(), pad.gap_height.end(), lowest.height);
+    across = ", y = " + text_in(pad.gap_y[(at - pad.gap_height.begin()) / pad.gap_x.size()], kMillimetre);
   }
   const std::string place =
       "at x = " + text_in(lowest.x, kMillimetre) + across + " the gap is " + text_in(lowest.height, kMicrometre);
@@ -148,7 +175,8 @@ double most_nodes(int cells, const std::vector<double>& places) {
 }
 
 double most_nodes(const Case& c) {
-  const double along = most_nodes(c.solver.cells, c.pad.gap_x);
+  const double of_grooves = 6 * static_cast<double>(c.pad.grooves.positions.size());  // two more pieces for each
+  const double along = most_nodes(c.solver.cells, c.pad.gap_x) + of_grooves;
   return c.pad.width ? along * most_nodes(c.solver.cells_y, c.pad.gap_y) : along;
 }
 
@@ -283,7 +311,7 @@ void check_measured_factors(const Case& c, const std::string& key, Breaches& bre
 std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   Breaches breaches;
   check_what_is_given(c.pad, breaches);
-  if (check_gap(c.pad, breaches)) {
+  if (check_gap(c.pad, breaches) && check_grooves(c.pad, breaches)) {
     check_film(c.pad, breaches);
     check_joined_gap(c.pad, breaches);
     check_nodes(c, breaches);
