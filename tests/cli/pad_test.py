@@ -386,7 +386,7 @@ class Refusals(PadTest):
             words=("--set", "pad.face.crown_height=10 um"),
         )
 
-    def test_grooves(self):
+    def test_grooves_and_journals(self):
         cosine = ("pad.gap=", "pad.face.form=cosine", "pad.face.crown_height=10 um", "pad.separation=10 um")
 
         def refuse(*fragments, stated):
@@ -398,6 +398,11 @@ class Refusals(PadTest):
         refuse("0.25 is not beyond the one before it", stated=[*size, "pad.grooves.positions=[0.2, 0.25]"])
         refuse("at the lowest point of the gap, x = 5 mm", stated=[*size, "pad.grooves.positions=[0.5]"])
         self.refuse_set("pad.grooves.positions=[0.5]", "is not used", 'pad.face.form is not "points"')
+        self.refuse_set("pad.journal_radius=1 mm", "more than the journal has around it")
+        self.refuse(
+            "pad.journal_radius excludes pad.load",
+            words=("--set", "pad.journal_radius=5 mm", "--set", "pad.separation=", "--set", "pad.load=1 kN/m"),
+        )
 
     def test_a_file_and_a_formula_of_the_gap(self):
         face = '[pad.face]\nform = "parabola"\ncrown_height = "10 um"\n'

@@ -7,7 +7,7 @@
 namespace ringfilm::python {
 namespace {
 
-constexpr int kPadStateVersion = 3;
+constexpr int kPadStateVersion = 4;
 
 std::vector<pad::PadQuantity> numbers() {
   std::vector<pad::PadQuantity> all = pad::pad_quantities();

@@ -478,7 +478,8 @@ struct Pad {
   std::vector<double> gap_y;       ///< y of a map, from 0 to the width, increasing; empty: the same gap at every y [m]
   std::vector<double> gap_height;  ///< gap at each x; in a map, at each x of the first y, then of the next [m]
   PadGrooves grooves;              ///< cut into the formula of the gap
-  double speed = 0;                ///< speed of the flat surface [m/s]
+  std::optional<double> journal_radius;     ///< journal of which the film is unwrapped; absent: a flat pad [m]
+  double speed = 0;                         ///< speed of the flat surface [m/s]
   Direction direction = Direction::kPlusX;  ///< which way the flat surface moves
   double left_pressure = 0;                 ///< at x = 0 [Pa]
   double right_pressure = 0;                ///< at x = length [Pa]

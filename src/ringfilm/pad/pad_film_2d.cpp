@@ -125,6 +125,7 @@ Sample PadFilm2d::sample(const film::FilmInputs& inputs, const film::FilmState& 
   const auto strip =
       state.deficit.begin() + static_cast<std::ptrdiff_t>(problem_.around.halfway()) * problem_.n_across();
   add_fronts(setup(), inputs, {strip, strip + problem_.n_across()}, sums.mean, out);
+  add_journal_load(setup(), problem_.strip.grid, problem_.around.share, state.p, out);
   out.total_load = out.load * width;
   out.total_friction_moving = out.friction_moving * width;
   out.total_friction_fixed = out.friction_fixed * width;

@@ -27,6 +27,9 @@ struct Sample {
   double film_left_behind = 0;               ///< on the flat surface where it leaves; NaN where it stands still
   double gas_breakthrough = 0;               ///< 1 where gas of an edge reaches the lowest place of the gap
   double stable_solutions = 0;               ///< separations that carry pad.load and are stable; NaN without it
+  double journal_load = 0;                   ///< resultant of the film pressure around a journal; NaN without one
+  double journal_load_angle = 0;             ///< its direction, from x = 0 towards +x [degree]; NaN without one
+  double attitude_angle = 0;                 ///< from it to the lowest place of the gap [degree]; NaN without one
   double film_temperature = 0;               ///< NaN without temperatures of the walls
   /// Rise of the oil temperature by its shear, above its walls; NaN with a width
   double viscous_heating_rise = 0;

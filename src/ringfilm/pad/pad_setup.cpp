@@ -110,6 +110,7 @@ PadSetup prepare_pad(const cycle::Case& c) {
   }
   const models::RingFace::Minimum lowest = cycle::lowest_point(pad);
   setup.lowest_gap = lowest.height;
+  setup.lowest_x = lowest.x;
   if (pad.width) {
     setup.surface = gap_surface(pad, setup.lowest_gap);
   } else {

@@ -20,6 +20,7 @@ struct PadSetup {
   std::vector<film::GapPiece> pieces;  ///< gap of an infinitely wide pad: heights above its lowest point
   std::optional<GapSurface> surface;   ///< gap of a pad with a width: heights above its lowest point
   double lowest_gap;                   ///< min g [m]
+  double lowest_x;                     ///< where g is lowest [m]
   double U;                            ///< velocity of the flat surface, positive in +x [m/s]
   double p_cavitation;                 ///< p_c, not above the pressure of any edge [Pa]
   film::FactorLaws factors;            ///< flow factors of an infinitely wide pad

@@ -3,11 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "ringfilm/cycle/integration/sampling.hpp"
 #include "ringfilm/film/cavitation.hpp"
 
 namespace ringfilm::pad {
+namespace {
+
+/// NaN without load.
+double friction_coefficient(double friction, double load) {
+  constexpr double kNoLoad = 1e-6;  // share of the friction: a smaller load is rounding
+  return load > kNoLoad * std::abs(friction) ? friction / load : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
 
 std::vector<double> pressures_between_edges(const PadSetup& setup, const film::FilmGrid& grid) {
   const film::FilmInputs inputs = setup.steady_inputs();
@@ -48,10 +58,7 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
     out.boundary_friction = cycle::boundary_friction(setup.input.contact, sums.asperity_load, sums.asperity_area);
   out.friction_moving = sense * (sums.shear_couette + sums.shear_poiseuille) + out.boundary_friction;
   out.friction_fixed = sense * (sums.shear_couette - sums.shear_poiseuille) + out.boundary_friction;
-  constexpr double kNoLoad = 1e-6;  // share of the friction: a smaller load is rounding
-  out.friction_coefficient = out.load > kNoLoad * std::abs(out.friction_moving)
-                                 ? out.friction_moving / out.load
-                                 : std::numeric_limits<double>::quiet_NaN();
+  out.friction_coefficient = friction_coefficient(out.friction_moving, out.load);
   out.mass_flow_left = sums.flow_left;
   out.mass_flow_right = sums.flow_right;
   out.flow_left = sums.flow_left / density;
@@ -69,7 +76,31 @@ Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double 
   out.film_left_behind = setup.U == 0 ? kNaN : (setup.U > 0 ? out.flow_right : out.flow_left) / setup.U;
   out.gas_breakthrough = sums.is_broken_through ? 1 : 0;
   out.stable_solutions = kNaN;
+  out.journal_load = out.journal_load_angle = out.attitude_angle = kNaN;
   return out;
+}
+
+void add_journal_load(const PadSetup& setup, const film::FilmGrid& grid, const std::vector<double>& across,
+                      const std::vector<double>& p, Sample& sample) {
+  const std::optional<double>& radius = setup.input.pad.journal_radius;
+  if (!radius) return;
+  double along_cosine = 0, along_sine = 0, width = 0;
+  const double* pressure = p.data();
+  for (const double share : across) {
+    for (int i = 0; i <= grid.n_cells(); ++i) {
+      const double force = share * grid.share[i] * *pressure++, angle = grid.x[i] / *radius;
+      along_cosine += force * std::cos(angle);
+      along_sine += force * std::sin(angle);
+    }
+    width += share;
+  }
+  constexpr double kDegree = 180 / std::numbers::pi;
+  const double sense = setup.runs_left() ? -1 : 1;
+  sample.journal_load = std::hypot(along_cosine, along_sine) / width;
+  sample.journal_load_angle = kDegree * std::atan2(along_sine, along_cosine);
+  sample.attitude_angle =
+      std::remainder(sense * (kDegree * setup.lowest_x / *radius - sample.journal_load_angle), 360.0);
+  sample.friction_coefficient = friction_coefficient(sample.friction_moving, sample.journal_load);
 }
 
 void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const std::vector<double>& deficit,

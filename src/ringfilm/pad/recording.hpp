@@ -27,6 +27,11 @@ Peak top_of_parabola(Peak node, double p_before, double p_after, double spacing)
 /// Load, friction, flow and film; without peak, balance and ends of cavities.
 Sample sample_of(const PadSetup& setup, const film::FilmIntegrals& sums, double h_m, double time);
 
+/// Adds the resultant of the pressure around a journal, eq-pad-journal, and the friction coefficient with it, where the
+/// case states its radius. @param across weight of each strip @param p at the nodes, strip after strip [Pa]
+void add_journal_load(const PadSetup& setup, const film::FilmGrid& grid, const std::vector<double>& across,
+                      const std::vector<double>& p, Sample& sample);
+
 /// Ends of the cavities in the sense of the motion; at rest the left one counts as upstream.
 /// @param deficit at the nodes of the strip whose cavities `sums` holds
 void add_fronts(const PadSetup& setup, const film::FilmInputs& inputs, const std::vector<double>& deficit,

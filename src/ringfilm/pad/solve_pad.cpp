@@ -43,11 +43,14 @@ void clear_rounding(Sample& sample) {
        {&Sample::load, &Sample::mean_film_pressure, &Sample::peak_film_pressure, &Sample::friction_moving,
         &Sample::friction_fixed, &Sample::flow_left, &Sample::flow_right, &Sample::mass_flow_left,
         &Sample::mass_flow_right, &Sample::total_load, &Sample::total_friction_moving, &Sample::total_friction_fixed,
-        &Sample::flow_front, &Sample::flow_back, &Sample::mass_flow_front, &Sample::mass_flow_back}) {
+        &Sample::flow_front, &Sample::flow_back, &Sample::mass_flow_front, &Sample::mass_flow_back,
+        &Sample::journal_load}) {
     if (!std::isnan(sample.*value)) sample.*value = 0;
   }
   sample.load = sample.asperity_load;
-  sample.friction_coefficient = std::numeric_limits<double>::quiet_NaN();
+  for (double Sample::*value : {&Sample::friction_coefficient, &Sample::journal_load_angle, &Sample::attitude_angle}) {
+    sample.*value = std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 void append_instant(const PadFilm& film, const film::FilmInputs& inputs, const film::FilmState& previous,

@@ -138,6 +138,7 @@ Sample WideFilm::sample(const film::FilmInputs& given, const film::FilmState& pr
   out.viscous_heating_rise =
       film::film_heating(problem_, inputs, state).rise(oil.thermal_conductivity, oil.specific_heat);
   add_fronts(setup(), inputs, state.deficit, sums, out);
+  add_journal_load(setup(), problem_.grid, {1.0}, state.p, out);
   return out;
 }
 

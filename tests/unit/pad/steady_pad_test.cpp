@@ -307,6 +307,44 @@ TEST(PadGap, GroovesOfAFormulaAreTheStepsOfItsPoints) {
   }
 }
 
+/// A full film around a journal that moves towards +x, its lowest place at that share of the way around.
+cycle::Case journal(double apex) {
+  cycle::Case c = slider();
+  c.pad.journal_radius = kLength / (2 * std::numbers::pi);
+  c.pad.face = {.form = cycle::FaceForm::kCosine, .crown_height = 10e-6, .apex = apex};
+  c.pad.separation = kOutlet;
+  c.film.cavitation_pressure = -1e9;
+  return c;
+}
+
+TEST(JournalLoad, IsMirroredWithTheMotion) {
+  cycle::Case mirrored = journal(0.6);
+  mirrored.pad.direction = cycle::Direction::kMinusX;
+  const Sample a = solved(journal(0.4)), b = solved(mirrored);
+  EXPECT_NEAR(a.journal_load / b.journal_load, 1, 1e-9);
+  EXPECT_NEAR(a.journal_load_angle, -b.journal_load_angle, 1e-6);
+  EXPECT_NEAR(a.attitude_angle, b.attitude_angle, 1e-6);
+  EXPECT_NEAR(a.attitude_angle, 0.4 * 360 - a.journal_load_angle, 1e-9);
+  EXPECT_DOUBLE_EQ(a.friction_coefficient, a.friction_moving / a.journal_load);
+}
+
+TEST(JournalLoad, BetweenWallsIsThatOfAnInfinitelyWideFilm) {
+  cycle::Case walled = journal(0.4);
+  walled.pad.width = kLength;
+  walled.pad.sides = cycle::Sides::kClosed;
+  walled.solver.cells_y = 8;
+  const Sample a = solved(journal(0.4)), b = solved(walled);
+  EXPECT_NEAR(b.journal_load / a.journal_load, 1, 1e-7);
+  EXPECT_NEAR(b.journal_load_angle, a.journal_load_angle, 1e-5);
+}
+
+TEST(JournalLoad, IsOfPadsWithARadiusAlone) {
+  const Sample flat = solved(slider());
+  for (const double value : {flat.journal_load, flat.journal_load_angle, flat.attitude_angle}) {
+    EXPECT_TRUE(std::isnan(value));
+  }
+}
+
 TEST(PadGap, OfAFormulaIsNotCutByTheLengthOfTheCells) {
   cycle::Case c = slider();
   c.pad.face = {.form = cycle::FaceForm::kParabola, .crown_height = 20e-6, .apex = 0.123456789};  // no node there

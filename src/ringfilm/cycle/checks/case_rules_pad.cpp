@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "ringfilm/base/display.hpp"
@@ -100,6 +101,28 @@ bool check_grooves(const Pad& pad, Breaches& breaches) {
     end = ends[k].second;
   }
   return true;
+}
+
+/// A film around a journal has a direction of load, and once around is all of it.
+void check_journal(const Case& c, Breaches& breaches) {
+  if (!c.pad.journal_radius) return;
+  const auto refuse = [&](const std::string& fault, const char* remedy) {
+    breaches.push_back({"pad.journal_radius", fault, remedy});
+  };
+  constexpr double kRounding = 1e-6;
+  const double around = 2 * std::numbers::pi * *c.pad.journal_radius;
+  if (c.pad.length > around * (1 + kRounding)) {
+    refuse("pad.length = " + text_in(c.pad.length, kMillimetre) + " is more than the journal has around it, " +
+               text_in(around, kMillimetre),
+           "state a length of at most 2 pi times pad.journal_radius");
+  }
+  if (c.pad.load) {
+    refuse("pad.journal_radius excludes pad.load", "the load of a journal has a direction; state pad.separation");
+  }
+  if (c.has_contact()) {
+    refuse("pad.journal_radius excludes contact.composite_modulus",
+           "the journal load is that of the film; omit one of the two keys");
+  }
 }
 
 /// Where the gap is joined with itself it must not jump.
@@ -324,6 +347,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
                         "the gas blows through: state pad.speed, oil at an edge, or equal pressures"});
   }
   check_edge_pressures(c, breaches);
+  check_journal(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_contact(c, breaches);
   check_oil(c, breaches);
