@@ -76,14 +76,16 @@ cycle::Solver fixed_steps(int cells, double crank_step_deg, cycle::TimeScheme sc
   return solver;
 }
 
-/// Differences from the finest, relative to it; of the net flow to the mean of its modulus.
+/// Differences from the finest, relative to it; of the net flow to the mean of its modulus, of regimes to the cycle.
 std::vector<double> errors(const Outcome& outcome, const Outcome& finest, const cycle::CycleQuantity& quantity) {
   std::vector<double> list;
   for (std::size_t i = 0; i < finest.values.size(); ++i) {
     const cycle::CycleValues& fine = finest.values[i];
     const double want = fine.*quantity.value, is = outcome.values[i].*quantity.value;
     if (std::isnan(want) || (want == 0 && is == 0)) continue;
-    const double scale = quantity.value == &cycle::CycleValues::net_oil_flow ? fine.mean_absolute_oil_flow : want;
+    const double scale = quantity.value == &cycle::CycleValues::net_oil_flow ? fine.mean_absolute_oil_flow
+                         : cycle::is_regime_share(quantity)                  ? 1
+                                                                             : want;
     list.push_back(std::isnan(is) ? 1 : std::abs((is - want) / scale));
   }
   std::sort(list.begin(), list.end());

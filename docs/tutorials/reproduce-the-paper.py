@@ -69,7 +69,7 @@ table = pandas.DataFrame(
             "highest friction coefficient at firing": result.peak_friction_coefficient_firing,
             "minimum film thickness [um]": result.cycle_min_film_thickness * 1e6,
             "FMEP [kPa]": result.fmep / 1e3,
-            "share of the cycle in mixed lubrication [%]": result.mixed_share * 100,
+            "share of the cycle in full-film lubrication [%]": result.full_film_cycle_share * 100,
         }
         for life, result in results.items()
     }

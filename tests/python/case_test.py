@@ -268,7 +268,7 @@ def test_the_table_of_fields():
     assert fields["ring.youngs_modulus"].default == 203e9
     assert "trace" in fields["gas.model"].choices
     assert all(field.help for field in fields.values())
-    assert {quantity.name for quantity in ringfilm.quantities()["cycle"]} >= {"fmep", "mixed_share"}
+    assert {quantity.name for quantity in ringfilm.quantities()["cycle"]} >= {"fmep", "full_film_cycle_share"}
 
 
 def test_a_key_that_a_case_cannot_do_without_has_no_value_once_it_is_taken_out(case):

@@ -59,6 +59,9 @@ inline constexpr std::array kRenamedNames = std::to_array<RenamedName>({
     {"json", "standing", "state_origin"},
     {"json", "wear.standing", "wear.coefficient_origin"},
     {"netcdf", "standing", "state_origin"},
+    {"json", "mixed_share", "mixed_regime_cycle_share"},
+    {"csv", "mixed_share", "mixed_regime_cycle_share"},
+    {"netcdf", "mixed_share", "mixed_regime_cycle_share"},
 });
 
 /// The present name of `before`; empty where no name of an earlier version is meant.

@@ -106,18 +106,6 @@ BetweenSamples::Place BetweenSamples::highest(std::size_t k, const Cubic& cubic)
   return {cubic.at(share), std::fmod(angle_[k] + share * length_[k], cycle_)};
 }
 
-/// Share of the step at which a cubic whose ends have different signs crosses zero, by bisection.
-double BetweenSamples::share_below_zero(const Cubic& cubic) {
-  constexpr int kHalvings = 40;
-  double low = 0, high = 1;
-  const bool begins_below = cubic.at(0) < 0;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    ((cubic.at(middle) < 0) == begins_below ? low : high) = middle;
-  }
-  return begins_below ? low : 1 - low;
-}
-
 std::size_t BetweenSamples::interval_of(double crank_angle_deg) const {
   const auto next = std::upper_bound(angle_.begin(), angle_.end(), crank_angle_deg);
   return next == angle_.begin() ? size() - 1 : static_cast<std::size_t>(next - angle_.begin()) - 1;

@@ -52,21 +52,6 @@ class BetweenSamples {
     return cubic(k, value).at(share_of(k, crank_angle_deg));
   }
 
-  /// Share of the cycle in which the value is below the limit [-].
-  template <class Value>
-  double share_below(double limit, const Value& value) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < size(); ++k) {
-      const double a = value(k) - limit, b = value(after(k)) - limit;
-      if (a < 0 && b < 0) {
-        sum += length_[k];
-      } else if ((a < 0) != (b < 0)) {
-        sum += length_[k] * share_below_zero(cubic(k, [&](std::size_t i) { return value(i) - limit; }));
-      }
-    }
-    return sum / cycle_;
-  }
-
  private:
   /// The weights of up to three samples in a slope [1/degree].
   struct Slope {
@@ -108,7 +93,6 @@ class BetweenSamples {
     return std::clamp(slope, -most, most);
   }
   Place highest(std::size_t k, const Cubic& cubic) const;
-  static double share_below_zero(const Cubic& cubic);
   std::size_t interval_of(double crank_angle_deg) const;
   double share_of(std::size_t k, double crank_angle_deg) const;
   bool is_smooth(std::size_t k) const;

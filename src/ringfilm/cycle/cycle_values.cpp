@@ -8,15 +8,13 @@
 #include <utility>
 
 #include "ringfilm/cycle/between_samples.hpp"
+#include "ringfilm/cycle/regimes.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
 namespace ringfilm::cycle {
 namespace {
 
-/// Limit of mixed_share. Only of the law of greenwood1971, whose summits count from the mean plane of the surface, is
-/// it the upper end of mixed lubrication.
-constexpr double kMixedBelow = 3;
 constexpr double kFiringWindowDeg = 60;
 constexpr int kStrokeBins = 100;
 
@@ -76,9 +74,6 @@ class Curves {
   double mean(Member member) const {
     return mean([member](const Sample& s) { return s.*member; });
   }
-  double share_below(double limit, Member member) const {
-    return between_.share_below(on_curve(limit, member), curve(member));
-  }
   double at(double crank_angle_deg, Member member) const {
     return from_curve(between_.at(crank_angle_deg, curve(member)), member);
   }
@@ -129,6 +124,20 @@ class Curves {
   BetweenSamples between_;
 };
 
+/// eq-full-film-lambda [-]; nothing where the asperities cannot carry that much at any separation.
+std::optional<double> full_film_lambda_ratio(const RingSetup& ring) {
+  constexpr int kHalvings = 40;
+  const double limit = kFullFilmBelow * ring.elastic_pressure;
+  const auto carries_more = [&](double h) { return ring.contact->contact(h).pressure > limit; };
+  double low = 0, high = ring.contact->reach();
+  if (!carries_more(low)) return std::nullopt;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (carries_more(middle) ? low : high) = middle;
+  }
+  return high / ring.sigma;
+}
+
 }  // namespace
 
 CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
@@ -172,7 +181,7 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
   v.peak_gas_pressure = gas.peak();
   v.peak_gas_pressure_angle = gas.peak_angle_deg();
   v.lambda_ratio_at_peak_pressure = curves.at(v.peak_gas_pressure_angle, &Sample::lambda_ratio);
-  v.mixed_share = curves.share_below(kMixedBelow, &Sample::lambda_ratio);
+  put_regime_shares(base, v);
 
   const double mean_load = curves.mean([](const Sample& s) { return s.applied_load; });
   const auto load_mean = [&](double Sample::*member) {
@@ -272,6 +281,7 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
   if (!setup.ring.asperities) values.erase("roughness_parameter");
+  if (const auto lambda = full_film_lambda_ratio(setup.ring)) values["full_film_lambda_ratio"] = *lambda;
   const auto summits = setup.ring.asperities ? models::summit_statistics(*setup.ring.asperities) : std::nullopt;
   if (summits) {
     values["asperity_bandwidth"] = summits->bandwidth;

@@ -55,4 +55,9 @@ double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inp
   return hydrodynamic_load(problem, inputs, least);
 }
 
+double edge_pressure_load(const FilmProblem& problem, FilmInputs inputs) {
+  inputs.left.fluid = inputs.right.fluid = EdgeFluid::kGas;
+  return least_hydrodynamic_load(problem, inputs);
+}
+
 }  // namespace ringfilm::film

@@ -26,4 +26,8 @@ double hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs, c
 /// What gas and cavities alone carry, eq-pressure-bound: every film carries more [N/m].
 double least_hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs);
 
+/// What the pressures at the edges carry, each up to the lowest place of the face, whether the edges are in oil or in
+/// gas, eq-asperity-load-share [N/m].
+double edge_pressure_load(const FilmProblem& problem, FilmInputs inputs);
+
 }  // namespace ringfilm::film

@@ -50,6 +50,7 @@ bool asks_for_accuracy(const Plan& plan) {
 
 /// To what the error of a value is relative. The net flow may vanish although both flows are there.
 double scale_of(const StudyValues& values, std::size_t i, const std::vector<double>& finer) {
+  if (cycle::is_regime_share(values.quantities[i])) return 1;
   const auto both_flows = values.index("mean_absolute_oil_flow");
   return std::abs(values.quantities[i].name == "net_oil_flow" && both_flows ? finer[*both_flows] : finer[i]);
 }

@@ -79,13 +79,14 @@ inline Batch batch_of(const std::vector<Case>& cases, const std::vector<int>& or
 
 /// Is this value an angle, or a count of angles or nodes? These jump where the others move.
 inline bool jumps(const CycleQuantity& quantity) {
-  return quantity.unit == "degree" || quantity.name == "mixed_share" || quantity.name == "mean_cavitated_fraction";
+  return quantity.unit == "degree" || quantity.name == "mean_cavitated_fraction";
 }
 
 /// What a difference in a value of `result` is to be measured by: the value itself, but for a part the whole, because a
 /// part may vanish: film and asperities share the load, boundary and viscous friction the friction, the strokes the
-/// energy, and the net flow is what is left of flows to and fro.
+/// energy, regimes the cycle, and the net flow is what is left of flows to and fro.
 inline double fair_scale(const CycleResult& result, const CycleQuantity& quantity) {
+  if (is_regime_share(quantity)) return 1;
   const CycleValues& v = result.values;
   const std::string& name = quantity.name;
   if (name.find("_stroke_energy") != std::string::npos) return v.energy_per_cycle;

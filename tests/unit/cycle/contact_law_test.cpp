@@ -10,29 +10,10 @@
 #include "ringfilm/cycle/contact_curves.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/models/patir_cheng.hpp"
+#include "tabulated_case.hpp"
 
 namespace ringfilm::cycle::testing {
 namespace {
-
-/// Greenwood and Tripp as a table, so that the cycle is known.
-Case with_table(Case c, double first = 0, double last = 5) {
-  const auto law = asperity_contact(c);
-  ContactLawTable table;
-  table.composite_roughness = roughness(c);
-  table.composite_modulus = composite_modulus(c);
-  for (double lambda = first; lambda < last + 1e-9; lambda += 0.1) {
-    const auto at = law->contact(lambda * table.composite_roughness);
-    table.rows.h.push_back(lambda * table.composite_roughness);
-    table.rows.pressure.push_back(at.pressure);
-    table.rows.area_share.push_back(at.area_share);
-    table.mean_gap.push_back(lambda * table.composite_roughness);
-  }
-  table.last_supported_separation = table.rows.h.back();
-  c.contact.model = ContactLaw::kTable;
-  c.contact.law_file = "law.nc";
-  c.contact.law = base::Shared<ContactLawTable>(std::move(table));
-  return c;
-}
 
 std::vector<std::string> topics(const CycleResult& result) {
   std::vector<std::string> found;

@@ -55,6 +55,13 @@ TEST(SampledError, IsTwiceTheChangeOnTheFinerGridRelativeToIt) {
   EXPECT_EQ(error.asked, (std::vector<double>{0.5, 2.5}));
 }
 
+TEST(SampledError, OfAShareOfARegimeIsRelativeToTheWhole) {
+  StudyValues values;
+  values.quantities.push_back({"full_film_cycle_share", "1", "%", "", "", "eq-regime-shares"});
+  const SampledError error = compared(values, {0, 1}, {{0.02}, {0.5}}, {{0.01}, {0.5}}, {1.0, 1.0});
+  EXPECT_NEAR(error.quantiles[0].value(), 2 * 0.01, 1e-12);
+}
+
 TEST(SampledError, OmitsScenariosWithoutOneOfBothResults) {
   const std::vector<double> none(5, kNone);
   const SampledError error = compared(some_values(), {0, 1, 2}, {{1, 0, 1, 1, 1}, none, {2, 0, 1, 1, 1}},

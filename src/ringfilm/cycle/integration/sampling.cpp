@@ -8,6 +8,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/film/cavitation.hpp"
 #include "ringfilm/film/gas_holding.hpp"
+#include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/models/flash_temperature.hpp"
 #include "ringfilm/models/gas/gas_flow.hpp"
 
@@ -39,6 +40,17 @@ FromChamber from_chamber(const film::FilmIntegrals& f, Axis axis, double width) 
 double mean_real_pressure(double load, double area, double applied_load) {
   constexpr double kFelt = 0.01;  // share of the load: below it the ratio is one of two negligible numbers
   return load > kFelt * applied_load && area > 0 ? load / area : 0;
+}
+
+/// eq-asperity-load-share.
+double asperity_load_share(const film::FilmProblem& problem, const Instant& instant,
+                           const film::FilmIntegrals& integrals) {
+  constexpr double kFelt = 1e-3;  // share of the load: a ring that gas and suction hold has no contact to share it
+  film::FilmInputs in = instant.at.inputs;
+  in.h_m_before = instant.state->h_m;
+  const double by_oil = integrals.hydrodynamic_load - film::edge_pressure_load(problem, std::move(in));
+  const double carried = integrals.asperity_load + std::max(by_oil, 0.0);
+  return integrals.asperity_load / std::max(carried, kFelt * instant.at.inputs.load);
 }
 
 /// eq-gas-holding-margin; NaN where the film leaves into oil or towards the lower pressure.
@@ -99,6 +111,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.applied_load = in.load * length;
   s.hydrodynamic_load = integrals.hydrodynamic_load * length;
   s.asperity_load = integrals.asperity_load * length;
+  s.asperity_load_share = asperity_load_share(integration.problem(), instant, integrals);
   s.min_film_thickness = instant.state->h_m;
   s.lambda_ratio = instant.state->h_m / setup.ring.sigma;
   s.asperity_contact_area = integrals.asperity_area * length;

@@ -28,6 +28,7 @@ struct Sample {
   double applied_load = 0;             ///< W: what presses the ring on the liner, its tension and the gas behind it [N]
   double hydrodynamic_load = 0;        ///< W_h: carried by the film, of absolute pressure [N]
   double asperity_load = 0;            ///< W_a: carried by touching asperities [N]
+  double asperity_load_share = 0;      ///< part of W_a in what oil and asperities carry beyond the gas [-]
   double min_film_thickness = 0;       ///< h_m: thinnest place of the film, where the face is lowest [m]
   double lambda_ratio = 0;             ///< h_m over composite roughness [-]
   double asperity_contact_area = 0;    ///< A_a, in real contact [m2]
@@ -80,6 +81,9 @@ struct Quantity {
   std::string equation;      ///< label in docs/theory, e.g. "eq-power-loss"
 };
 
+/// Is it a share of a regime of lubrication? It may vanish: its errors are relative to the whole.
+inline bool is_regime_share(const Quantity& quantity) { return quantity.equation == "eq-regime-shares"; }
+
 /// A quantity over crank angle and where `Sample` has it.
 struct CurveQuantity : Quantity {
   double Sample::*value;  ///< the member that holds it
@@ -116,7 +120,15 @@ struct CycleValues {
   double lambda_ratio_at_peak_pressure = 0;     ///< h_m/sigma at the peak of the cylinder pressure [-]
   double min_lambda_ratio = 0;                  ///< smallest h_m/sigma of the cycle [-]
   double peak_mean_real_pressure = 0;           ///< largest W_a/A_a; 0 where asperities never carry 1 % [Pa]
-  double mixed_share = 0;                       ///< share of time with h_m/sigma below 3, no regime of lubrication [-]
+  double boundary_regime_cycle_share = 0;       ///< share of time in which asperities carry more than 90 % [-]
+  double mixed_regime_cycle_share = 0;          ///< share of time in which asperities carry 1 to 90 % [-]
+  double full_film_cycle_share = 0;             ///< share of time in which asperities carry less than 1 % [-]
+  double boundary_regime_distance_share = 0;    ///< share of the sliding distance in boundary lubrication [-]
+  double mixed_regime_distance_share = 0;       ///< share of the sliding distance in mixed lubrication [-]
+  double full_film_distance_share = 0;          ///< share of the sliding distance in full-film lubrication [-]
+  double boundary_regime_energy_share = 0;      ///< share of the friction energy in boundary lubrication [-]
+  double mixed_regime_energy_share = 0;         ///< share of the friction energy in mixed lubrication [-]
+  double full_film_energy_share = 0;            ///< share of the friction energy in full-film lubrication [-]
   /// Weighted with the load, as are the next two: what a scenario is on a Stribeck curve [-].
   double mean_friction_coefficient = 0;
   double mean_stribeck_number = 0;     ///< weighted with the load [-]

@@ -253,7 +253,7 @@ std::string life_json(const LifeDocument& document) {
 }
 
 void write_life(const std::string& path, const LifeDocument& document) {
-  constexpr long kSchema = 2;
+  constexpr long kSchema = 3;
   ResultFileWriter file(path);
   file.attribute("Conventions", std::string("CF-1.10"));
   file.attribute("ringfilm_life_schema", kSchema);

@@ -17,7 +17,7 @@
 namespace ringfilm::io {
 
 /// Raised by one whenever a name or a meaning changes.
-constexpr long kResultSchema = 6;
+constexpr long kResultSchema = 7;
 
 /// A ledger variant as a row of a table; its values are a row of `variant_values`.
 struct VariantRow : study::LedgerVariant {

@@ -19,7 +19,7 @@ namespace {
 
 using Stored = ResultFileWriter::Stored;
 
-constexpr long kStudySchema = 4;
+constexpr long kStudySchema = 5;
 constexpr const char* kScenario = "scenario";
 constexpr const char* kUnsolved = "unsolved";
 constexpr const char* kTopic = "note_topic";

@@ -14,9 +14,13 @@ namespace {
 
 using cycle::Quantity;
 
-const std::vector<std::string> kMainOfCycle = {
-    "fmep",        "mean_power_loss",       "mean_total_friction", "peak_total_friction", "min_film_thickness",
-    "mixed_share", "mean_absolute_oil_flow"};
+const std::vector<std::string> kMainOfCycle = {"fmep",
+                                               "mean_power_loss",
+                                               "mean_total_friction",
+                                               "peak_total_friction",
+                                               "min_film_thickness",
+                                               "full_film_cycle_share",
+                                               "mean_absolute_oil_flow"};
 
 /// A value of the cycle under another name.
 Quantity renamed(const std::string& value, const std::string& name, const std::string& words) {
@@ -76,7 +80,10 @@ const std::vector<RingValue>& ring_values() {
                                                 {"archard_wear_load", kSum},
                                                 {"min_film_thickness", kMin},
                                                 {"min_lambda_ratio", kMin},
-                                                {"mixed_share", kMax},
+                                                {"boundary_regime_cycle_share", kMax},
+                                                {"full_film_cycle_share", kMin},
+                                                {"boundary_regime_energy_share", kMax},
+                                                {"full_film_energy_share", kMin},
                                                 {"peak_film_pressure", kMax}};
   return values;
 }

@@ -87,11 +87,9 @@ Estimate angle_estimate(const ResultLevels& levels) {
 /// What a value cannot be resolved below, whatever the grids give.
 double resolution(const Case& c, const cycle::CycleQuantity& quantity, const CycleResult& result) {
   if (is_angle(quantity)) return 0.5 * c.solver.crank_step_deg;
-  const double share = result.values.mixed_share;
-  if (quantity.value == &CycleValues::mixed_share && share > 0 && share < 1) {
-    return c.solver.crank_step_deg / cycle::kCycleDeg;
-  }
-  return 0;
+  const double share = result.values.*quantity.value;
+  const bool is_begun = cycle::is_regime_share(quantity) && share > 0 && share < 1;
+  return is_begun ? c.solver.crank_step_deg / cycle::kCycleDeg : 0;
 }
 
 Case on_grid(Case c, int cells, double crank_step_deg) {
@@ -341,6 +339,7 @@ std::optional<cycle::Note> note_on_accuracy(const Case& c, const CycleResult& re
   std::size_t n = 0;
   for (const cycle::CycleQuantity& quantity : cycle::cycle_quantities()) {
     const double scale = quantity.value == &CycleValues::net_oil_flow ? result.values.mean_absolute_oil_flow
+                         : cycle::is_regime_share(quantity)           ? 1
                                                                       : result.values.*quantity.value;
     const double error = kPercent * estimate.values.*quantity.value / std::abs(scale);
     if (is_angle(quantity) || !std::isfinite(error) || error == 0) continue;  // 0: an input
