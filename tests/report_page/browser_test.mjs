@@ -201,6 +201,7 @@ test('every part of the report is there, in order', async () => {
     'friction-firing',
     'stribeck',
     'archard-wear-load-stroke',
+    'regimes',
     'energy-by-stroke',
     'face',
     'ring-faces',
@@ -219,10 +220,13 @@ test('every part of the report is there, in order', async () => {
     /118\s*W.*19\.1\s*kPa.*mesh ±\s*4\s*W.*0\.62\s*µm.*20° after TDC.*mesh ±\s*0\.02\s*µm.*90\.0\s*%/s,
   );
   // No regime of lubrication follows from the lambda ratio alone.
-  assert.doesNotMatch(
-    await page.textContent('main'),
-    /in mixed lubrication|mixed below|lubrication is mixed/,
+  assert.doesNotMatch(await page.textContent('main'), /mixed below|lubrication is mixed/);
+  assert.match(
+    await page.textContent('#regimes'),
+    /boundary above 90\s*%, mixed, full film below 1\s*%.*boundary 40\s*%, mixed 55\s*%, full film 5\s*%/s,
   );
+  // Three bars of three parts each, of each case.
+  assert.equal((await page.$$('#regimes .bars > svg rect title')).length, 27);
   assert.equal(await page.$$eval('.section-drawing svg', (nodes) => nodes.length), 3);
   assert.match(
     await page.textContent('.plausibility'),

@@ -8,13 +8,16 @@ import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const { settingWords } = await load('cycle/setting_words.js');
-const { asperityShare, breakthroughs, closings, thinnestInWords } = await load('cycle/cycle_figures.js');
+const { breakthroughs, closings, fullFilmMarks, thinnestInWords } = await load('cycle/cycle_figures.js');
+const { regimeFigure } = await load('cycle/other_figures.js');
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
 const { warnings } = await load('cycle/first_screen.js');
 const { massText, oilAbove } = await load('cycle/oil_above.js');
 const { boundaryPowerShare, Model } = await load('model.js');
+const { figureCsv } = await load('downloads.js');
 const { kSpanHeight, logarithmic, spanBars } = await load('plot/scales.js');
+const { figureSvg } = await load('plot/svg.js');
 
 test('a note that is only for information heads no page', () => {
   const note = (message, rank, for_information) => ({ topic: message, message, rank, for_information });
@@ -183,20 +186,52 @@ test('the place of the thinnest film is named next to the peak of the gas pressu
   assert.equal(words(5, 0, [2, 2]), '5° after firing TDC');
 });
 
-test('the load that asperities carry and boundary friction are shares, without a load there is none', () => {
-  const share = asperityShare({
-    curves: { crank_angle: [0, 180, 360], asperity_load: [30, 0, 0], applied_load: [40, 20, 0] },
-  });
-  assert.deepEqual(
-    share.x.map((x, k) => [x, share.y[k]]).filter(([x]) => x > -360 && x <= 180),
-    [
-      [0, 75],
-      [180, 0],
-    ],
-  );
-  assert.equal(share.y[share.x.indexOf(360)], null);
+test('boundary friction is a share of the friction power, without friction there is none', () => {
   assert.equal(boundaryPowerShare({ mean_boundary_power: 9, mean_power_loss: 10 }), 90);
   assert.equal(boundaryPowerShare({ mean_boundary_power: 0, mean_power_loss: 0 }), null);
+});
+
+test('the lambda ratio above which the film is full is marked once where all cases have the same', () => {
+  const model = (...ratios) => ({
+    cases: ratios.map((ratio, i) => ({
+      name: `case ${i}`,
+      derived: ratio ? { full_film_lambda_ratio: ratio } : {},
+    })),
+  });
+  assert.deepEqual(fullFilmMarks(model(4.752, 4.754)), [{ at: 4.752, label: 'full film above' }]);
+  assert.deepEqual(fullFilmMarks(model(4.75, null, 3.8)), [
+    { at: 4.75, label: 'case 0: full film above' },
+    { at: 3.8, label: 'case 2: full film above' },
+  ]);
+  assert.deepEqual(fullFilmMarks(model(null)), []);
+});
+
+test('the regimes are bars that add up to the whole: cycle, sliding distance, friction energy', () => {
+  const shares = { cycle: [0.25, 0.7, 0.05], distance: [0.2, 0.7, 0.1], energy: [0.5, 0.5, 0] };
+  const values = Object.fromEntries(
+    Object.entries(shares).flatMap(([of, list]) =>
+      ['boundary_regime', 'mixed_regime', 'full_film'].map((name, k) => [`${name}_${of}_share`, list[k]]),
+    ),
+  );
+  const model = smallModel([], { crank_angle: [0] }, values);
+  model.cycleQuantity = new Map(
+    Object.keys(values).map((name) => [name, { name, unit: '1', display_unit: '%', long_name: name }]),
+  );
+  const figure = regimeFigure(model);
+  assert.match(figure.caption, /Friction energy: boundary 50\u00a0%, mixed 50\u00a0%, full film 0\u00a0%\./);
+  const svg = figureSvg(figure, () => true, { width: 600 });
+  const bars = [...svg.matchAll(/width="([\d.]+)" height="20.00"[^>]*><title>computed, ([^<]*)</g)];
+  assert.equal(bars.length, 9);
+  const whole = Number(bars[0][1]) / 0.25;
+  for (const [, width, words] of bars) {
+    const [, of, percent] = /(cycle|distance|energy), .*: ([\d.]+) %$/.exec(words);
+    assert.ok(of in shares && Math.abs((100 * Number(width)) / whole - percent) < 0.05, words);
+  }
+  const [heads, row] = figureCsv(figure).split('\r\n');
+  assert.equal(heads.split('","').length, 10);
+  assert.match(heads, /"share, friction energy, full film \[%\]"$/);
+  assert.equal(row, '"computed",25,70,5,20,70,10,50,50,0');
+  assert.equal(regimeFigure({ cases: [{ complete: false }] }), null);
 });
 
 test('a cavity closes where the film is full again, if its mass is conserved', () => {

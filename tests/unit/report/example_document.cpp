@@ -34,6 +34,7 @@ cycle::Sample sample(double angle, double friction) {
   s.min_film_thickness = (0.55e-6 + 0.75e-6 * std::sqrt(speed)) * std::pow(1e6 / (s.gas_pressure + 9e5), 0.25);
   s.lambda_ratio = s.min_film_thickness / 0.48e-6;
   s.asperity_load = s.applied_load * friction * std::exp(-1.3 * (s.lambda_ratio - 0.7));
+  s.asperity_load_share = std::min(1.0, friction * std::exp(-1.3 * (s.lambda_ratio - 0.7)));
   s.hydrodynamic_load = s.applied_load - s.asperity_load;
   s.asperity_contact_area = s.asperity_load * 6e-11;
   s.boundary_friction = 0.358 * s.asperity_load;
@@ -79,7 +80,15 @@ cycle::CycleValues values(double friction) {
   v.peak_gas_pressure_angle = 20;
   v.lambda_ratio_at_peak_pressure = 1.286;
   v.min_lambda_ratio = 1.286;
-  v.mixed_share = 0.561;
+  v.boundary_regime_cycle_share = 0.08;
+  v.mixed_regime_cycle_share = 0.55;
+  v.full_film_cycle_share = 0.37;
+  v.boundary_regime_distance_share = 0.04;
+  v.mixed_regime_distance_share = 0.43;
+  v.full_film_distance_share = 0.53;
+  v.boundary_regime_energy_share = 0.4;
+  v.mixed_regime_energy_share = 0.55;
+  v.full_film_energy_share = 0.05;
   v.net_oil_flow = 92.65e-6;
   v.mean_absolute_oil_flow = 868.7e-6;
   v.peak_film_pressure = 62e5;
@@ -187,7 +196,10 @@ io::ResultDocument document(const std::string& title, double friction) {
     d.result.stroke.liner_position.push_back(0.0005 + 0.001 * k);
     d.result.stroke.archard_wear_load_density.push_back(friction * 2800 * std::exp(-std::pow((k - 7) / 9.0, 2)) + 90);
   }
-  d.result.derived = {{"elastic_pressure", 0.2e6}, {"composite_modulus", 134.8e9}, {"oil_viscosity", 5.0633e-3}};
+  d.result.derived = {{"elastic_pressure", 0.2e6},
+                      {"composite_modulus", 134.8e9},
+                      {"oil_viscosity", 5.0633e-3},
+                      {"full_film_lambda_ratio", 3.8}};
   d.result.notes = {
       {"synthetic-trace", "the cylinder pressure is SYNTHETIC: computed, not measured", 1},
       {"shear-rate-high", "shear rate U/h up to 3.1e+06 1/s (at 75 degree) while the oil is taken as Newtonian", 412}};

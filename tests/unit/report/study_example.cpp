@@ -29,7 +29,9 @@ double value(const std::string& name, double speed, double warmth, double roughn
   const double friction = 10 + 60 * std::exp(-lambda) + 0.02 * speed;
   if (name == "min_film_thickness") return film;
   if (name == "mean_lambda_ratio" || name == "min_lambda_ratio") return lambda;
-  if (name == "mixed_share") return 1 / (1 + lambda * lambda / 4);
+  if (name.starts_with("boundary_regime_")) return 1 / (1 + lambda * lambda);
+  if (name.starts_with("full_film_")) return 0.4 * lambda * lambda / (1 + lambda * lambda);
+  if (name.starts_with("mixed_regime_")) return 0.6 * lambda * lambda / (1 + lambda * lambda);
   if (name == "mean_stribeck_number") return 1e-6 * speed / 200 * std::exp(-0.02 * warmth);
   if (name == "mean_friction_coefficient") return friction / 900;
   if (name == "mean_boundary_power") return 60 * std::exp(-lambda);

@@ -153,6 +153,22 @@ TEST(StudyPage, DrawsPointsOfEveryBaseAndOfEveryLevel) {
   EXPECT_NEAR(static_cast<double>(n_warm), 1000, 5 * std::sqrt(500.0));
 }
 
+// At 3000 and 4000 rpm the films are full for most of the energy, at 4000 rpm most of it is boundary friction.
+TEST(StudyPage, NamesTheRegimeOfEachPointOfTheStribeckCurve) {
+  const example::MadeUp made_up = [](const std::string& name, const study::Point& point) {
+    const double speed = std::round(*point.values[0] * 30 / M_PI / 1000);
+    if (name == "boundary_regime_energy_share") return speed == 1 ? 0.6 : 0.1;
+    if (name == "full_film_energy_share") return speed == 1 ? 0.0 : speed == 2 ? 0.4 : 0.7;
+    if (name == "mean_boundary_power") return speed == 4 ? 6.0 : 4.0;
+    return name == "mean_power_loss" ? 10.0 : speed;
+  };
+  const json data = example::data_of(example::study_page(
+      "kind = \"map\"\n[[base]]\nname = \"new\"\ncase = \"case.toml\"\n" + kSpeed +
+          "values = [\"1000 rpm\", \"2000 rpm\", \"3000 rpm\", \"4000 rpm\"]\n[plan]\nmethod = \"grid\"\n",
+      made_up));
+  EXPECT_EQ(data.at("stribeck").at("regime"), (json{"boundary", "mixed", "full film", "mixed"}));
+}
+
 TEST(StudyPage, HasTheWeightedMeanAndTheNamesOfOperatingPoints) {
   const json data = example::data_of(example::points_page());
   EXPECT_EQ(data.at("points").at(1), (json{{"name", "part load"}, {"share", 0.625}}));

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
+#include "ringfilm/cycle/regimes.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/report/payload/described.hpp"
 #include "ringfilm/report/payload/even_pick.hpp"
@@ -14,18 +16,37 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kPointDigits = 5;
-const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness"};
+const std::vector<std::string> kMapped = {"mean_total_friction", "fmep", "min_film_thickness",
+                                          "boundary_regime_energy_share", "full_film_energy_share"};
 const std::vector<std::string> kStribeck = {"mean_stribeck_number", "mean_friction_coefficient", "mean_lambda_ratio"};
 /// Not a value of the cycle: the ratio of two of them.
 const cycle::Quantity kBoundaryPowerShare = {
     "boundary_power_share", "1", "%", "share of boundary friction in the friction power", "", "eq-mean"};
 
+std::vector<double> values_of(const io::StudyRows& rows, const std::string& name) {
+  return rows.values(*rows.plan.values().index(name));
+}
+
 /// Share of boundary friction in the friction power of each scenario; NaN where one was not solved.
 std::vector<double> boundary_power_shares(const io::StudyRows& rows) {
-  std::vector<double> shares = rows.values(*rows.plan.values().index("mean_boundary_power"));
-  const std::vector<double> power = rows.values(*rows.plan.values().index("mean_power_loss"));
+  std::vector<double> shares = values_of(rows, "mean_boundary_power");
+  const std::vector<double> power = values_of(rows, "mean_power_loss");
   for (std::size_t i = 0; i < shares.size(); ++i) shares[i] /= power[i];
   return shares;
+}
+
+/// Names of the predominant regimes of some scenarios.
+std::vector<std::string_view> regimes(const io::StudyRows& rows, const std::vector<std::uint64_t>& scenarios) {
+  std::vector<cycle::CycleValues> values(scenarios.size());
+  for (const char* name :
+       {"boundary_regime_energy_share", "full_film_energy_share", "mean_boundary_power", "mean_power_loss"}) {
+    const cycle::CycleQuantity& quantity = cycle::cycle_quantities()[*cycle::cycle_quantity_index(name)];
+    const std::vector<double> all = values_of(rows, name);
+    for (std::size_t k = 0; k < values.size(); ++k) values[k].*quantity.value = all[scenarios[k]];
+  }
+  std::vector<std::string_view> names;
+  for (const cycle::CycleValues& one : values) names.push_back(cycle::regime_name(cycle::predominant_regime(one)));
+  return names;
 }
 
 /// A factor of the grid of one base, and which of its levels the page carries.
@@ -86,7 +107,7 @@ ordered_json grid_object(const io::StudyRows& rows) {
   }
   std::vector<std::string> mapped = plan.values().has_cycle ? kMapped : plan.values().main;
   std::vector<std::vector<double>> columns;
-  for (const std::string& name : mapped) columns.push_back(rows.values(*plan.values().index(name)));
+  for (const std::string& name : mapped) columns.push_back(values_of(rows, name));
   if (plan.values().has_cycle) {
     mapped.push_back(kBoundaryPowerShare.name);
     columns.push_back(boundary_power_shares(rows));
@@ -147,7 +168,7 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
   if (!rows.plan.values().has_cycle) return nullptr;
   std::vector<bool> is_solved(rows.plan.size(), true);
   for (const std::size_t q : {0, 1}) {
-    const std::vector<double> values = rows.values(*rows.plan.values().index(kStribeck[q]));
+    const std::vector<double> values = values_of(rows, kStribeck[q]);
     for (std::uint64_t i = 0; i < values.size(); ++i) is_solved[i] = is_solved[i] && std::isfinite(values[i]);
   }
   const std::vector<std::uint64_t> drawn = drawn_scenarios(rows.plan, is_solved);
@@ -160,8 +181,9 @@ ordered_json stribeck_object(const io::StudyRows& rows) {
     for (const std::uint64_t i : drawn) values.push_back(all[i]);
     return rounded_list(values, kPointDigits);
   };
-  for (const std::string& name : kStribeck) object[name] = of_drawn(rows.values(*rows.plan.values().index(name)));
+  for (const std::string& name : kStribeck) object[name] = of_drawn(values_of(rows, name));
   object[kBoundaryPowerShare.name] = of_drawn(boundary_power_shares(rows));
+  object["regime"] = regimes(rows, drawn);
   return object;
 }
 

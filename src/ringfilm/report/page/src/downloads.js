@@ -55,6 +55,15 @@ function barColumns(figure) {
   const columns = [{ title: 'case', values: first.groups.map((g) => g.label) }];
   for (const panel of figure.panels) {
     panel.categories.forEach((category, i) => {
+      if (panel.parts) {
+        panel.parts.forEach(({ name }, k) =>
+          columns.push({
+            title: axisTitle(`${panel.yLabel}, ${category}, ${name}`, panel.yUnit),
+            values: panel.groups.map((g) => g.stacks[i][k].value),
+          }),
+        );
+        return;
+      }
       const total = (g) => g.stacks[i].reduce((sum, part) => sum + (part.value ?? 0), 0);
       columns.push({
         title: axisTitle(`${panel.yLabel}, ${category}`, panel.yUnit),

@@ -25,6 +25,7 @@ import {
   energyFigure,
   faceFigure,
   linerFilmFigure,
+  regimeFigure,
   stribeckFigure,
   wearFigure,
 } from './cycle/other_figures.js';
@@ -168,6 +169,7 @@ function buildPage(model) {
     hasCurves ? faced(stribeckFigure) : null,
     faced(linerFilmFigure),
     faced(wearFigure),
+    faced(regimeFigure),
     faced(energyFigure),
   ].filter(Boolean);
   const faces = [faced(faceFigure)].filter(Boolean);

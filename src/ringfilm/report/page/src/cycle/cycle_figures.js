@@ -10,7 +10,8 @@ import {
   withUnit,
   wrapped,
 } from '../units.js';
-import { boundaryPowerShare, onCycleAxis, window } from '../model.js';
+import { boundaryPowerShare, window } from '../model.js';
+import { kRegimeLimits } from '../plot/palette.js';
 
 export const kCycleRange = [-360, 360];
 const kZoom = [-30, 90];
@@ -201,54 +202,51 @@ function filmFigure(model) {
   };
 }
 
-/** Share of the load that asperities carry over the cycle, on the axis of the charts [%]. */
-export function asperityShare(c) {
-  const { crank_angle: angles, asperity_load: asperities, applied_load: loads } = c.curves;
-  return onCycleAxis(
-    angles,
-    loads.map((load, k) => (load > 0 ? (100 * asperities[k]) / load : null)),
-  );
+/** Marks of the lambda ratios above which the asperities of each case carry less than 1 % of the tension. */
+export function fullFilmMarks(model) {
+  const found = model.cases
+    .map((c) => ({ c, at: c.derived?.full_film_lambda_ratio }))
+    .filter(({ at }) => at > 0);
+  const isOne = new Set(found.map(({ at }) => number(at, 2))).size === 1;
+  return (isOne ? found.slice(0, 1) : found).map(({ c, at }) => ({
+    at,
+    label: isOne ? 'full film above' : `${c.name}: full film above`,
+  }));
 }
 
 function lambdaRatioFigure(model) {
+  const marks = fullFilmMarks(model);
+  const limit = (c) =>
+    c.derived?.full_film_lambda_ratio > 0 ? number(c.derived.full_film_lambda_ratio, 2) : 'any';
   return {
     id: 'lambda-ratio',
     title: 'Lambda ratio',
-    panels: [cyclePanel(model, 'lambda_ratio')],
+    panels: [{ ...cyclePanel(model, 'lambda_ratio'), yMarks: marks }],
     caption:
       'Minimum film over the composite roughness of the two surfaces. Lowest: ' +
-      `${ofEachCycle(model, (c) => valueWithUnit(model, c, 'min_lambda_ratio'))}. At which lambda ratio asperities ` +
-      'begin to carry depends on the contact law.',
+      `${ofEachCycle(model, (c) => valueWithUnit(model, c, 'min_lambda_ratio'))}.` +
+      (marks.length
+        ? ' By the contact law of the case asperities carry less than 1\u00a0% of the tension above a ratio of ' +
+          `${forEachCase(model, limit)} (dotted, where the chart reaches it).`
+        : ''),
   };
 }
 
 function asperityShareFigure(model) {
   const range = (c) => {
-    const shares = asperityShare(c).y.filter((v) => v !== null);
+    const shares = model.curve(c, 'asperity_load_share').y.filter((v) => v !== null);
     return shares.length
       ? `${number(Math.min(...shares), 2)} to ${number(Math.max(...shares), 2)}\u00a0%`
-      : 'no load';
+      : 'none';
   };
   return {
     id: 'asperity-share',
     title: 'Load carried by asperities',
-    panels: [
-      {
-        ...cyclePanel(model, 'lambda_ratio'),
-        id: 'asperity-share',
-        yLabel: 'share of the load carried by asperities',
-        yUnit: '%',
-        series: model.cases.map((c) => ({
-          caseIndex: c.series,
-          part: null,
-          label: c.name,
-          ...asperityShare(c),
-        })),
-      },
-    ],
+    offersLog: true,
+    panels: [{ ...cyclePanel(model, 'asperity_load_share'), yMarks: kRegimeLimits }],
     caption:
-      'Load carried by asperities over the load on the ring; oil film and gas carry the rest. Range: ' +
-      `${forEachCase(model, range)}. Boundary friction in the friction power: ` +
+      'Share of asperities in the load that they and the oil carry beyond the pressures at the edges; where it is ' +
+      `100\u00a0% oil carries nothing. Range: ${forEachCase(model, range)}. Boundary friction in the friction power: ` +
       `${ofEachCycle(model, (c) => withUnit(boundaryPowerShare(c.values), '%', 3))}.`,
   };
 }
@@ -441,6 +439,7 @@ export function shownElsewhere() {
     'gas_pressure',
     'min_film_thickness',
     'lambda_ratio',
+    'asperity_load_share',
     'total_friction',
     'friction_on_liner',
     'oil_flow_middle',

@@ -1,5 +1,6 @@
 // The figures that are not drawn over crank angle.
 import { angle as shownAngle, converted, display, nearestAngle, number, wrapped } from '../units.js';
+import { kRegimes } from '../plot/palette.js';
 import { ofEachCycle, valueWithUnit } from './cycle_figures.js';
 
 const kStribeckWindow = 90;
@@ -232,6 +233,46 @@ export function energyFigure(model) {
           `${valueWithUnit(model, c, 'mean_power_loss')}`,
       ) +
       '.',
+  };
+}
+
+/** What the regimes have a share in, with the last words of its values. */
+const kSharedOut = [
+  ['cycle', 'cycle'],
+  ['distance', 'sliding distance'],
+  ['energy', 'friction energy'],
+];
+
+/** Shares of the regimes in time, sliding distance and friction energy, by the load that asperities carry. */
+export function regimeFigure(model) {
+  if (model.cases.every((c) => !c.complete)) return null;
+  const share = (c, regime, of) => model.value(c, `${regime.value}_${of}_share`);
+  const shown = (c, of) =>
+    kRegimes.map((regime) => `${regime.name} ${number(share(c, regime, of).value, 2)}\u00a0%`).join(', ');
+  return {
+    id: 'regimes',
+    title: 'Regimes of lubrication',
+    panels: [
+      {
+        id: 'regimes',
+        bars: true,
+        parts: kRegimes,
+        yLabel: 'share',
+        yUnit: '%',
+        categories: kSharedOut.map(([, label]) => label),
+        groups: model.cases.map((c) => ({
+          caseIndex: c.series,
+          label: c.name,
+          stacks: kSharedOut.map(([of]) =>
+            kRegimes.map((regime) => ({ part: regime.name, value: share(c, regime, of).value })),
+          ),
+        })),
+      },
+    ],
+    caption:
+      'By the share of asperities in the load that they and the oil carry beyond the gas: boundary above 90\u00a0%, ' +
+      'mixed, full film below 1\u00a0% (a convention). Friction energy: ' +
+      `${ofEachCycle(model, (c) => shown(c, 'energy'))}.`,
   };
 }
 

@@ -24,6 +24,19 @@ export function isOneOfSeveral(index) {
   return index !== null && index >= 0;
 }
 
+/** Regimes of lubrication by the load share of asperities, with the first words of their values. */
+export const kRegimes = [
+  { name: 'boundary', value: 'boundary_regime', colour: '#8c2d1a' },
+  { name: 'mixed', value: 'mixed_regime', colour: '#e8b65a', isLight: true },
+  { name: 'full film', value: 'full_film', colour: '#4a7fc8' },
+];
+
+/** Load shares of asperities at which the regimes meet [%]. */
+export const kRegimeLimits = [
+  { at: 90, label: 'boundary above 90 %' },
+  { at: 1, label: 'full film below 1 %' },
+];
+
 /** How much of a case's colour the band of its error has. */
 export const kBandOpacity = 0.22;
 

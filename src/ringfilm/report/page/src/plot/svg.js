@@ -1,13 +1,17 @@
 // A figure as an SVG document: to take away, and in print.
 import { linePanel, swatch } from './line_panel.js';
-import { barPanel, rankedHeight, rankedPanel } from './svg_bars.js';
+import { barPanel, rankedHeight, rankedPanel, sharesHeight, sharesPanel } from './svg_bars.js';
 import { legend, svgDocument } from './svg_shapes.js';
 
 const kPanelHeight = 262;
 
-const panelHeight = (panel) => (panel.ranked ? rankedHeight(panel) : kPanelHeight);
+function panelHeight(panel) {
+  if (panel.parts) return sharesHeight(panel);
+  return panel.ranked ? rankedHeight(panel) : kPanelHeight;
+}
 
 function drawnPanel(panel, box, visible, window) {
+  if (panel.parts) return sharesPanel(panel, box, visible);
   if (panel.ranked) return rankedPanel(panel, box, visible);
   return panel.bars ? barPanel(panel, box, visible) : linePanel(panel, box, visible, window).shapes;
 }
@@ -15,7 +19,8 @@ function drawnPanel(panel, box, visible, window) {
 /** Names of what is shown, each once, with its part of friction where the name does not have it. */
 function entries(figure, visible) {
   const named = new Map();
-  for (const { bars, groups, series } of figure.panels) {
+  // Shares have the colours of their parts, with a legend of their own.
+  for (const { bars, groups, series } of figure.panels.filter((panel) => !panel.parts)) {
     for (const { label, caseIndex, part = null, dash } of (bars ? groups : series).filter(visible)) {
       const isSaid = !part || ['measured', 'total', 'points'].includes(part) || label.includes(part);
       const entry = { caseIndex, part, dash, bars };

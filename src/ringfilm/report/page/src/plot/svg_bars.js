@@ -2,7 +2,7 @@
 import { frame } from './plot_frame.js';
 import { axisTitle, extent } from './scales.js';
 import { caseColour } from './palette.js';
-import { boldText, kFaint, kInk, rectangle, rule, scaler, text } from './svg_shapes.js';
+import { boldText, kFaint, kInk, kLetter, legend, rectangle, rule, scaler, text } from './svg_shapes.js';
 import { number, percent } from '../units.js';
 
 /** Upright bars, grouped by category. */
@@ -101,5 +101,67 @@ export function rankedPanel(panel, box, visible) {
       );
     });
   });
+  return out;
+}
+
+const kShareBar = 20;
+const kShareRow = kShareBar + 6;
+/** Room for the legend and for the name of a case. */
+const kShareLegend = 30;
+const kShareName = 20;
+
+export function sharesHeight(panel) {
+  const { categories, groups } = panel;
+  return (
+    kShareLegend + groups.length * (categories.length * kShareRow + (groups.length > 1 ? kShareName : 4))
+  );
+}
+
+/** Lying bars that add up to the whole, one a category; of several cases below the name of each. */
+export function sharesPanel(panel, box, visible) {
+  const { categories, parts } = panel;
+  const left = box.x + 16 + kLetter * Math.max(...categories.map((category) => category.length));
+  const wide = box.x + box.width - 8 - left;
+  const names = parts.map(({ name, colour }) => ({
+    label: name,
+    swatch: (x, y) => rectangle(x + 8, y - 6, 12, 12, `fill="${colour}"`),
+  }));
+  const out = [...legend(names, box.width, box.y).shapes];
+  let y = box.y + kShareLegend;
+  for (const group of panel.groups.filter(visible)) {
+    if (panel.groups.length > 1) {
+      out.push(boldText(box.x + 8, y + 11, group.label, box.width - 16));
+      y += kShareName;
+    }
+    categories.forEach((category, i) => {
+      out.push(text(left - 8, y + 14, category, { anchor: 'end' }));
+      let from = left;
+      group.stacks[i].forEach(({ value }, k) => {
+        const size = (wide * Math.max(0, value ?? 0)) / 100;
+        const words = `${number(value, 2)} %`;
+        const { name, colour, isLight } = parts[k];
+        out.push(
+          rectangle(
+            from,
+            y,
+            size,
+            kShareBar,
+            `fill="${colour}" stroke="#fff" stroke-width="0.6"`,
+            `${group.label}, ${category}, ${name}: ${number(value, 3)} %`,
+          ),
+        );
+        if (size > kLetter * words.length + 6)
+          out.push(
+            text(from + size / 2, y + 14, words, {
+              anchor: 'middle',
+              size: 11.5,
+              fill: isLight ? '#000' : '#fff',
+            }),
+          );
+        from += size;
+      });
+      y += kShareRow;
+    });
+  }
   return out;
 }

@@ -1,17 +1,10 @@
-// One point a scenario: friction coefficient against Stribeck number, by its share of boundary friction.
-import { caseMark } from '../plot/palette.js';
+// One point a scenario: friction coefficient against Stribeck number, by its regime of lubrication.
+import { caseMark, kRegimes } from '../plot/palette.js';
 import { airy, frame } from '../plot/plot_frame.js';
 import { extent } from '../plot/scales.js';
 import { dot, kInk, legend, mark } from '../plot/svg_shapes.js';
 import { number, percent } from '../units.js';
 
-/** Steps of the share of boundary friction in the friction power, in per cent. */
-const kSteps = [
-  { name: '75 to 100 %', from: 75, colour: '#8c2d1a' },
-  { name: '50 to 75 %', from: 50, colour: '#d9821f' },
-  { name: '25 to 50 %', from: 25, colour: '#7fa8d9' },
-  { name: '0 to 25 %', from: 0, colour: '#1f4e9c' },
-];
 /** From so many times on a logarithmic axis shows more. */
 const kManyTimes = 15;
 
@@ -24,12 +17,12 @@ export function stribeckFigure(model) {
       x: s.mean_stribeck_number[k],
       y: s.mean_friction_coefficient[k],
       film: s.mean_lambda_ratio[k],
+      regime: kRegimes.find(({ name }) => name === s.regime[k]),
       boundary: 100 * s.boundary_power_share[k],
     }))
     .filter((p) => p.x > 0 && p.y > 0);
   if (all.length < 3) return null;
-  const step = (p) => kSteps.find((r) => p.boundary >= r.from) ?? kSteps[kSteps.length - 1];
-  const there = kSteps.filter((r) => all.some((p) => step(p) === r));
+  const there = kRegimes.filter((regime) => all.some((p) => p.regime === regime));
   const [low, high] = extent(all.map((p) => p.y));
   const log = high > kManyTimes * low;
   const span = extent(all.map((p) => p.x));
@@ -46,7 +39,7 @@ export function stribeckFigure(model) {
       const named = legend(
         [
           ...there.map((r) => ({
-            label: `boundary friction ${r.name} of the power`,
+            label: `mostly ${r.name}`,
             swatch: (x, y) => dot(x + 14, y, 5, `fill="${r.colour}"`),
           })),
           ...bases,
@@ -76,13 +69,14 @@ export function stribeckFigure(model) {
       const r = all.length > 500 ? 2.6 : 4;
       const points = all.map((p) =>
         mark(model.several ? p.base : null, [[x(p.x), y(p.y)]], r, {
-          fill: step(p).colour,
+          fill: p.regime.colour,
           opacity: 0.75,
-          stroke: model.several && caseMark(p.base) === 'cross' ? step(p).colour : '#fff',
+          stroke: model.several && caseMark(p.base) === 'cross' ? p.regime.colour : '#fff',
           width: 0.5,
           tooltip:
             `scenario ${p.scenario}, ${model.bases[p.base].name}: S ${number(p.x, 3)}, µ ` +
-            `${number(p.y, 3)}, λ ${number(p.film, 3)}, boundary friction ${number(p.boundary, 3)} % of the power`,
+            `${number(p.y, 3)}, λ ${number(p.film, 3)}, mostly ${p.regime.name}, boundary friction ` +
+            `${number(p.boundary, 3)} % of the power`,
         }),
       );
       return { shapes: [...named.shapes, ...shapes, ...points, ...edges], height: named.height + height };
@@ -91,11 +85,13 @@ export function stribeckFigure(model) {
       'Each point is one scenario' +
       `${s.of > s.scenario.length ? `, ${all.length} of ${s.of} evenly picked` : ''}: mean ` +
       'friction over mean load against the Stribeck number of mean speed and mean load pressure. ' +
-      'Colours: share of boundary friction in the friction power. Scenarios by this share: ' +
+      'Colours: regime of lubrication by the load share of asperities, boundary or full film where it has more than ' +
+      'half of the friction energy, else mixed; not full film where more than half of the power is boundary ' +
+      'friction. Scenarios: ' +
       there
         .map(
           (r) =>
-            `${r.name}: ` + percent(all.filter((p) => step(p) === r).length / all.length, 0).replace('+', ''),
+            `${r.name} ` + percent(all.filter((p) => p.regime === r).length / all.length, 0).replace('+', ''),
         )
         .join('; ') +
       `. Stribeck number ${number(span[0], 2)} to ${number(span[1], 2)}, friction coefficient ` +
@@ -106,6 +102,7 @@ export function stribeckFigure(model) {
       { title: 'Stribeck number', values: all.map((p) => p.x) },
       { title: 'friction coefficient', values: all.map((p) => p.y) },
       { title: 'lambda ratio', values: all.map((p) => p.film) },
+      { title: 'regime', values: all.map((p) => p.regime.name) },
       { title: 'boundary friction in the power [%]', values: all.map((p) => p.boundary) },
     ],
   };
