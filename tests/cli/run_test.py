@@ -68,6 +68,24 @@ class Run(program.ProgramTest):
             self.assertAlmostEqual(at["total_friction"], at["boundary_friction"] + at["viscous_friction"], places=9)
             self.assertAlmostEqual(at["power_loss"], at["total_friction"] * abs(at["piston_velocity"]), places=6)
 
+    def test_regimes_of_lubrication_share_the_cycle_by_the_load_of_asperities(self):
+        header, rows = self.curves()
+        share = header.index("asperity_load_share")
+        self.assertTrue(all(0 <= row[share] <= 1 for row in rows))
+        values = self.values()
+        regimes = ("boundary_regime", "mixed_regime", "full_film")
+        for whole in ("cycle", "distance", "energy"):
+            self.assertAlmostEqual(sum(values[f"{regime}_{whole}_share"] for regime in regimes), 1, places=9)
+        full = sum(row[share] < 0.01 for row in rows) / len(rows)
+        self.assertAlmostEqual(values["full_film_cycle_share"], full, delta=0.02)  # crossings within a degree
+        boundary = sum(row[share] > 0.9 for row in rows) / len(rows)
+        self.assertAlmostEqual(values["boundary_regime_cycle_share"], boundary, delta=0.02)
+        self.assertGreater(values["full_film_lambda_ratio"], 3)
+        self.assertRegex(
+            self.run_well("run", "case.toml"),
+            r"% +share of the cycle in boundary lubrication \(mixed \d+ %, full film \d+ %; of the friction energy ",
+        )
+
     def test_json_agrees_with_the_curves(self):
         header, rows = self.curves()
         column = {name.split(" [")[0]: i for i, name in enumerate(header)}

@@ -67,7 +67,11 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
                                              table.shown("peak_friction_coefficient_firing"));
   table.add("min_film_thickness", table.at("min_film_thickness_angle"));
   table.add("lambda_ratio_at_peak_pressure", "lowest of the cycle " + table.shown("min_lambda_ratio"));
-  table.add("mixed_share");
+  table.add("boundary_regime_cycle_share",
+            fmt::format("mixed {}, full film {}; of the friction energy {}, {} and {}",
+                        percent(values.mixed_regime_cycle_share, 1), percent(values.full_film_cycle_share, 1),
+                        percent(values.boundary_regime_energy_share, 1), percent(values.mixed_regime_energy_share, 1),
+                        percent(values.full_film_energy_share, 1)));
   table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
   const bool follows_oil = values.oil_replenished != 0 || values.oil_scraped_up != 0 || values.oil_scraped_down != 0;
   if (follows_oil) {
