@@ -159,10 +159,10 @@ def film_and_coefficient():
 
 def cycle_values():
     """How the numbers of a cycle follow from its curves."""
-    picture = Picture("Friction power with its mean, and the time in mixed lubrication, of the new ring", 470)
+    picture = Picture("Friction power with its mean, and the regimes of lubrication, of the new ring", 470)
     mark_synthetic(picture)
     result = ring("new")
-    angle, power, ratio = curves(result, "power_loss", "lambda_ratio")
+    angle, power, load_share = curves(result, "power_loss", "asperity_load_share")
     top = cycle_panel(picture, 44, 170, 0, 2000)
     top.title("friction power P_{l} [W]")
     top.y_axis("", range(0, 2001, 500))
@@ -177,15 +177,17 @@ def cycle_values():
     top.curve(angle, power, Style(BLACK))
     mean = result.values["mean_power_loss"]
     top.level(mean, Style(GREY, "9 3 2 3", 1.3), f"mean {mean:.0f} W")
-    low = cycle_panel(picture, 262, 150, 0, 10)
-    share = 100 * result.values["mixed_share"]
-    low.title(f"lambda ratio λ_{{m}} [-]; below 3, red: mixed lubrication, {share:.0f} % of the time")
-    low.y_axis("", range(0, 11, 2))
-    mixed = [min(value, 3) if value < 3 else 0 for value in ratio]
-    low.band(angle, [0] * len(angle), mixed, RED, 0.3)
+    low = cycle_panel(picture, 262, 150, 0, 100)
+    names = {"boundary_regime": "boundary", "mixed_regime": "mixed", "full_film": "full film"}
+    shares = [f"{words} {100 * result.values[f'{name}_cycle_share']:.0f} %" for name, words in names.items()]
+    low.title(f"load share of asperities a [%]: {', '.join(shares)} of the time")
+    low.y_axis("", range(0, 101, 25))
+    percent = [100 * value for value in load_share]
+    low.band(angle, [0] * len(angle), [value if value > 90 else 0 for value in percent], RED, 0.5)
+    low.band(angle, [0] * len(angle), [value if 1 <= value <= 90 else 0 for value in percent], ORANGE, 0.35)
     low.crank()
-    low.curve(angle, ratio, Style(BLUE))
-    low.level(3, Style(RED, "7 3", 1.3))
+    low.curve(angle, percent, Style(BLUE))
+    low.level(90, Style(RED, "7 3", 1.3))
     return picture
 
 
