@@ -241,6 +241,62 @@ def rough_surfaces():
     return picture
 
 
+def plateau():
+    """A liner made in two steps under a ring, with its planes, and its material ratio curve over normal probability."""
+    picture = Picture("Plateau over valleys: planes of a liner made in two steps, and its material ratio curve", 300)
+    left, length, plane = 30, 330, 138
+
+    def height(x):
+        fine = sum(
+            a * math.sin(2 * math.pi * (x * f + p)) for a, f, p in ((5, 7.3, 0.1), (4, 15.1, 0.4), (2, 31.7, 0.8))
+        )
+        grooves = ((0.13, 62, 0.045), (0.42, 84, 0.06), (0.71, 48, 0.04), (0.88, 66, 0.05))
+        return plane - fine + max(max(0, depth * (1 - abs(x - at) / wide)) for at, depth, wide in grooves)
+
+    surface = [(left + length * i / 660, height(i / 660)) for i in range(661)]
+    mean = sum(y for _, y in surface) / len(surface)
+    lowest = plane - 34
+    ring = [(x, lowest + 3 * math.sin(x / 9) + 2 * math.sin(x / 4 + 1)) for x, _ in surface]
+    picture.polyline([(left, 40)] + ring + [(left + length, 40)], close=True, fill="#b9c4d2")
+    picture.polyline(ring + surface[::-1], close=True, fill=OIL, stroke="none")
+    picture.polyline([(left, 256)] + surface + [(left + length, 256)], close=True, fill=LINER)
+    for y, colour in ((lowest, GREY), (plane, RED), (mean, BLUE)):
+        picture.line(left, y, left + length + 40, y, stroke=colour, width=1, dashes="9 3 2 3")
+    picture.arrow(left + length + 12, lowest, left + length + 12, mean, both=True, colour=BLUE, head=7)
+    picture.text(left + length + 18, lowest + 22, "h", colour=BLUE, italic=True, size=15)
+    picture.arrow(left + length + 34, plane - 22, left + length + 34, plane, colour=RED, head=6)
+    picture.arrow(left + length + 34, mean + 22, left + length + 34, mean, colour=RED, head=6)
+    picture.text(left + length + 40, mean + 20, "z_{p}", colour=RED, italic=True, size=15)
+    picture.text(left + 8, 58, "ring", bold=True)
+    picture.text(left + 8, 248, "liner", bold=True)
+    picture.text(left + 78, 274, "mean planes of the plateau and of the whole liner", colour=GREY, size=12)
+    # The material ratio curve: s from -3 to 3, the lines meet at 1.
+    x0, width, top, meet = 470, 250, 70, 1.0
+    slope, steep = 9, 48
+
+    def at(s, y):
+        return x0 + width * (s + 3) / 6, top + y
+
+    def line(s):
+        return slope * (s + 3) + (steep - slope) * max(0, s - meet)
+
+    picture.polyline([at(-3, -22), at(-3, 180), at(3, 180)], width=1)
+    picture.polyline([at(s, line(s)) for s in (-3, meet, 3)], stroke=BLUE, width=2.4)
+    picture.line(*at(meet, line(meet)), *at(3, slope * 6), stroke=RED, width=1.2, dashes="6 4")
+    picture.line(*at(meet, line(meet)), *at(0.3, line(meet) - 0.7 * steep), stroke=GREEN, width=1.2, dashes="6 4")
+    picture.line(*at(meet, line(meet)), *at(meet, 180), stroke=GREY, width=1, dashes="3 3")
+    picture.circle(*at(meet, line(meet)), 3.5, fill="white")
+    for s, words in ((-2, "2 %"), (0, "50 %"), (2, "98 %")):
+        picture.line(*at(s, 180), *at(s, 184), width=0.8)
+        picture.text(at(s, 0)[0], top + 200, words, anchor="middle", size=12)
+    picture.text(at(meet, 0)[0], top + 200, "R_{mq}", anchor="middle")
+    picture.text(x0 + width / 2, top + 222, "material ratio, over normal probability", anchor="middle")
+    picture.text(x0 - 12, top + 80, "height", anchor="middle", turn=-90)
+    picture.text(*at(-2.6, -8), "plateau, slope R_{pq}", colour=RED)
+    picture.text(*at(1.0, 150), "valleys, slope R_{vq}", anchor="end", colour=GREEN)
+    return picture
+
+
 def box(picture, x, y, width, rows, colour):
     picture.rect(x, y, width, 24 + 16 * (len(rows) - 1) + 10, fill=colour, stroke="#444")
     for i, words in enumerate(rows):
@@ -345,5 +401,6 @@ PICTURES = {
     "unrolled-ring": unrolled,
     "pad": pad,
     "rough-surfaces": rough_surfaces,
+    "plateau": plateau,
     "measured-chain": chain,
 }
