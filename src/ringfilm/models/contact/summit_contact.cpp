@@ -72,8 +72,9 @@ std::function<PressureAndArea(double)> greenwood(const GreenwoodTripp::Parameter
   return [=](double h) -> PressureAndArea {
     const double d = h - offset;
     const double end = std::max(kFarthest * sigma - d, sigma);
+    const double panel = 0.25 * sigma / std::max(1.0, -d / (4 * sigma));  // far below the plane all is about w = -d
     const auto integral = [&](const auto& of) {
-      return per_area * over_approaches(asperity, end, 0.25 * sigma, [&](double w) {
+      return per_area * over_approaches(asperity, end, panel, [&](double w) {
                return of(w) * (of_pairs ? share_above(d + w, sigma) : density(d + w, sigma));
              });
     };
