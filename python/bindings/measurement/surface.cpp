@@ -93,7 +93,9 @@ void bind_surface_records(py::module_& module) {
   Record<ProbabilityRoughness>(module, "ProbabilityRoughness", "A surface made in two steps, after ISO 13565-3.")
       .with("Rpq_m", &ProbabilityRoughness::Rpq_m, "Rms of the plateau [m].")
       .with("Rvq_m", &ProbabilityRoughness::Rvq_m, "Rms of the valleys [m].")
-      .with("Rmq", &ProbabilityRoughness::Rmq, "Material ratio where both meet [-].");
+      .with("Rmq", &ProbabilityRoughness::Rmq, "Material ratio where both meet [-].")
+      .with("plateau_m", &ProbabilityRoughness::plateau_m, "Mean plane of the plateau [m].")
+      .with("meet_m", &ProbabilityRoughness::meet_m, "Height where both meet [m].");
   Record<Cavities>(module, "Cavities", "Pores and grooves. Source: docs/theory, eq-surface-cavities.")
       .with("area_share", &Cavities::area_share, "Of the measured points [-].")
       .with("threshold_m", &Cavities::threshold_m, "Height below which a point counts [m].")

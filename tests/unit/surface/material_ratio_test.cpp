@@ -71,6 +71,9 @@ TEST(Bearing, TwoLinesOverProbabilityAreFoundAgain) {
   EXPECT_NEAR(of->Rpq_m, plateau, 0.002 * plateau);
   EXPECT_NEAR(of->Rvq_m, valley, 0.002 * valley);
   EXPECT_NEAR(of->Rmq, meet, 0.002);
+  // The line of the plateau is 0 at one half, and both meet on it.
+  EXPECT_NEAR(of->plateau_m, 0, 0.01 * plateau);
+  EXPECT_NEAR(of->meet_m, -plateau * quantile(meet), 0.03 * plateau);
 }
 
 TEST(Bearing, ASurfaceMadeInOneStepHasNoSecondLine) {

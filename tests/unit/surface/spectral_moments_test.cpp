@@ -152,6 +152,18 @@ TEST(SpectralMoments, AreTheSameWithPointsMissing) {
   EXPECT_NEAR(moments_at_angle(table, 0.6).m2 * 32, 1, 5 * field.spread(0.75) + 1.0 / 64);
 }
 
+TEST(SpectralMoments, AboveAHeightAreThoseOfThePartThatLiesThere) {
+  const auto height = [](double x, double y) {
+    return x < 32e-6 ? 0.1e-6 * std::sin(1e6 * x) * std::cos(0.7e6 * y) : -5e-6 + 1e-6 * std::sin(2e6 * y);
+  };
+  const HeightMap map = map_of(64, 48, 1e-6, 1e-6, height), part = map_of(32, 48, 1e-6, 1e-6, height);
+  const SpectralMoments above = moments(moment_table_above(map, -1e-6), MomentDirection::mean),
+                        alone = moments(moment_table(part), MomentDirection::mean);
+  EXPECT_NEAR(above.m0_m2 / alone.m0_m2, 1, 1e-12);
+  EXPECT_NEAR(above.m2 / alone.m2, 1, 1e-12);
+  EXPECT_NEAR(above.m4_per_m2 / alone.m4_per_m2, 1, 1e-12);
+}
+
 TEST(SpectralMoments, OfTheFlatsNoiseAreRemoved) {
   const SpectralMoments surface{4, 3, 2}, flat{1, 1, 0.5};
   EXPECT_DOUBLE_EQ(without_noise(surface, flat).m0_m2, 3);

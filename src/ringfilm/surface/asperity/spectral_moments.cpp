@@ -196,6 +196,16 @@ MomentTable moment_table(const HeightMap& map, DifferenceScheme scheme) {
   return table;
 }
 
+MomentTable moment_table_above(HeightMap map, double height_m, DifferenceScheme scheme) {
+  map.missing.resize(map.points(), 0);
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (map.missing[i] != 0 || map.height_m[i] >= height_m) continue;
+    map.missing[i] = 1;
+    map.height_m[i] = 0;
+  }
+  return moment_table(map, scheme);
+}
+
 SpectralMoments moments(const MomentTable& table, MomentDirection direction) {
   const SpectralMoments x{table.m0_m2, table.m2_x, table.m4_x_per_m2}, y{table.m0_m2, table.m2_y, table.m4_y_per_m2};
   if (table.profile) {

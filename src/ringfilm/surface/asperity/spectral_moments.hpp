@@ -49,6 +49,10 @@ struct MomentTable {
 /// @throws InputError where there are fewer than 16 complete stencils in a direction, or no curvature in any
 MomentTable moment_table(const HeightMap& map, DifferenceScheme scheme = DifferenceScheme::neighbours);
 
+/// The table of what lies above a height alone, as the plateau of a surface made in two steps; eq-surface-plateau.
+/// @throws as moment_table()
+MomentTable moment_table_above(HeightMap map, double height_m, DifferenceScheme scheme = DifferenceScheme::neighbours);
+
 /// Moments along x, y or both; a profile has those along x alone.
 SpectralMoments moments(const MomentTable& table, MomentDirection direction);
 

@@ -143,7 +143,8 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
   if (!(valley.slope < plateau.slope && plateau.slope < 0)) return std::nullopt;  // no plateau over deeper valleys
   const double meet = (valley.at_zero - plateau.at_zero) / (plateau.slope - valley.slope);
   if (!(std::abs(meet) < kProbabilityRange)) return std::nullopt;  // they do not meet on the curve
-  return ProbabilityRoughness{-plateau.slope, -valley.slope, 0.5 * std::erfc(-meet / root_of_two)};
+  return ProbabilityRoughness{-plateau.slope, -valley.slope, 0.5 * std::erfc(-meet / root_of_two),
+                              z.back() + plateau.at_zero, z.back() + plateau.at_zero + plateau.slope * meet};
 }
 
 Cavities cavities(std::span<const double> z, CavityRule rule, double depth_m) {

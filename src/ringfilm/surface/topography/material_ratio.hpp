@@ -24,9 +24,11 @@ CoreRoughness core_roughness(std::span<const double> falling_heights_m);
 
 /// Roughness of a surface made in two steps after @cite iso13565_3, eq-surface-probability.
 struct ProbabilityRoughness {
-  double Rpq_m = 0.0;  ///< slope of the plateau part: rms of the plateau [m]
-  double Rvq_m = 0.0;  ///< slope of the valley part [m]
-  double Rmq = 0.0;    ///< material ratio where both lines meet, 0 to 1
+  double Rpq_m = 0.0;      ///< slope of the plateau part: rms of the plateau [m]
+  double Rvq_m = 0.0;      ///< slope of the valley part [m]
+  double Rmq = 0.0;        ///< material ratio where both lines meet, 0 to 1
+  double plateau_m = 0.0;  ///< height of the line of the plateau at one half: its mean plane [m]
+  double meet_m = 0.0;     ///< height where both lines meet [m]
 };
 
 /// Two straight lines of least squares on the curve over normal probability from -3 to 3 standard deviations, their
