@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/case/case_choices.hpp"
+#include "ringfilm/case/plateau.hpp"
 #include "ringfilm/case/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
 #include "ringfilm/models/contact/measured_flow.hpp"
@@ -339,6 +340,7 @@ struct Contact {
   ContactIntegrals integrals = ContactIntegrals::kExact;  ///< integrals of the heights, F_2 and F_5/2
   LambdaRatio lambda_ratio = LambdaRatio::kLocal;         ///< contact pressure from h(x)/sigma, or h_m/sigma all over
   double ring_roughness_share = 0;  ///< share of the ring's own roughness in the square of sigma [-]; film.shear_flow
+  Plateau plateau;                  ///< in place of sigma: plateau and valleys of the liner
   MeasuredContact measured;         ///< where N, beta, sigma and zeta come from
 
   /// Does nothing limit the pressure on the real area?

@@ -147,6 +147,9 @@ std::vector<OtherContactLaw> other_contact_laws(const Case& c) {
                         choice.plane == c.contact.summit_plane && choice.moments == c.contact.moments;
     if (!is_own && is_possible(of)) others.push_back({choice.name, choice.label, std::move(of)});
   }
+  if (c.contact.plateau.is_stated()) {
+    others.push_back({"whole_surface", "law of the case, the whole liner as a Gaussian surface", without_plateau(c)});
+  }
   return others;
 }
 

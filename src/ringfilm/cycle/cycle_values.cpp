@@ -9,6 +9,7 @@
 
 #include "ringfilm/cycle/between_samples.hpp"
 #include "ringfilm/cycle/regimes.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
@@ -270,7 +271,6 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
        models::tangential_force_from_elastic_pressure(setup.ring.elastic_pressure, c.ring.face_width, c.engine.bore)},
       {"composite_modulus", setup.ring.E_prime},
       {"roughness", setup.ring.sigma},
-      {"roughness_parameter", c.contact.asperity_density * c.contact.asperity_radius * setup.ring.sigma},
       {"oil_viscosity", setup.ring.oil.viscosity},
       {"oil_density", setup.ring.oil.density},
       {"face_height_minimum", setup.ring.face.minimum().height},
@@ -282,6 +282,13 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
   };
   if (!setup.ring.asperities) values.erase("roughness_parameter");
   if (const auto lambda = full_film_lambda_ratio(setup.ring)) values["full_film_lambda_ratio"] = *lambda;
+  if (const auto curve = plateau_curve(c.contact)) {
+    values["Rpq"] = curve->Rpq;
+    values["Rvq"] = curve->Rvq;
+    values["Rmq"] = curve->Rmq;
+    values["plateau_roughness"] = setup.ring.asperities->sigma;
+    values["plateau_offset"] = plateau_offset(c.contact);
+  }
   const auto summits = setup.ring.asperities ? models::summit_statistics(*setup.ring.asperities) : std::nullopt;
   if (summits) {
     values["asperity_bandwidth"] = summits->bandwidth;

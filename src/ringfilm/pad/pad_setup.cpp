@@ -106,7 +106,7 @@ PadSetup prepare_pad(const cycle::Case& c) {
   setup.notes = std::move(oil.notes);
   if (c.has_contact()) {
     setup.contact = cycle::asperity_contact(c);
-    cycle::append_contact_notes(c, cycle::roughness(c), setup.notes);
+    cycle::append_contact_notes(c, setup.notes);
   }
   const models::RingFace::Minimum lowest = cycle::lowest_point(pad);
   setup.lowest_gap = lowest.height;

@@ -19,7 +19,7 @@ std::vector<std::string> topics(const Change& change) {
   Case c = styles_new_ring();
   change(c);
   std::vector<Note> notes;
-  append_contact_notes(c, c.contact.roughness, notes);
+  append_contact_notes(c, notes);
   std::vector<std::string> all;
   for (const Note& note : notes) all.push_back(note.topic);
   return all;

@@ -10,12 +10,22 @@ bool has_summits(const Case& c) {
 
 constexpr When kContact{[](const Case& c) { return c.has_contact(); },
                         "the case is not a pad, or contact.composite_modulus is stated"};
+bool has_heights(const Case& c) {
+  return (c.has_contact() && has_asperities(c)) || (c.problem == Problem::kPad && c.film.is_rough());
+}
+bool has_plateau(const Case& c) { return c.contact.plateau.is_stated(); }
+
+constexpr When kHeights{has_heights,
+                        "contact.model is not \"table\"; of a pad, contact.composite_modulus is stated, or "
+                        "film.flow_factors, film.shear_flow, film.stress_factors or film.average_gap is not that of "
+                        "smooth walls"};
 constexpr When kRoughness{
-    [](const Case& c) {
-      return (c.has_contact() && has_asperities(c)) || (c.problem == Problem::kPad && c.film.is_rough());
-    },
-    "contact.model is not \"table\"; of a pad, contact.composite_modulus is stated, or film.flow_factors, "
-    "film.shear_flow, film.stress_factors or film.average_gap is not that of smooth walls"};
+    [](const Case& c) { return has_heights(c) && !has_plateau(c); },
+    "contact.model is not \"table\" and [contact.plateau] is not stated; of a pad, contact.composite_modulus is "
+    "stated, or film.flow_factors, film.shear_flow, film.stress_factors or film.average_gap is not that of smooth "
+    "walls"};
+constexpr When kPlateau{[](const Case& c) { return has_heights(c) && has_plateau(c); },
+                        "contact.plateau states a material ratio curve"};
 constexpr When kNoTable{has_asperities, "contact.model is not \"table\""};
 constexpr When kAsperities{[](const Case& c) { return c.has_contact() && has_asperities(c); },
                            "contact.model is not \"table\"; of a pad, contact.composite_modulus is stated"};
@@ -23,16 +33,32 @@ constexpr When kSummits{[](const Case& c) { return c.has_contact() && has_summit
                         "contact.model = \"greenwood-tripp\" or \"greenwood-williamson\""};
 constexpr When kPairs{[](const Case& c) { return c.has_contact() && c.contact.model == ContactLaw::kGreenwoodTripp; },
                       "contact.model = \"greenwood-tripp\""};
+constexpr When kIntegrals{[](const Case& c) { return kPairs.holds(c) && !has_plateau(c); },
+                          "contact.model = \"greenwood-tripp\", and [contact.plateau] is not stated"};
 constexpr When kTable{[](const Case& c) { return c.contact.model == ContactLaw::kTable; }, "contact.model = \"table\""};
 constexpr When kOwnFriction{[](const Case& c) { return c.has_contact() && !c.contact.friction_pair; },
                             "the case is not a pad, or contact.composite_modulus is stated; contact.friction_pair is "
                             "not stated"};
-constexpr When kShearFlow{[](const Case& c) { return c.film.shear_flow == Roughness::kPatirCheng; },
-                          "film.shear_flow = \"patir-cheng\""};
+constexpr When kShearFlow{[](const Case& c) { return c.film.shear_flow == Roughness::kPatirCheng && !has_plateau(c); },
+                          "film.shear_flow = \"patir-cheng\", and [contact.plateau] is not stated"};
+
+template <auto Member>
+Field plateau_number(const char* key, const DisplayUnit& unit, Range range, const char* help, const char* example) {
+  return field({.key = std::string("contact.plateau.") + key,
+                .kind = OptionalNumberKind{member<&Case::contact, &Contact::plateau, Member>},
+                .unit = unit,
+                .range = range,
+                .need = Need::kOptional,
+                .when = kHeights,
+                .help = help,
+                .example = example,
+                .uses = {.pad = true}});
+}
 
 }  // namespace
 
 void append_contact_fields(std::vector<Field>& fields) {
+  const Range height = above(0, 1e-4), ratio = between(0, 1);  // bounds of a material ratio curve
   fields.insert(
       fields.end(),
       {
@@ -191,7 +217,7 @@ void append_contact_fields(std::vector<Field>& fields) {
                      {{"exact", ContactIntegrals::kExact},
                       {"polynomial-4-digit", ContactIntegrals::kPolynomial4Digit},
                       {"polynomial-as-printed", ContactIntegrals::kPolynomialAsPrinted}}),
-                 .when = kPairs,
+                 .when = kIntegrals,
                  .help = "Gaussian height integrals F_2 and F_5/2: exact, or one of two published fits",
                  .example = "\"exact\"",
                  .uses = {.pad = true}}),
@@ -202,6 +228,39 @@ void append_contact_fields(std::vector<Field>& fields) {
                  .help = "contact pressure from h(x)/sigma over the face, or from h_m/sigma on the whole face",
                  .example = "\"local\"",
                  .uses = {.pad = true}}),
+          plateau_number<&Plateau::Rpq>(
+              "Rpq", kMicrometre, height,
+              "rms of the plateau that carries, Rpq of ISO 21920-2; with Rvq and Rmq in place of contact.roughness",
+              "\"0.08 um\""),
+          plateau_number<&Plateau::Rvq>("Rvq", kMicrometre, height, "rms of its valleys, Rvq of ISO 21920-2; above Rpq",
+                                        "\"0.9 um\""),
+          plateau_number<&Plateau::Rmq>(
+              "Rmq", kPlainNumber, ratio,
+              "material ratio at which plateau and valleys meet, Rmq of ISO 21920-2; 82 % is 0.82", "0.82"),
+          plateau_number<&Plateau::Rk>("Rk", kMicrometre, height,
+                                       "height of the core, in place of Rpq, Rvq and Rmq with Rpk, Rvk and Mr2",
+                                       "\"0.3 um\""),
+          plateau_number<&Plateau::Rpk>("Rpk", kMicrometre, height, "height of the reduced peaks", "\"0.1 um\""),
+          plateau_number<&Plateau::Rvk>("Rvk", kMicrometre, height, "depth of the reduced valleys", "\"1.2 um\""),
+          plateau_number<&Plateau::Mr2>(
+              "Mr2", kPlainNumber, ratio,
+              "material ratio at which the valleys begin; below 0.9, that of one Gaussian surface", "0.8"),
+          field({.key = "contact.plateau.ring_roughness",
+                 .kind = NumberKind{member<&Case::contact, &Contact::plateau, &Plateau::ring_roughness>},
+                 .unit = kMicrometre,
+                 .range = between(0, 1e-4),
+                 .need = Need::kRequired,
+                 .when = kPlateau,
+                 .help = "rms height Rq of the ring's face, or of a pad's fixed surface, taken as Gaussian; 0: smooth",
+                 .example = "\"0.1 um\"",
+                 .uses = {.pad = true}}),
+          plateau_number<&Plateau::surface_roughness>(
+              "surface_roughness", kMicrometre, height,
+              "rms height Rq of the whole liner with its valleys; by default that of the curve", "\"0.4 um\""),
+          plateau_number<&Plateau::offset>(
+              "offset", kMicrometre, between(-1e-4, 1e-4),
+              "measured mean plane of the plateau above that of the whole liner; by default that of the curve",
+              "\"0.1 um\""),
       });
 }
 

@@ -114,7 +114,7 @@ std::vector<Note> advice(const Setup& setup) {
   append_end_cell_note(c, notes);
   if (!c.ring.pressure_above.is_stated()) append_gas_notes(c, setup.ring.lands.above, notes);
   append_viscosity_notes(setup.ring.oil, notes);
-  append_contact_notes(c, setup.ring.sigma, notes);
+  append_contact_notes(c, notes);
   append_tension_note(setup.ring.elastic_pressure, notes);
   append_size_note(c.engine, notes);
   append_supply_note(c, notes);

@@ -25,13 +25,15 @@ constexpr double kSoftest = 1e9, kHardest = 1200e9;
 /// yields as a solid [Pa].
 constexpr double kMaxEyringStress = 100e6;
 
-void append_roughness_note(const Contact& contact, double sigma, std::vector<Note>& notes) {
-  const double parameter = contact.asperity_density * contact.asperity_radius * sigma;
+void append_roughness_note(const models::GreenwoodTripp::Parameters& pair, const std::string& sigma_keys,
+                           std::vector<Note>& notes) {
+  const double parameter = pair.N * pair.beta * pair.sigma;
   if (parameter >= kMinRoughnessParameter && parameter <= kMaxRoughnessParameter) return;
   notes.push_back({"roughness-parameter-unusual",
                    "the roughness parameter N beta sigma is " + number_text(parameter) +
                        ", where published surfaces have 0.03 to 0.073: are the units of contact.asperity_density, "
-                       "contact.asperity_radius and contact.roughness right?",
+                       "contact.asperity_radius and " +
+                       sigma_keys + " right?",
                    1});
 }
 
@@ -53,7 +55,8 @@ bool names_any(const std::string& text, std::initializer_list<std::string_view> 
 void append_measure_note(const Contact& contact, std::vector<Note>& notes) {
   const std::optional<std::string>& rule = contact.measured.roughness_rule;
   const bool is_of_ra = rule && names_any(*rule, {"Ra", "Sa"}) && !names_any(*rule, {"Rq", "Sq", "rms"});
-  if (!is_of_ra || is_closed_form(contact) || contact.roughness_measure != RoughnessMeasure::kAsGiven) return;
+  const bool takes_rms = !is_closed_form(contact) && !contact.plateau.is_stated();
+  if (!is_of_ra || !takes_rms || contact.roughness_measure != RoughnessMeasure::kAsGiven) return;
   notes.push_back({"roughness-from-ra",
                    "contact.roughness is of Ra (contact.measured.roughness_rule = \"" + *rule +
                        "\"), and this contact law takes the rms height, for a Gaussian surface 1.25 times as much: "
@@ -85,10 +88,10 @@ void append_modulus_notes(const Case& c, std::vector<Note>& notes) {
 
 }  // namespace
 
-void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes) {
+void append_contact_notes(const Case& c, std::vector<Note>& notes) {
   const Contact& contact = c.contact;
-  if (contact.model != ContactLaw::kTable) {
-    append_roughness_note(contact, sigma, notes);
+  if (const auto pair = asperities(c)) {
+    append_roughness_note(*pair, roughness_keys(contact), notes);
     append_measure_note(contact, notes);
   }
   append_modulus_notes(c, notes);

@@ -7,7 +7,6 @@
 namespace ringfilm::cycle {
 
 /// Notes on numbers of the contact that no pair of ring and liner has (docs/theory/contact.md).
-/// @param sigma composite roughness as the contact model uses it [m]
-void append_contact_notes(const Case& c, double sigma, std::vector<Note>& notes);
+void append_contact_notes(const Case& c, std::vector<Note>& notes);
 
 }  // namespace ringfilm::cycle

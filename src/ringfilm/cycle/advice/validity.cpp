@@ -113,8 +113,10 @@ void append_coating_note(const Setup& setup, double lowest_lambda_ratio, std::ve
                     !c.contact.composite_modulus && coating.contact_modulus == ContactModulus::kCoating;
   if (!acts) return;
   // Spots are largest where the film is thinnest.
-  const double lambda = std::clamp(lowest_lambda_ratio, 0.0, 8.0);
-  const double radius = models::contact_spot_radius(c.contact.asperity_radius, setup.ring.sigma, lambda);
+  const models::GreenwoodTripp::Parameters& pair = *setup.ring.asperities;
+  const double separation = lowest_lambda_ratio * setup.ring.sigma - plateau_offset(c.contact);
+  const double radius =
+      models::contact_spot_radius(pair.beta, pair.sigma, std::clamp(separation / pair.sigma, 0.0, 8.0));
   const double share = models::share_below_coating(radius, *coating.thickness, coating.poissons_ratio);
   if (share <= kCoatingFelt) return;
   notes.push_back(
@@ -234,9 +236,10 @@ void append_asperity_notes(const Setup& setup, const std::vector<Sample>& base, 
   const auto summits = pair ? models::summit_statistics(*pair) : std::nullopt;
   if (pair && !summits) {
     notes.push_back({"asperities-inconsistent",
-                     "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and "
-                     "contact.roughness together (bandwidth parameter below 1.5): were they measured on the same "
-                     "surface, with the same cut-off?",
+                     "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and " +
+                         roughness_keys(setup.input.contact) +
+                         " together (bandwidth parameter below 1.5): were they measured on the same "
+                         "surface, with the same cut-off?",
                      1});
   }
   const double slope = summits ? summits->rms_slope : 0;

@@ -12,6 +12,7 @@
 #include "ringfilm/cycle/checks/case_rules_measured.hpp"
 #include "ringfilm/cycle/checks/case_rules_oil.hpp"
 #include "ringfilm/cycle/checks/case_rules_pad.hpp"
+#include "ringfilm/cycle/checks/case_rules_plateau.hpp"
 #include "ringfilm/cycle/checks/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
@@ -263,11 +264,12 @@ void check_contact_law(const Case& c, Breaches& breaches) {
   const bool has_plane = contact.model == ContactLaw::kBushGibsonThomas ||
                          (contact.model != ContactLaw::kPlastic && contact.summit_plane == SummitPlane::kNayak);
   if (!has_plane) return;
-  if (contact.asperity_density > 0 && contact.asperity_radius > 0 && contact.roughness > 0 &&
-      !models::summit_statistics({contact.asperity_density, contact.asperity_radius, roughness(c), 1})) {
+  if (contact.asperity_density > 0 && contact.asperity_radius > 0 && asperity_roughness(c) > 0 &&
+      !models::summit_statistics({contact.asperity_density, contact.asperity_radius, asperity_roughness(c), 1})) {
     breaches.push_back({"contact.summit_plane",
-                        "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and "
-                        "contact.roughness together (bandwidth parameter below 1.5): its summits are not known",
+                        "no Gaussian surface has these contact.asperity_density, contact.asperity_radius and " +
+                            roughness_keys(contact) +
+                            " together (bandwidth parameter below 1.5): its summits are not known",
                         "measure all three on one surface with one cut-off, or contact.summit_plane = \"surface\" "
                         "with contact.model = \"greenwood-tripp\" or \"greenwood-williamson\""});
   }
@@ -332,7 +334,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   check_measured_width(c.ring, breaches);
   check_local_deformation(c.ring, breaches);
   append_measured_breaches(c.contact.measured, breaches);
-  check_contact_law(c, breaches);
+  if (!append_plateau_breaches(c, breaches)) check_contact_law(c, breaches);
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);

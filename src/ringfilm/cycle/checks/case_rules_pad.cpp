@@ -11,6 +11,7 @@
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/checks/case_rules_film2d.hpp"
 #include "ringfilm/cycle/checks/case_rules_oil.hpp"
+#include "ringfilm/cycle/checks/case_rules_plateau.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -350,6 +351,7 @@ std::vector<RuleBreach> broken_pad_rules(const Case& c) {
   check_journal(c, breaches);
   if (!c.pad.history_time.empty() || c.pad.oscillation.amplitude) check_times(c, breaches);
   check_contact(c, breaches);
+  append_plateau_breaches(c, breaches);
   check_oil(c, breaches);
   if (breaches.empty() && c.thermal.is_stated()) append_viscosity_breaches(c, breaches);
   return breaches;

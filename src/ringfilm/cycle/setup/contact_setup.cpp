@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/models/contact/summit_contact.hpp"
@@ -11,7 +13,8 @@ namespace ringfilm::cycle {
 
 bool is_closed_form(const Contact& contact) {
   return contact.model == ContactLaw::kGreenwoodTripp && contact.asperity == AsperityLaw::kElastic &&
-         contact.summit_plane == SummitPlane::kSurface && contact.moments == ContactMoments::kPair;
+         contact.summit_plane == SummitPlane::kSurface && contact.moments == ContactMoments::kPair &&
+         !contact.plateau.is_stated();
 }
 
 namespace {
@@ -63,9 +66,58 @@ double composite_modulus(const Case& c) {
   return models::composite_modulus(E_1, nu_1, c.liner.youngs_modulus, c.liner.poissons_ratio);
 }
 
+std::optional<models::PlateauCurve> plateau_curve(const Contact& contact) {
+  const Plateau& plateau = contact.plateau;
+  if (contact.model == ContactLaw::kTable || !plateau.is_stated()) return std::nullopt;
+  if (!plateau.has_core()) {
+    return models::PlateauCurve{plateau.Rpq.value(), plateau.Rvq.value(), plateau.Rmq.value()};
+  }
+  return models::plateau_curve({plateau.Rk.value(), plateau.Rpk.value(), plateau.Rvk.value(), plateau.Mr2.value()});
+}
+
+std::optional<models::PlateauPlanes> plateau_planes(const Contact& contact) {
+  const auto curve = plateau_curve(contact);
+  if (!curve) return std::nullopt;
+  models::PlateauPlanes planes = models::plateau_planes(*curve);
+  planes.rms = contact.plateau.surface_roughness.value_or(planes.rms);
+  const double raised = contact.plateau.offset.value_or(planes.plateau) - planes.plateau;
+  planes.plateau += raised;
+  planes.valleys += raised;
+  return planes;
+}
+
+std::string roughness_keys(const Contact& contact) {
+  return contact.plateau.is_stated() ? "[contact.plateau]" : "contact.roughness";
+}
+
+double plateau_offset(const Contact& contact) {
+  const auto planes = plateau_planes(contact);
+  return planes ? planes->plateau : 0;
+}
+
+Case without_plateau(Case c) {
+  c.contact.roughness = roughness(c);
+  c.contact.roughness_measure = RoughnessMeasure::kAsGiven;
+  c.contact.ring_roughness_share = ring_roughness_share(c);
+  c.contact.plateau = {};
+  return c;
+}
+
 double roughness(const Case& c) {
   if (c.contact.model == ContactLaw::kTable) return c.contact.law->composite_roughness;
+  if (const auto planes = plateau_planes(c.contact)) return std::hypot(c.contact.plateau.ring_roughness, planes->rms);
   return c.contact.roughness * (c.contact.roughness_measure == RoughnessMeasure::kRaToRq ? kRqOverRa : 1.0);
+}
+
+double asperity_roughness(const Case& c) {
+  const auto curve = plateau_curve(c.contact);
+  return curve ? std::hypot(c.contact.plateau.ring_roughness, curve->Rpq) : roughness(c);
+}
+
+double ring_roughness_share(const Case& c) {
+  if (!plateau_curve(c.contact)) return c.contact.ring_roughness_share;
+  const double share = c.contact.plateau.ring_roughness / roughness(c);
+  return share * share;
 }
 
 std::optional<models::GreenwoodTripp::Parameters> asperities(const Case& c) {
@@ -74,8 +126,8 @@ std::optional<models::GreenwoodTripp::Parameters> asperities(const Case& c) {
   const Form form = c.contact.integrals == ContactIntegrals::kExact              ? Form::kExact
                     : c.contact.integrals == ContactIntegrals::kPolynomial4Digit ? Form::kPolynomial4Digit
                                                                                  : Form::kPolynomialAsPrinted;
-  return models::GreenwoodTripp::Parameters{c.contact.asperity_density, c.contact.asperity_radius, roughness(c),
-                                            composite_modulus(c), form};
+  return models::GreenwoodTripp::Parameters{c.contact.asperity_density, c.contact.asperity_radius,
+                                            asperity_roughness(c), composite_modulus(c), form};
 }
 
 std::shared_ptr<const models::AsperityContact> asperity_contact(const Case& c) {
@@ -92,7 +144,18 @@ std::shared_ptr<const models::AsperityContact> asperity_contact(const Case& c) {
   choice.moments = contact.moments;
   choice.hardness = contact.hardness.value_or(0);
   choice.nu = c.liner.poissons_ratio;
-  const models::ContactTable table = tabulated(models::summit_contact(pair, choice), pair.sigma);
+  models::ContactFunction law = models::summit_contact(pair, choice);
+  double scale = pair.sigma;
+  if (const auto curve = plateau_curve(contact)) {
+    models::GreenwoodTripp::Parameters valleys = pair;
+    valleys.sigma = std::hypot(contact.plateau.ring_roughness, curve->Rvq);
+    const models::PlateauPlanes planes = *plateau_planes(contact);
+    law = models::plateau_contact(std::move(law), models::summit_contact(valleys, choice), planes);
+    // The table has 400 rows at most, a tenth of this apart: they must go beyond the plateau.
+    constexpr double kBeyondPlateau = 9, kRowsOfScale = 40;
+    scale = std::max(scale, (planes.plateau + kBeyondPlateau * scale) / kRowsOfScale);
+  }
+  const models::ContactTable table = tabulated(law, scale);
   return std::make_shared<models::TabulatedContact>(table, table.h.back());
 }
 

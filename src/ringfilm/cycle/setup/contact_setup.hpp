@@ -1,9 +1,11 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/models/contact/asperity_contact.hpp"
+#include "ringfilm/models/contact/plateau.hpp"
 
 /// The contact of a case's ring with its liner.
 namespace ringfilm::cycle {
@@ -18,10 +20,31 @@ bool is_closed_form(const Contact& contact);
 /// E' of the keys, of the moduli or of the table [Pa].
 double composite_modulus(const Case& c);
 
-/// Composite roughness as the contact model uses it [m].
+/// The lines of `contact.plateau`, of the values that it states; nothing where the liner has no stated plateau.
+std::optional<models::PlateauCurve> plateau_curve(const Contact& contact);
+
+/// Key or section that states sigma, for messages.
+std::string roughness_keys(const Contact& contact);
+
+/// Planes and rms height of that liner, by the curve or as they were measured.
+std::optional<models::PlateauPlanes> plateau_planes(const Contact& contact);
+
+/// Mean plane of the plateau above that of the whole liner [m]; 0 without `contact.plateau`.
+double plateau_offset(const Contact& contact);
+
+/// The case with a Gaussian surface of the same composite roughness in place of `contact.plateau`.
+Case without_plateau(Case c);
+
+/// Composite roughness that film and lambda ratio refer to, that of the whole surfaces [m].
 double roughness(const Case& c);
 
-/// N, beta and sigma of the pair; nothing where the law is a table.
+/// Composite roughness of what carries [m]: the same, or that of ring and plateau. Not of a table.
+double asperity_roughness(const Case& c);
+
+/// Share of the ring in the square of the composite roughness [-]; of film.shear_flow.
+double ring_roughness_share(const Case& c);
+
+/// N, beta and sigma of the pair, of its plateau where the case has one; nothing where the law is a table.
 std::optional<models::GreenwoodTripp::Parameters> asperities(const Case& c);
 
 /// The law of `contact.model`. Throws InputError where no surface has its parameters.

@@ -155,7 +155,7 @@ film::FactorLaws factor_laws(const Case& c, double sigma, const std::optional<fi
   if (c.film.stress_factors == Roughness::kPatirCheng) laws.stress = rough;
   if (c.film.shear_flow == Roughness::kPatirCheng) {
     laws.shear_flow = rough;
-    laws.share_difference = 1 - 2 * c.contact.ring_roughness_share;
+    laws.share_difference = 1 - 2 * ring_roughness_share(c);
   }
   laws.average_gap = c.film.average_gap;
   laws.measured = measured_factors(c);
