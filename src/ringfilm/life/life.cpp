@@ -67,6 +67,10 @@ void check_rings_of_states(const Life& life, std::vector<Fault>& faults) {
       faults.push_back({state.mark, "this state has another contact.roughness_measure than the first one",
                         "give all states their roughness by the same measure"});
     }
+    if (state.input.contact.plateau != base.contact.plateau) {
+      faults.push_back({state.mark, "this state has another [contact.plateau] than the base case",
+                        "a life does not interpolate it: give all the same one, or state contact.roughness"});
+    }
   }
 }
 

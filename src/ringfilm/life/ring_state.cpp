@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "ringfilm/case/case_face.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/models/ring.hpp"
 
 namespace ringfilm::life {
@@ -79,8 +80,9 @@ double log_interpolated(double from, double to, double share) {
 }  // namespace
 
 RingState ring_state_of(const cycle::Case& c) {
-  return {c.ring.face,         c.contact.asperity_density,  c.contact.asperity_radius,
-          c.contact.roughness, c.contact.roughness_measure, c.contact.boundary_shear_strength_coefficient};
+  const double sigma = c.contact.plateau.is_stated() ? cycle::roughness(c) : c.contact.roughness;
+  return {c.ring.face, c.contact.asperity_density,  c.contact.asperity_radius,
+          sigma,       c.contact.roughness_measure, c.contact.boundary_shear_strength_coefficient};
 }
 
 cycle::Case with_ring_state(cycle::Case c, const RingState& state) {

@@ -40,7 +40,7 @@ bool is_alike(const cycle::Contact& a, const cycle::Contact& b) {
   const auto numbers = [](const cycle::Contact& c) {
     const cycle::MeasuredContact& m = c.measured;
     const cycle::MeasuredShearStrength& s = m.shear_strength;
-    return std::tuple(c.model, c.asperity_density, c.asperity_radius, c.roughness, c.law_file, c.law_shift,
+    return std::tuple(c.model, c.asperity_density, c.asperity_radius, c.roughness, c.plateau, c.law_file, c.law_shift,
                       c.law_factor, c.boundary_shear_strength_coefficient, m.asperity_density_deviation,
                       m.asperity_radius_deviation, m.roughness_deviation, m.density_radius_correlation,
                       m.density_roughness_correlation, m.radius_roughness_correlation, s.slope_deviation,

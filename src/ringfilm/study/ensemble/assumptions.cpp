@@ -10,6 +10,7 @@
 #include "ringfilm/case/conditions.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -354,7 +355,8 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
                       "the maps are a sample of the faces, in the state in which they were measured", others);
   }
   constexpr double kLambda = 2;  // the ratio of load and area depends little on it
-  const auto contact = setup.ring.contact->contact(kLambda * setup.ring.sigma);
+  const double separation = cycle::plateau_offset(setup.input.contact) + kLambda * setup.ring.asperities->sigma;
+  const auto contact = setup.ring.contact->contact(separation);
   const bool is_elastic = setup.input.contact.is_elastic();
   std::string statement = "asperities are Gaussian, in contact after \"" + chosen("contact.model", setup.input) +
                           (is_elastic ? "\", elastic" : "\", flowing at the hardness");
@@ -363,10 +365,37 @@ Assumption gaussian_summits(const cycle::Setup& setup) {
                              text_in(contact.pressure / contact.area_share, kGigapascal, 3), kLambda);
   }
   return assumption("contact-law", statement,
-                    "run-in and plateau-honed surfaces are skewed: ringfilm contact computes the law of measured ones. "
+                    "run-in and plateau-honed surfaces are skewed: [contact.plateau] states the material ratio curve "
+                    "of one, ringfilm contact computes the law of measured ones. "
                     "Beyond the hardness of the softer face load against film is a fit to N, beta and sigma; the "
                     "boundary friction coefficient remains, real area and spot size do not",
                     other_contact_laws(setup.input));
+}
+
+/// The plateau of the liner against a Gaussian surface that is as rough as the whole liner.
+Assumption plateau(const cycle::Setup& setup) {
+  const Case& c = setup.input;
+  const models::PlateauCurve curve = *cycle::plateau_curve(c.contact);
+  const double sigma = setup.ring.sigma;
+  std::vector<Alternative> others =
+      other_numbers("contact.roughness", cycle::without_plateau(c), 0, kMicrometre, {sigma});
+  for (Alternative& other : others) {
+    other = {other.setting + " without [contact.plateau]", [set = std::move(other.apply)](Case& x) {
+               x = cycle::without_plateau(x);
+               set(x);
+             }};
+  }
+  return assumption(
+      "plateau",
+      fmt::format(
+          "the plateau of the liner carries, with Rpq {}, Rvq {}, Rmq {:.3g} % and its mean plane {} above that "
+          "of the liner; with the ring the composite roughness is {} of the plateau, {} of the whole",
+          text_in(curve.Rpq, kMicrometre, 3), text_in(curve.Rvq, kMicrometre, 3), 100 * curve.Rmq,
+          text_in(cycle::plateau_offset(c.contact), kMicrometre, 3),
+          text_in(setup.ring.asperities->sigma, kMicrometre, 3), text_in(sigma, kMicrometre, 3)),
+      "both parts are Gaussian with the same N and beta, and grooves of any direction count alike: where the valleys "
+      "take more than a third of the area, the law of a measured pair is needed",
+      std::move(others));
 }
 
 /// What the oils of data/lubricants determine by their HTHS the ledger runs; of others it would have to be made up.
@@ -528,6 +557,7 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
                                        "load, film and boundary friction around firing TDC follow it"));
   }
   for (Assumption& open : always_open(setup)) all.push_back(std::move(open));
+  if (cycle::plateau_curve(c.contact)) all.push_back(plateau(setup));
   return all;
 }
 

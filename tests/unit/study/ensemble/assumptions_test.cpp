@@ -14,6 +14,7 @@
 #include "ringfilm/case/conditions.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/setup/contact_setup.hpp"
 
 namespace {
 
@@ -153,6 +154,28 @@ TEST(Assumptions, SetTheCoatingsModulusAgainstThatOfTheRingBelow) {
   c.ring.coating.youngs_modulus = 280e9;
   c.ring.coating.poissons_ratio = 0.25;
   EXPECT_EQ(settings(c, "composite-modulus"), std::vector<std::string>{"ring.coating.contact_modulus = \"base\""});
+}
+
+TEST(Assumptions, SetThePlateauAgainstAGaussianSurfaceAsRoughAsTheWholeLiner) {
+  Case c = coarse_case();
+  EXPECT_FALSE(lists(topics(c), "plateau"));
+  c.contact.roughness = 0;
+  c.contact.plateau.Rpq = 0.1e-6;
+  c.contact.plateau.Rvq = 0.9e-6;
+  c.contact.plateau.Rmq = 0.82;
+  c.contact.plateau.ring_roughness = 0.3e-6;
+  EXPECT_FALSE(lists(topics(c), "roughness-measure"));
+  for (const Assumption& assumption : assumptions_of(c)) {
+    if (assumption.entry.topic != "plateau") continue;
+    ASSERT_EQ(assumption.alternatives.size(), 1u);
+    Case other = c;
+    assumption.alternatives.front().apply(other);
+    EXPECT_FALSE(other.contact.plateau.is_stated());
+    EXPECT_NEAR(other.contact.roughness / cycle::roughness(c), 1, 1e-3);  // four digits
+    EXPECT_TRUE(cycle::broken_rules(other).empty());
+    EXPECT_NE(assumption.alternatives.front().setting.find("without [contact.plateau]"), std::string::npos);
+  }
+  EXPECT_TRUE(lists(topics(c), "plateau"));
 }
 
 TEST(Assumptions, OfferAllOtherChoicesOfAKey) {
