@@ -107,10 +107,12 @@ constexpr const char* kSurfaceFooter = R"(Examples:
   ringfilm surface scan.csv --unit nm --step-x "0.5 um" --form tilt --json
   ringfilm surface ring.sur --form tilt --prominent "4 of 50 um" --output ring.nc
   ringfilm surface liner.x3p --heights heights.csv
+  ringfilm surface honed.x3p --form tilt --fragment plateau.toml
 
 Nothing is removed from the heights unless it is requested. Lengths are written with their unit.
 --heights writes the heights as they were read: x, y, z in metres, z empty where a point is missing.
 The file can be read again without any option.
+--fragment writes [contact.plateau] of a surface made in two steps.
 )";
 
 constexpr const char* kPairFooter = R"(Examples:
@@ -119,6 +121,8 @@ constexpr const char* kPairFooter = R"(Examples:
 
   ringfilm pair --ring ring.x3p --liner liner.x3p --form tilt --hardness "2.5 GPa" --composite-modulus "134.8 GPa" \
       --law law.nc --fragment contact.toml
+
+  ringfilm pair --ring ring.x3p --liner honed.x3p --form tilt --plateau --fragment contact.toml
 
 Every file and region of a side is one sample of that surface; the means go into the case, the scatter with them.
 )";
@@ -198,18 +202,21 @@ void declare_surface(CommandOptions& add, SurfaceCommand& command) {
            "mean and its scatter")
       ->required();
   add_measuring(add, command, "Ra");
-  add_outputs(add, command.outputs, false);
+  add_outputs(add, command.outputs, true);
   add.text("--heights", command.outputs.heights, "OUT.csv", "write the heights as read: x, y, z in metres");
 }
 
 void declare_pair(CommandOptions& add, PairCommand& command) {
   add.text("--ring", command.ring, "FILE ...", "maps of the ring's face")->required();
   add.text("--liner", command.liner, "FILE ...", "maps of the liner")->required();
-  const CLI::Option* sigma = add_measuring(add, command, "Ra, with --hardness Rq");
+  const CLI::Option* sigma = add_measuring(add, command, "Ra, with --hardness or --plateau Rq");
   add_outputs(add, command.outputs, true);
   const CLI::Option* hardness =
       add.pressure("--hardness", command.analysis.hardness, "2.5 GPa",
                    "of the softer face: the fragment states the law of new cases, which counts from the summits");
+  const CLI::Option* plateau =
+      add.flag("--plateau", command.analysis.liner, instrument::CarryingPart::kPlateau,
+               "the liner was made in two steps: N, beta and sigma of its plateau, with [contact.plateau]");
   LawRequest& request = command.law.emplace();
   const CLI::Option* law =
       add.text("--law", request.path, "LAW.nc",
@@ -224,8 +231,12 @@ void declare_pair(CommandOptions& add, PairCommand& command) {
     if (is_stated(law) != is_stated(modulus)) {
       faults.refuse("--law and --composite-modulus belong together", "state both, or neither");
     }
+    if (is_stated(law) && is_stated(plateau)) {
+      faults.refuse("--law and --plateau exclude each other", "the law of both maps has their plateau: leave one out");
+    }
     if (!is_stated(law)) command.law.reset();
-    if (is_stated(hardness) && !is_stated(sigma)) command.analysis.sigma_rule = surface::SigmaRule::rq;
+    if ((is_stated(hardness) || is_stated(plateau)) && !is_stated(sigma))
+      command.analysis.sigma_rule = surface::SigmaRule::rq;
   });
 }
 
@@ -239,6 +250,10 @@ void surface(const SurfaceCommand& command) {
     throw InputError("--heights writes the heights of one file, and there are " + std::to_string(paths.size()),
                      "name one file");
   }
+  if (outputs.fragment && paths.size() > 1) {
+    throw InputError("--fragment states the plateau of one file, and there are " + std::to_string(paths.size()),
+                     "name one file, or all of a pair: ringfilm pair --plateau");
+  }
   if (command.noise) inputs.push_back(*command.noise);
   const auto claimed = claimed_outputs(outputs, inputs);
   const io::Units units;
@@ -250,6 +265,11 @@ void surface(const SurfaceCommand& command) {
   }
   const instrument::SurfaceFile file = instrument::read_surface_file(paths.front(), command.reading, units);
   const io::Measurement measurement = surface_measurement(file, command.analysis, flat ? &*flat : nullptr);
+  if (outputs.fragment && measurement.fragment.empty()) {
+    throw InputError(paths.front() + " has no plateau over deeper valleys, which --fragment would state",
+                     "over normal probability one line describes its material ratio curve as well as two: leave "
+                     "--fragment out; N, beta and sigma of a pair: ringfilm pair");
+  }
   if (outputs.heights) write_heights(*outputs.heights, file.map);
   deliver(measurement, outputs, {numbers_as_read(file.map), {}, {}});
 }

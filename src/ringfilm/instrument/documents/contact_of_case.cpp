@@ -31,6 +31,7 @@ std::string law_text(const cycle::Case& c) {
             (c.contact.summit_plane == SummitPlane::kNayak ? "summits" : "surfaces");
   }
   if (model == ContactLaw::kGreenwoodTripp) text += "; N and beta of " + choice_of("contact.moments", c);
+  if (c.contact.plateau.is_stated()) text += "; of the plateau of the liner";
   return text;
 }
 
@@ -38,6 +39,19 @@ std::string law_text(const cycle::Case& c) {
 double hardness_of(const cycle::Case& c) {
   const auto& stated = c.contact.model == ContactLaw::kTable ? c.contact.law->hardness : c.contact.hardness;
   return stated.value_or(cycle::kUsualHardness);
+}
+
+io::MeasuredGroup plateau_group(const cycle::Case& c, const models::PlateauCurve& curve) {
+  Group group("Plateau of the liner", c.contact.plateau.has_core() ? "from Rk, Rpk, Rvk and Mr2" : "");
+  group.add("Rpq", "rms of the plateau", "Rpq", "m", "um", curve.Rpq);
+  group.add("Rvq", "rms of the valleys", "Rvq", "m", "um", curve.Rvq);
+  group.add("Rmq", "material ratio where plateau and valleys meet", "Rmq", "1", "%", curve.Rmq);
+  group.remark.clear();
+  group.add("plateau_roughness", "composite roughness of ring and plateau", "sigma_p", "m", "um",
+            asperity_roughness(c));
+  group.add("plateau_offset", "mean plane of the plateau above that of the whole liner", "z_p", "m", "um",
+            plateau_offset(c.contact));
+  return group;
 }
 
 io::MeasuredGroup validity_group(const cycle::Case& c) {
@@ -149,6 +163,7 @@ io::Measurement contact_of_case(const cycle::Case& whole, const std::vector<doub
     add_row(table, {ratio * sigma, ratio, at.pressure, at.area_share, real});
   }
   for (std::string& note : validity_notes(c, table)) all.notes.push_back(std::move(note));
+  if (const auto curve = plateau_curve(c.contact)) all.groups.push_back(plateau_group(c, *curve));
   all.groups.push_back(validity_group(c));
   all.tables.push_back(std::move(table));
   all.curves.push_back(law_curves(c));

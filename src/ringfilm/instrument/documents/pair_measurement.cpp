@@ -37,6 +37,36 @@ void set_scatter(const surface::PairScatter& scatter, io::PairOfSurfaces& pair) 
   to.radius_roughness_correlation = surface::correlation(covariance, 1, 2);
 }
 
+/// Means over the samples of both sides.
+cycle::Plateau plateau_for_case(const Side& ring, const Side& liner) {
+  const auto mean = [](const auto& samples, const auto& value) {
+    double sum = 0;
+    for (const auto& sample : samples) sum += value(sample);
+    return sum / static_cast<double>(samples.size());
+  };
+  const auto mean_plateau = [&](const auto& value) { return mean(liner.plateaus, value); };
+  cycle::Plateau plateau;
+  plateau.Rpq = mean_plateau([](const PlateauMeasures& of) { return of.curve.Rpq_m; });
+  plateau.Rvq = mean_plateau([](const PlateauMeasures& of) { return of.curve.Rvq_m; });
+  plateau.Rmq = mean_plateau([](const PlateauMeasures& of) { return of.curve.Rmq; });
+  plateau.surface_roughness = mean_plateau([](const PlateauMeasures& of) { return of.Sq_m; });
+  plateau.offset = mean_plateau([](const PlateauMeasures& of) { return of.offset_m; });
+  plateau.ring_roughness = mean(ring.measures, [](const surface::SurfaceMeasures& of) { return of.Sq_m; });
+  return plateau;
+}
+
+io::MeasuredGroup plateau_group(const cycle::Plateau& plateau, const std::string& rule) {
+  Group group("The plateau of the liner, which carries", rule);
+  group.add("Rpq", "rms of the plateau", "Rpq", "m", "um", *plateau.Rpq);
+  group.add("Rvq", "rms of the valleys", "Rvq", "m", "um", *plateau.Rvq);
+  group.add("Rmq", "material ratio where plateau and valleys meet", "Rmq", "1", "%", *plateau.Rmq);
+  group.add("ring_roughness", "rms height of the ring", "Rq", "m", "um", plateau.ring_roughness);
+  group.add("surface_roughness", "rms height of the whole liner", "Rq", "m", "um", *plateau.surface_roughness);
+  group.add("plateau_offset", "mean plane of the plateau above that of the whole liner", "z_p", "m", "um",
+            *plateau.offset);
+  return group;
+}
+
 io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const SurfaceAnalysis& analysis,
                                  const surface::PairScatter& scatter, const SurfaceFile* flat) {
   io::PairOfSurfaces pair;
@@ -55,6 +85,10 @@ io::PairOfSurfaces pair_for_case(const Side& ring, const Side& liner, const Surf
   pair.measured.roughness_rule = sigma_text(analysis.sigma_rule);
   pair.measured.difference_scheme = moment_text(first, analysis);
   set_scatter(scatter, pair);
+  if (!liner.plateaus.empty()) {
+    pair.plateau = plateau_for_case(ring, liner);
+    pair.measured.roughness_rule = "Rq of the ring and Rpq of the plateau of the liner, root-sum-square";
+  }
   return pair;
 }
 
@@ -88,6 +122,10 @@ io::MeasuredGroup pair_group(const surface::PairScatter& scatter, const std::str
 io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
                                  const std::vector<SurfaceFile>& liner_files, const SurfaceAnalysis& analysis,
                                  const SurfaceFile* flat) {
+  if (analysis.liner == CarryingPart::kPlateau && analysis.sigma_rule == surface::SigmaRule::ra) {
+    throw InputError("--sigma Ra and --plateau contradict each other: Rpq of the plateau is an rms height",
+                     "leave --sigma out, or --plateau");
+  }
   if (analysis.hardness && analysis.sigma_rule == surface::SigmaRule::ra) {
     throw InputError(
         "--sigma Ra and --hardness contradict each other: contact laws with a hardness take sigma as the rms "
@@ -95,7 +133,7 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
         "leave --sigma out, or --hardness");
   }
   const Side ring = measured_side("ring", ring_files, analysis, flat);
-  const Side liner = measured_side("liner", liner_files, analysis, flat);
+  const Side liner = measured_side("liner", liner_files, analysis, flat, analysis.liner);
   const surface::PairScatter scatter = scatter_of_pair(ring.measures, liner.measures, analysis.sigma_rule);
 
   io::Measurement all;
@@ -111,6 +149,11 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   all.statements = analysis_lines(ring.surfaces.front(), analysis);
   all.statements.push_back("sigma: " + sigma_text(analysis.sigma_rule));
   all.statements.push_back("m2 and m4 of both surfaces add up");
+  if (!liner.plateaus.empty()) {
+    all.statements.push_back(
+        "liner: Rpq, m2 and m4 of its plateau, what lies above the meeting of both lines of its "
+        "material ratio curve; its Sa and Sq are those of the plateau");
+  }
   if (flat != nullptr) all.statements.push_back("moments of the flat " + flat->origin.path + " removed both");
   const auto add_notes = [&](const Side& side, const std::vector<SurfaceFile>& files) {
     for (std::size_t k = 0; k < files.size(); ++k) {
@@ -147,6 +190,8 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
 
   const std::string rule = measured_with(ring, liner);
   all.groups.push_back(pair_group(scatter, rule, rule + "; " + surface_sigma_text(analysis.sigma_rule)));
+  io::PairOfSurfaces pair = pair_for_case(ring, liner, analysis, scatter, flat);
+  if (pair.plateau) all.groups.push_back(plateau_group(*pair.plateau, rule));
   const auto summits = summits_of(scatter);
   if (summits) all.groups.push_back(summit_plane_group(*summits, rule));
   if (!summits && analysis.hardness) {
@@ -155,7 +200,7 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
   }
   const surface::HeightMap &first = ring.surfaces.front().map, &second = liner.surfaces.front().map;
   const bool maps = !first.is_profile() && !second.is_profile();
-  if (maps && !steps_differ(first, second)) {
+  if (maps && !pair.plateau && !steps_differ(first, second)) {
     all.groups.push_back(summit_group("Summits of the composite surface counted one by one (first map of each)",
                                       count_summits_of_pair(first, second), scatter.central, rule));
   }
@@ -176,7 +221,6 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
     for (const SurfaceFile& file : *files) add_doubts(&file, heading, "note: ");
   }
   add_doubts(flat, heading, "note: ");
-  io::PairOfSurfaces pair = pair_for_case(ring, liner, analysis, scatter, flat);
   if (summits) pair.hardness = analysis.hardness;
   all.fragment = contact_fragment(pair, heading);
   return all;

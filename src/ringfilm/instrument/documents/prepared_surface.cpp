@@ -7,6 +7,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/surface_measurement.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
+#include "ringfilm/surface/topography/roughness.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -53,17 +54,50 @@ PreparedSurface prepare_surface(const SurfaceFile& file, const SurfaceAnalysis& 
   return surface;
 }
 
+namespace {
+
+/// What `measure` returns of each region, or of the whole map.
+template <class Measure>
+auto of_regions(const PreparedSurface& surface, const Measure& measure) {
+  std::vector<decltype(measure(surface.map))> measures;
+  if (surface.regions.empty()) measures.push_back(measure(surface.map));
+  for (const surface::Region& region : surface.regions) measures.push_back(measure(part_of_map(surface.map, region)));
+  return measures;
+}
+
+}  // namespace
+
 std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface& surface,
                                                           const SurfaceAnalysis& analysis,
                                                           const surface::SpectralMoments* noise) {
-  std::vector<surface::SurfaceMeasures> measures;
-  const auto add = [&](const surface::HeightMap& map) {
-    measures.push_back(surface_measures(map, analysis.direction, analysis.scheme));
-    if (noise != nullptr) measures.back().moments = without_noise(measures.back().moments, *noise);
-  };
-  if (surface.regions.empty()) add(surface.map);
-  for (const surface::Region& region : surface.regions) add(part_of_map(surface.map, region));
-  return measures;
+  return of_regions(surface, [&](const surface::HeightMap& map) {
+    surface::SurfaceMeasures of = surface_measures(map, analysis.direction, analysis.scheme);
+    if (noise != nullptr) of.moments = without_noise(of.moments, *noise);
+    return of;
+  });
+}
+
+PlateauMeasures plateau_measures(const surface::HeightMap& map, const surface::ProbabilityRoughness& curve,
+                                 const SurfaceAnalysis& analysis, const surface::SpectralMoments* noise) {
+  const surface::HeightStatistics heights = height_statistics(map);
+  PlateauMeasures of{curve, heights.Sq_m, curve.plateau_m - heights.mean_m,
+                     moments(moment_table_above(map, curve.meet_m, analysis.scheme), analysis.direction)};
+  if (noise != nullptr) of.moments = without_noise(of.moments, *noise);
+  return of;
+}
+
+std::vector<PlateauMeasures> plateaus_of_regions(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
+                                                 const surface::SpectralMoments* noise) {
+  return of_regions(surface, [&](const surface::HeightMap& map) {
+    const auto curve = surface::probability_roughness(surface::material_ratio_curve(map));
+    if (!curve) {
+      throw InputError(surface.origin.path + " has no plateau over deeper valleys: over normal probability one line " +
+                           "describes its material ratio curve as well as two",
+                       "a surface made in one step is measured without --plateau; of a larger or levelled map two "
+                       "lines may differ");
+    }
+    return plateau_measures(map, *curve, analysis, noise);
+  });
 }
 
 surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSurface& surface,

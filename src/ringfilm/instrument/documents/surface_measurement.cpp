@@ -10,6 +10,7 @@
 #include "ringfilm/instrument/documents/surface_figures.hpp"
 #include "ringfilm/instrument/documents/surface_side.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
+#include "ringfilm/io/case/contact_fragment.hpp"
 #include "ringfilm/surface/asperity/scatter.hpp"
 #include "ringfilm/surface/asperity/summits.hpp"
 #include "ringfilm/surface/topography/material_ratio.hpp"
@@ -58,6 +59,7 @@ io::MeasuredGroup sampled_height_group(const PreparedSurface& surface, const Sur
 }
 
 io::MeasuredGroup material_ratio_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
+                                       const std::optional<surface::ProbabilityRoughness>& two_steps,
                                        const std::string& with) {
   Group group("Material ratio curve", with);
   const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
@@ -69,7 +71,7 @@ io::MeasuredGroup material_ratio_group(const std::vector<double>& falling, const
   add("Rvk", "reduced valleys", core.Rvk_m, "m", "um");
   add("Mr1", "material ratio of the peaks", core.Mr1, "1", "%");
   add("Mr2", "material ratio where valleys begin", core.Mr2, "1", "%");
-  if (const auto two_steps = surface::probability_roughness(falling)) {
+  if (two_steps) {
     add("Rpq", "rms of the plateau", two_steps->Rpq_m, "m", "um");
     add("Rvq", "rms of the valleys", two_steps->Rvq_m, "m", "um");
     add("Rmq", "material ratio where plateau and valleys meet", two_steps->Rmq, "1", "%");
@@ -114,6 +116,30 @@ io::MeasuredGroup moment_group(const PreparedSurface& surface, const SurfaceAnal
     add_both("", ", in use, less the noise of the flat", without_noise(used, *noise));
   }
   return group;
+}
+
+/// What the plateau of a surface made in two steps brings into a pair, and the fragment that states it; nothing of
+/// another surface.
+void add_plateau(const PreparedSurface& surface, const SurfaceAnalysis& analysis, const surface::SpectralMoments* noise,
+                 const std::optional<surface::ProbabilityRoughness>& curve, io::Measurement& to) {
+  if (!curve) return;
+  const PlateauMeasures of = plateau_measures(surface.map, *curve, analysis, noise);
+  const surface::AsperityParameters plateau = asperity_parameters(of.moments, curve->Rpq_m);
+  Group group("Plateau, against a smooth surface", measured_with(surface));
+  group.add("plateau_asperity_density", "asperity peaks per area of the plateau", "N", "m-2", "mm-2",
+            plateau.density_per_m2);
+  group.add("plateau_asperity_radius", "mean radius of their summits", "beta", "m", "um", plateau.beta_m);
+  group.add("plateau_offset", "mean plane of the plateau above that of the surface", "z_p", "m", "um", of.offset_m);
+  to.groups.push_back(group);
+  cycle::Plateau stated;
+  stated.Rpq = curve->Rpq_m;
+  stated.Rvq = curve->Rvq_m;
+  stated.Rmq = curve->Rmq;
+  stated.surface_roughness = of.Sq_m;
+  stated.offset = of.offset_m;
+  to.fragment = io::plateau_fragment(
+      stated, {"Plateau of " + file_name(surface.origin.path) + ", SHA-256 " + surface.origin.sha256,
+               "a case states contact.plateau.ring_roughness, N and beta of the pair, too: ringfilm pair --plateau"});
 }
 
 std::vector<surface::AsperityParameters> parameters_of(const std::vector<surface::SurfaceMeasures>& measures,
@@ -172,11 +198,14 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   if (surface.map.is_profile()) {
     attempt("Rp, Rv and Rz", [&] { all.groups.push_back(sampled_height_group(surface, analysis)); });
   }
+  std::optional<surface::ProbabilityRoughness> two_steps;
   {
     const std::vector<double> falling = surface::material_ratio_curve(surface.map);
     if (falling.size() >= kEnoughForMaterialRatio) {
-      attempt("material ratio parameters",
-              [&] { all.groups.push_back(material_ratio_group(falling, analysis.cavity_depth_m, with)); });
+      attempt("material ratio parameters", [&] {
+        two_steps = surface::probability_roughness(falling);
+        all.groups.push_back(material_ratio_group(falling, analysis.cavity_depth_m, two_steps, with));
+      });
     }
     all.curves.push_back(profile_curve(surface));
     all.curves.push_back(material_ratio_curve(falling));
@@ -188,6 +217,7 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   const surface::SpectralMoments* const removed = noise ? &*noise : nullptr;
   attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, removed)); });
   attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, removed, all); });
+  attempt("plateau", [&] { add_plateau(surface, analysis, removed, two_steps, all); });
   if (!surface.map.is_profile()) {
     attempt("summits", [&] {
       all.groups.push_back(summit_group(

@@ -7,6 +7,7 @@
 #include "ringfilm/instrument/surface_file.hpp"
 #include "ringfilm/io/measurement/measurement.hpp"
 #include "ringfilm/surface/asperity/asperities.hpp"
+#include "ringfilm/surface/topography/material_ratio.hpp"
 #include "ringfilm/surface/topography/preparation.hpp"
 #include "ringfilm/surface/topography/regions.hpp"
 
@@ -21,6 +22,12 @@ struct RegionChoice {
   double size_m = 0;                                ///< side of these squares [m]
 };
 
+/// What carries of the liner of a pair.
+enum class CarryingPart {
+  kWhole,   ///< the whole surface, as a Gaussian one
+  kPlateau  ///< the plateau of a surface made in two steps
+};
+
 /// What is asked of a measured surface beside its form and filters.
 struct SurfaceAnalysis {
   surface::Preparation preparation;  ///< form and filters that come before
@@ -30,9 +37,10 @@ struct SurfaceAnalysis {
   /// How they are made of neighbouring heights.
   surface::DifferenceScheme scheme = surface::DifferenceScheme::neighbours;
   surface::SigmaRule sigma_rule = surface::SigmaRule::ra;  ///< is Ra (Sa) or Rq (Sq) used as sigma?
-  std::optional<double> angle_rad;       ///< slopes and curvatures of a map at this angle to x are reported, too
-  std::optional<double> hardness;        ///< hardness of the softer face of a pair, for the law of its case [Pa]
-  std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
+  std::optional<double> angle_rad;            ///< slopes and curvatures of a map at this angle to x are reported, too
+  std::optional<double> hardness;             ///< hardness of the softer face of a pair, for the law of its case [Pa]
+  CarryingPart liner = CarryingPart::kWhole;  ///< what carries of the liner of a pair
+  std::optional<double> cavity_depth_m;       ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
 /// A surface file after form and filters.
@@ -54,6 +62,23 @@ std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface&
                                                           const SurfaceAnalysis& analysis,
                                                           const surface::SpectralMoments* noise);
 
+/// A surface made in two steps: the lines of its material ratio curve, and what its plateau brings into a pair.
+struct PlateauMeasures {
+  surface::ProbabilityRoughness curve;
+  double Sq_m = 0;                   ///< rms of the whole surface [m]
+  double offset_m = 0;               ///< mean plane of the plateau above that of the whole surface [m]
+  surface::SpectralMoments moments;  ///< spectral moments of what lies above the meeting of both lines
+};
+
+/// Plateau of one map with these lines of its material ratio curve. @param noise as of measures_of_regions()
+PlateauMeasures plateau_measures(const surface::HeightMap& map, const surface::ProbabilityRoughness& curve,
+                                 const SurfaceAnalysis& analysis, const surface::SpectralMoments* noise);
+
+/// Plateaus of the regions of a prepared surface, or of the whole map. Throws InputError where one has none.
+/// @param noise as of measures_of_regions()
+std::vector<PlateauMeasures> plateaus_of_regions(const PreparedSurface& surface, const SurfaceAnalysis& analysis,
+                                                 const surface::SpectralMoments* noise);
+
 /// Moments of a flat after the same form and filters; in place of a cylinder its tilt comes off. Throws InputError
 /// where its step differs from the surface's.
 surface::SpectralMoments noise_moments(const SurfaceFile& flat, const PreparedSurface& surface,
@@ -74,7 +99,8 @@ io::Measurement surfaces_measurement(const std::vector<SurfaceFile>& files, cons
                                      const SurfaceFile* flat);
 
 /// N, beta and sigma of two surfaces in contact with their scatter, and the fragment for a case. Each side may have
-/// several files, each of them several regions. Throws InputError also for a hardness with sigma made of Ra.
+/// several files, each of them several regions. Throws InputError also for sigma made of Ra with a hardness or a
+/// plateau, and for a liner without the plateau that was asked for.
 io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring, const std::vector<SurfaceFile>& liner,
                                  const SurfaceAnalysis& analysis, const SurfaceFile* flat);
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
 
 #include "ringfilm/instrument/documents/surface_values.hpp"
@@ -19,13 +21,22 @@ bool has_regions(const Side& side) {
 }  // namespace
 
 Side measured_side(const std::string& name, const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
-                   const SurfaceFile* flat) {
-  Side side{name, {}, {}};
+                   const SurfaceFile* flat, CarryingPart carrying) {
+  Side side{name, {}, {}, {}};
   for (const SurfaceFile& file : files) {
     side.surfaces.push_back(prepare_surface(file, analysis));
     std::optional<surface::SpectralMoments> noise;
     if (flat != nullptr) noise = noise_moments(*flat, side.surfaces.back(), analysis);
-    auto measures = measures_of_regions(side.surfaces.back(), analysis, noise ? &*noise : nullptr);
+    const surface::SpectralMoments* const removed = noise ? &*noise : nullptr;
+    if (carrying == CarryingPart::kPlateau) {
+      for (const PlateauMeasures& of : plateaus_of_regions(side.surfaces.back(), analysis, removed)) {
+        const double Rpq = of.curve.Rpq_m;
+        side.measures.push_back({Rpq * std::sqrt(2 / std::numbers::pi), Rpq, of.moments});
+        side.plateaus.push_back(of);
+      }
+      continue;
+    }
+    auto measures = measures_of_regions(side.surfaces.back(), analysis, removed);
     std::move(measures.begin(), measures.end(), std::back_inserter(side.measures));
   }
   return side;

@@ -11,10 +11,12 @@ struct Side {
   std::string name;  ///< "ring", "liner" or "surface"
   std::vector<PreparedSurface> surfaces;
   std::vector<surface::SurfaceMeasures> measures;
+  std::vector<PlateauMeasures> plateaus;  ///< plateau of each sample, where it carries: `measures` are then its
 };
 
+/// @param carrying what the measures are of
 Side measured_side(const std::string& name, const std::vector<SurfaceFile>& files, const SurfaceAnalysis& analysis,
-                   const SurfaceFile* flat);
+                   const SurfaceFile* flat, CarryingPart carrying = CarryingPart::kWhole);
 
 /// Files of a side with the number of their regions.
 std::string names_of(const Side& side);

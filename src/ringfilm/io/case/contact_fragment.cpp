@@ -80,6 +80,14 @@ std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::
   c.contact.measured.shear_strength = {};
   std::vector<std::string> keys = {"contact.asperity_density", "contact.asperity_radius", "contact.roughness",
                                    "contact.roughness_measure", "contact.measured."};
+  if (pair.plateau) {
+    c.contact.plateau = *pair.plateau;
+    keys.push_back("contact.plateau.");
+    cycle::MeasuredContact& measured = c.contact.measured;  // the scatter of a roughness that is not stated
+    measured.roughness_deviation.reset();
+    measured.density_roughness_correlation.reset();
+    measured.radius_roughness_correlation.reset();
+  }
   if (pair.hardness) {
     c.contact.model = cycle::ContactLaw::kGreenwoodWilliamson;
     c.contact.asperity = cycle::AsperityLaw::kZhaoMaiettaChang;
@@ -88,6 +96,15 @@ std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::
     keys.insert(keys.end(), {"contact.model", "contact.asperity", "contact.summit_plane", "contact.hardness"});
   }
   return fragment(c, keys, heading);
+}
+
+std::string plateau_fragment(const cycle::Plateau& plateau, const std::vector<std::string>& heading) {
+  cycle::Case c;
+  c.contact.plateau = plateau;
+  return fragment(c,
+                  {"contact.plateau.Rpq", "contact.plateau.Rvq", "contact.plateau.Rmq",
+                   "contact.plateau.surface_roughness", "contact.plateau.offset"},
+                  heading);
 }
 
 std::string contact_law_fragment(const std::string& law_name, const std::vector<std::string>& heading) {

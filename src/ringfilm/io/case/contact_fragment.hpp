@@ -17,14 +17,19 @@ struct PairOfSurfaces {
   double asperity_radius = 0;   ///< [m]
   double roughness = 0;         ///< [m]
   cycle::RoughnessMeasure roughness_measure = cycle::RoughnessMeasure::kAsGiven;
-  std::optional<double> hardness;   ///< with which the law counts from the summits, which flow [Pa]
-  cycle::MeasuredContact measured;  ///< without the shear strength, which another fragment brings
+  std::optional<cycle::Plateau> plateau;  ///< in place of the roughness, of ring and plateau
+  std::optional<double> hardness;         ///< with which the law counts from the summits, which flow [Pa]
+  cycle::MeasuredContact measured;        ///< without the shear strength, which another fragment brings
 };
 
 /// `[contact]` asperity_density, asperity_radius, roughness, roughness_measure and `[contact.measured]`; with a
-/// hardness the law of new cases, too: model, asperity, summit_plane, hardness.
+/// hardness the law of new cases, too: model, asperity, summit_plane, hardness; with a plateau `[contact.plateau]` in
+/// place of the roughness.
 /// @param heading what people should know, put in front as comments, line by line
 std::string contact_fragment(const PairOfSurfaces& pair, const std::vector<std::string>& heading);
+
+/// `[contact.plateau]` Rpq, Rvq, Rmq, surface_roughness and offset of one surface.
+std::string plateau_fragment(const cycle::Plateau& plateau, const std::vector<std::string>& heading);
 
 /// `[contact]` model = "table" and law, with the flow through the same gap in `[film]`.
 /// @param law_name file of the law, relative to the fragment

@@ -8,6 +8,7 @@
 namespace ringfilm::io {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -161,6 +162,32 @@ TEST(ContactFragment, ReportsWhereThePolynomialInventsShape) {
   fit.invented.push_back({1.14e-3, 1.2e-3, surface::InventionReason::kFallsTowardsTheEdge, 0.3e-6});
   EXPECT_THAT(face_polynomial_fragment(fit, face_rule(), "a.csv", {}),
               HasSubstr("fit_artifact = \"x = 1.14 to 1.2 mm: the gap falls by 0.3 um towards the edge"));
+}
+
+TEST(ContactFragment, APlateauComesBackInPlaceOfTheRoughness) {
+  PairOfSurfaces pair = pair_of_surfaces();
+  pair.plateau.emplace();
+  pair.plateau->Rpq = 0.08123456e-6;
+  pair.plateau->Rvq = 0.9123e-6;
+  pair.plateau->Rmq = 0.8234567;
+  pair.plateau->ring_roughness = 0.1e-6;
+  pair.plateau->surface_roughness = 0.4e-6;
+  pair.plateau->offset = 0.09e-6;
+  CaseText text = bare_case("\"pair.toml\"");
+  text.contact = "[contact]\nboundary_shear_strength_coefficient = 0.3\n";
+  text.face = CaseText().face;
+  const CaseFolder folder(text);
+  folder.write("pair.toml", contact_fragment(pair, {}));
+  const cycle::Contact read = folder.read().contact;
+  EXPECT_NEAR(*read.plateau.Rpq / *pair.plateau->Rpq, 1, kDigits);
+  EXPECT_NEAR(*read.plateau.Rmq / *pair.plateau->Rmq, 1, kDigits);
+  EXPECT_NEAR(*read.plateau.offset / *pair.plateau->offset, 1, kDigits);
+  EXPECT_NEAR(read.plateau.ring_roughness / pair.plateau->ring_roughness, 1, kDigits);
+  EXPECT_EQ(read.roughness, 0);
+  EXPECT_FALSE(read.measured.roughness_deviation);
+  EXPECT_TRUE(read.measured.asperity_density_deviation);
+  EXPECT_THAT(plateau_fragment(*pair.plateau, {"liner"}),
+              AllOf(HasSubstr("# liner\n"), Not(HasSubstr("ring_roughness"))));
 }
 
 TEST(ContactFragment, AKeyInFragmentAndCaseNamesBothPlaces) {
