@@ -64,10 +64,10 @@ std::vector<surface::SurfaceMeasures> measures_of_regions(const PreparedSurface&
 
 /// A surface made in two steps: the lines of its material ratio curve, and what its plateau brings into a pair.
 struct PlateauMeasures {
-  surface::ProbabilityRoughness curve;
-  double Sq_m = 0;                   ///< rms of the whole surface [m]
-  double offset_m = 0;               ///< mean plane of the plateau above that of the whole surface [m]
-  surface::SpectralMoments moments;  ///< spectral moments of what lies above the meeting of both lines
+  surface::ProbabilityRoughness curve;  ///< both lines
+  double Sq_m = 0;                      ///< rms of the whole surface [m]
+  double offset_m = 0;                  ///< mean plane of the plateau above that of the whole surface [m]
+  surface::SpectralMoments moments;     ///< spectral moments of what lies above the meeting of both lines
 };
 
 /// Plateau of one map with these lines of its material ratio curve. @param noise as of measures_of_regions()

@@ -19,6 +19,7 @@ struct PlateauPlanes {
   double valleys;  ///< mean plane of the surface that the valleys belong to above that of the surface [m]
   double rms;      ///< rms height of the whole surface [m]
 };
+/// Planes and rms height of the surface with these lines.
 PlateauPlanes plateau_planes(const PlateauCurve& curve);
 
 /// Core, peaks and valleys of a material ratio curve @cite iso13565_2.
