@@ -88,7 +88,7 @@ void CycleRun::arrived() {
   } else if (k_ % check_every_ == 0 && is_checked) {
     compare_with_last_cycle();
   }
-  if (!repeats_ && since_start == 0) check_approach();
+  if (!repeats_ && !moves_on_ && since_start == 0) check_approach();
 }
 
 bool CycleRun::begins_compression() const {
@@ -187,8 +187,8 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 CycleResult CycleRun::result(Completeness others) const {
   CycleResult result = recorder_.result(integration_, distance_ahead(), steps_integrated_,
                                         stop_ || !done() ? Completeness::kStopped : others);
-  if (result.complete && takes_unsettled_ && oil_ahead_ > setup_.input.solver.step_error) {
-    result.notes.push_back(settling_note(result.effort.cycles_integrated, oil_ahead_));
+  if (result.complete && takes_unsettled_ && distance_ahead() > setup_.input.solver.step_error) {
+    result.notes.push_back(settling_note(result.effort.cycles_integrated, distance_ahead()));
     sort_notes(result.notes);
   }
   return result;

@@ -120,9 +120,12 @@ void add_cavities(const FilmProblem& problem, const FilmInputs& inputs, const Ga
     sums.cavities.push_back(cavity);
   }
   const Throat throat = reach.throat();
-  for (int face = throat.first_face; reach.is_place() && face <= throat.last_face; ++face) {
-    const double before = state.p[inputs.U >= 0 ? face : face + 1];
-    sums.is_broken_through = sums.is_broken_through || before < throat.pressure;
+  if (reach.is_place() && throat.first_face <= throat.last_face) {
+    // Oil that fills the gap behind the place presses against the film there, and not gas.
+    const MeetingPlace at = reach.meeting_place();
+    const int before = inputs.U >= 0 ? at.before : at.after, behind = inputs.U >= 0 ? at.after : at.before;
+    const bool is_gas_behind = behind == 0 || behind == n || is_cavity(state.deficit[behind]);
+    sums.is_broken_through = sums.is_broken_through || (is_gas_behind && state.p[before] < throat.pressure);
   }
   if (sums.wetted_begin > sums.wetted_end) {  // both gases fill the narrowest stretch
     sums.wetted_begin = sums.wetted_end = 0.5 * (sums.wetted_begin + sums.wetted_end);

@@ -266,7 +266,8 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
   set_throat(lane, reach.throat());
 }
 
-/// The load shares of the nodes between which the gases meet, as the iteration has filled them.
+/// The load shares of the nodes between which the gases meet, as the iteration has filled them; their slopes are
+/// omitted, since they change in few steps.
 void LaneNewton::set_load_shares(int lane) {
   const MeetingPlace& at = lanes_[lane].meeting_place;
   if (at.beyond == 0) return;
