@@ -334,7 +334,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   check_measured_width(c.ring, breaches);
   check_local_deformation(c.ring, breaches);
   append_measured_breaches(c.contact.measured, breaches);
-  if (!append_plateau_breaches(c, breaches)) check_contact_law(c, breaches);
+  if (append_plateau_breaches(c, breaches)) check_contact_law(c, breaches);
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);

@@ -69,10 +69,10 @@ double composite_modulus(const Case& c) {
 std::optional<models::PlateauCurve> plateau_curve(const Contact& contact) {
   const Plateau& plateau = contact.plateau;
   if (contact.model == ContactLaw::kTable || !plateau.is_stated()) return std::nullopt;
-  if (!plateau.has_core()) {
-    return models::PlateauCurve{plateau.Rpq.value(), plateau.Rvq.value(), plateau.Rmq.value()};
-  }
-  return models::plateau_curve({plateau.Rk.value(), plateau.Rpk.value(), plateau.Rvk.value(), plateau.Mr2.value()});
+  // Of a curve that is stated in part, the rules report what is missing.
+  if (plateau.Rpq && plateau.Rvq && plateau.Rmq) return models::PlateauCurve{*plateau.Rpq, *plateau.Rvq, *plateau.Rmq};
+  if (!(plateau.Rk && plateau.Rpk && plateau.Rvk && plateau.Mr2)) return std::nullopt;
+  return models::plateau_curve({*plateau.Rk, *plateau.Rpk, *plateau.Rvk, *plateau.Mr2});
 }
 
 std::optional<models::PlateauPlanes> plateau_planes(const Contact& contact) {
