@@ -221,10 +221,7 @@ test('every part of the report is there, in order', async () => {
   );
   // No regime of lubrication follows from the lambda ratio alone.
   assert.doesNotMatch(await page.textContent('main'), /mixed below|lubrication is mixed/);
-  assert.match(
-    await page.textContent('#regimes'),
-    /boundary above 90\s*%, mixed, full film below 1\s*%.*boundary 40\s*%, mixed 55\s*%, full film 5\s*%/s,
-  );
+  assert.match(await page.textContent('#regimes'), /boundary above 90\s*%, mixed, full film below 1\s*%/);
   // Three bars of three parts each, of each case.
   assert.equal((await page.$$('#regimes .bars > svg rect title')).length, 27);
   assert.equal(await page.$$eval('.section-drawing svg', (nodes) => nodes.length), 3);

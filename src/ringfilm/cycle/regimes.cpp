@@ -86,10 +86,10 @@ void put_regime_shares(const std::vector<Sample>& samples, CycleValues& values) 
 }
 
 Regime predominant_regime(const CycleValues& values) {
-  constexpr double kMost = 0.5;
-  if (values.boundary_regime_energy_share > kMost) return Regime::kBoundary;
-  const bool rubs = values.mean_boundary_power > kMost * values.mean_power_loss;
-  return values.full_film_energy_share > kMost && !rubs ? Regime::kFullFilm : Regime::kMixed;
+  constexpr double kHalf = 0.5;
+  if (values.boundary_regime_energy_share > kHalf) return Regime::kBoundary;
+  const bool rubs = values.mean_boundary_power > kHalf * values.mean_power_loss;
+  return values.full_film_energy_share > kHalf && !rubs ? Regime::kFullFilm : Regime::kMixed;
 }
 
 }  // namespace ringfilm::cycle
