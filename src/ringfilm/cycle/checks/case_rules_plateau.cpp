@@ -12,7 +12,7 @@ namespace {
 
 using Breaches = std::vector<RuleBreach>;
 
-const std::string kSection = "contact.plateau.";
+const std::string kPlateauSection = "contact.plateau.";
 const char* const kOneSurface = "of a surface made in one step omit [contact.plateau] and state contact.roughness";
 
 /// The values of one way to state the curve, with the names of their keys.
@@ -21,7 +21,7 @@ using Way = std::vector<std::pair<const char*, const std::optional<double>*>>;
 std::vector<std::string> stated_keys(const Way& way) {
   std::vector<std::string> keys;
   for (const auto& [name, value] : way) {
-    if (*value) keys.push_back(kSection + name);
+    if (*value) keys.push_back(kPlateauSection + name);
   }
   return keys;
 }
@@ -43,7 +43,8 @@ bool check_ways(const Plateau& plateau, Breaches& breaches) {
   if (stated_keys(way).size() == way.size()) return true;
   for (const auto& [name, value] : way) {
     if (*value) continue;
-    breaches.push_back({kSection + name, "the key " + kSection + name + " is missing: one curve has several values",
+    breaches.push_back({kPlateauSection + name,
+                        "the key " + kPlateauSection + name + " is missing: one curve has several values",
                         "state Rpq, Rvq and Rmq, or Rk, Rpk, Rvk and Mr2", RuleBreach::By::kMissingKey});
   }
   return false;
@@ -54,7 +55,7 @@ std::string length(double value) { return text_in(value, kMicrometre, 4); }
 /// Do the lines of the drawing belong to a plateau over deeper valleys?
 bool check_lines(const Plateau& plateau, Breaches& breaches) {
   const auto refuse = [&](const char* name, const std::string& message, const std::string& remedy) {
-    breaches.push_back({kSection + name, message, remedy});
+    breaches.push_back({kPlateauSection + name, message, remedy});
     return false;
   };
   if (!(*plateau.Rmq > 0 && *plateau.Rmq < 1)) {
@@ -73,7 +74,7 @@ bool check_lines(const Plateau& plateau, Breaches& breaches) {
 /// Are core, peaks and valleys of the drawing those of a plateau over deeper valleys?
 bool check_core(const Plateau& plateau, Breaches& breaches) {
   if (!(*plateau.Mr2 > 0 && *plateau.Mr2 < models::kMr2OfGaussian)) {
-    breaches.push_back({kSection + "Mr2",
+    breaches.push_back({kPlateauSection + "Mr2",
                         "contact.plateau.Mr2 = " + number_text(*plateau.Mr2) + " is not between 0 and " +
                             number_text(models::kMr2OfGaussian, 3) + ", that of one Gaussian surface",
                         std::string("valleys begin before it; ") + kOneSurface});
@@ -81,7 +82,7 @@ bool check_core(const Plateau& plateau, Breaches& breaches) {
   }
   const models::PlateauCurve curve = models::plateau_curve({*plateau.Rk, *plateau.Rpk, *plateau.Rvk, *plateau.Mr2});
   if (curve.Rvq > curve.Rpq && curve.Rmq > 0 && curve.Rmq < 1) return true;
-  breaches.push_back({kSection + "Rvk",
+  breaches.push_back({kPlateauSection + "Rvk",
                       "contact.plateau.Rvk = " + length(*plateau.Rvk) + " with Mr2 = " + number_text(*plateau.Mr2) +
                           " gives valleys of Rvq = " + length(curve.Rvq) +
                           ", not deeper than a plateau of Rpq = " + length(curve.Rpq),
@@ -98,7 +99,7 @@ bool append_plateau_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
   if (!(plateau.has_core() ? check_core(plateau, breaches) : check_lines(plateau, breaches))) return false;
   const double Rpq = plateau_curve(c.contact)->Rpq;
   if (plateau.surface_roughness && *plateau.surface_roughness < Rpq) {
-    breaches.push_back({kSection + "surface_roughness",
+    breaches.push_back({kPlateauSection + "surface_roughness",
                         "contact.plateau.surface_roughness = " + length(*plateau.surface_roughness) +
                             " is below the Rpq of its plateau, " + length(Rpq),
                         "Rq of the whole surface contains the valleys; omit it, and it follows from the curve"});
