@@ -280,7 +280,7 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
-  if (!setup.ring.asperities) values.erase("roughness_parameter");
+  if (const auto& pair = setup.ring.asperities) values["roughness_parameter"] = pair->N * pair->beta * pair->sigma;
   if (const auto lambda = full_film_lambda_ratio(setup.ring)) values["full_film_lambda_ratio"] = *lambda;
   if (const auto curve = plateau_curve(c.contact)) {
     values["Rpq"] = curve->Rpq;

@@ -35,6 +35,8 @@ TEST(ContactLaw, ATableOfGreenwoodAndTrippGivesTheirCycle) {
     EXPECT_THAT(topics(other), ::testing::Not(::testing::Contains("contact-law-extrapolated")));
     EXPECT_THAT(topics(other), ::testing::Not(::testing::Contains("contact-law-left")));
     EXPECT_EQ(other.derived.count("roughness_parameter"), 0u);
+    EXPECT_DOUBLE_EQ(one.derived.at("roughness_parameter"),
+                     c.contact.asperity_density * c.contact.asperity_radius * one.derived.at("roughness"));
     EXPECT_EQ(other.derived.at("roughness"), 0.48e-6);
   }
 }
