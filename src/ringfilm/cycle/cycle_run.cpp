@@ -120,10 +120,10 @@ double CycleRun::distance_ahead() const { return std::max(distance_.largest(), o
 double CycleRun::allowed_distance() const {
   const Solver& solver = setup_.input.solver;
   const double iterated = kPeriodicityFactor * solver.tolerance;
-  // The film follows from the oil on the liner, which is not known better.
   // What the iteration leaves of the forces moves a ring that bends much farther than a rigid one.
   constexpr double kSofterRing = 100;
   if (setup_.input.bends()) return kSofterRing * iterated;
+  // The film follows from the oil on the liner, which is not known better.
   const bool follows_liner = setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner;
   return follows_liner ? std::max(iterated, solver.step_error) : iterated;
 }
