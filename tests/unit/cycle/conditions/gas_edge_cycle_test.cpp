@@ -7,12 +7,12 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "../sample_between_pressures.hpp"
 #include "../styles_case.hpp"
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
-#include "ringfilm/cycle/integration/sampling.hpp"
 
 /// Gas at the trailing edge of a ring, the inlet flooded.
 namespace ringfilm::cycle::testing {
@@ -159,19 +159,9 @@ TEST(GasThroughFilm, IsZeroBetweenEdgesOfOil) {
 
 /// Gas through a film of that thickness, taken to be broken, between two pressures [kg/s].
 double flow_through(const Case& c, double h, double above, double below) {
-  const cycle::Setup setup = prepare(c);
-  const TimeIntegration integration(setup);
-  film::FilmState state;
-  state.h_m = h;
-  Instant instant;
-  instant.crank_angle_deg = 75;
-  instant.at = ring_conditions(setup, instant.crank_angle_deg, film::kSteady);
-  instant.at.inputs.left.pressure = above;
-  instant.at.inputs.right.pressure = below;
-  instant.state = &state;
   film::FilmIntegrals integrals;
   integrals.is_broken_through = true;
-  return sample(setup, integration, instant, integrals).gas_flow_through_film;
+  return sample_between_pressures(c, h, above, below, integrals).gas_flow_through_film;
 }
 
 TEST(GasThroughFilm, HasTheTemperatureOfTheSideThatItComesFrom) {

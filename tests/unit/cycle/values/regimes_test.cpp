@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "../../../scenarios/usual_engine.hpp"
+#include "../sample_between_pressures.hpp"
 #include "../tabulated_case.hpp"
-#include "ringfilm/cycle/integration/sampling.hpp"
 
 namespace ringfilm::cycle::testing {
 namespace {
@@ -85,21 +85,11 @@ double load_share(EdgeFluid edges, double apex, double beyond, double above, dou
   c.ring.face.apex = apex;
   c.film.cavitation = Cavitation::kMassConserving;
   c.film.chamber_edge = c.film.crankcase_edge = edges;
-  const cycle::Setup setup = prepare(c);
-  const TimeIntegration integration(setup);
-  film::FilmState state;
-  state.h_m = 1e-6;
-  Instant instant;
-  instant.crank_angle_deg = 75;
-  instant.at = ring_conditions(setup, instant.crank_angle_deg, film::kSteady);
-  instant.at.inputs.left.pressure = above;
-  instant.at.inputs.right.pressure = below;
-  instant.state = &state;
   film::FilmIntegrals integrals;
   integrals.asperity_load = 50;
   const double of_edges = (apex * above + (1 - apex) * below) * c.ring.face_width;
   integrals.hydrodynamic_load = of_edges + beyond * integrals.asperity_load;
-  return sample(setup, integration, instant, integrals).asperity_load_share;
+  return sample_between_pressures(c, 1e-6, above, below, integrals).asperity_load_share;
 }
 
 // The pressures at the edges reach up to the lowest place of the face and carry their part of the load without oil.
