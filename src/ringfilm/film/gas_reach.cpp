@@ -44,7 +44,8 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs)
   end_ = static_cast<int>(height.rend() - std::find_if(height.rbegin(), height.rend(), is_narrow)) - 1;
   // An edge that is the lowest place keeps the gas of the other one out of it.
   const bool is_inside = begin_ > 0 && end_ < n_cells_;
-  if (is_inside && grid.x[end_] - grid.x[begin_] <= kShort * throat_length()) {
+  throat_length_ = throat_length(lowest);
+  if (is_inside && grid.x[end_] - grid.x[begin_] <= kShort * throat_length_) {
     set_place();
   } else {
     share_fall(narrowest, widest);
@@ -52,10 +53,9 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs)
 }
 
 /// int (h_t/h)^3 dx, by which a parabola of radius R has sqrt(2 R h_t) [m].
-double GasReach::throat_length() const {
+double GasReach::throat_length(double lowest) const {
   constexpr double kOfParabola = 3 * std::numbers::pi / 8;
   const std::vector<double>& height = grid_->node_height;
-  const double lowest = *std::min_element(height.begin(), height.end());
   const double narrowest = std::max(inputs_->h_m_before + lowest, kAtom);
   double length = 0;
   for (std::size_t i = 0; i < height.size(); ++i) {
@@ -153,7 +153,7 @@ Throat GasReach::throat() const {
     throat.last_face = std::min(U >= 0 ? end_ : end_ - 1, n_cells_ - 1);
   }
   // 2/3 U f* passes: the wall carries as much with twice that in a full gap.
-  throat.reach = 4.0 / 3 * std::sqrt(inputs_->oil->viscosity(behind.pressure) * std::abs(U) * throat_length());
+  throat.reach = 4.0 / 3 * std::sqrt(inputs_->oil->viscosity(behind.pressure) * std::abs(U) * throat_length_);
   if (inputs_->broken == BrokenFilm::kHalfPasses) throat.reach = kAnyFilm;
   if (inputs_->broken == BrokenFilm::kNothingPasses) throat.reach *= kHardlyAny;
   return throat;

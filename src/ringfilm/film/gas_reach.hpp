@@ -69,7 +69,7 @@ class GasReach {
   double beside(const EdgeState& edge) const {
     return edge.fluid == EdgeFluid::kGas ? edge.pressure : inputs_->p_cavitation;
   }
-  double throat_length() const;
+  double throat_length(double lowest) const;
   void share_fall(double narrowest, double widest);
   void set_place();
 
@@ -78,6 +78,7 @@ class GasReach {
   int n_cells_;
   int begin_ = 0, end_ = 0;
   double place_ = 0;           ///< [m]
+  double throat_length_ = 0;   ///< l of eq-broken-film [m]
   std::vector<double> bound_;  ///< at the nodes of the narrowest stretch [Pa]
 };
 
