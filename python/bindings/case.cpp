@@ -390,13 +390,16 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
   type.def(py::pickle(&case_state, &from_state));
   module.def(
       "starting_case",
-      [](const std::string& engine, const std::optional<std::string>& trace) {
-        return io::start_case({engine, trace, ""}).text;
+      [](const std::string& engine, const std::optional<std::string>& trace, const std::string& load,
+         const std::string& state, bool pack) {
+        return io::start_case({engine, load, state, pack, trace, ""}).text;
       },
-      py::arg("engine") = io::start_engines().front(), py::arg("trace") = py::none(),
+      py::arg("engine") = io::start_engines().front(), py::arg("trace") = py::none(), py::arg("load") = "full",
+      py::arg("state") = "run-in", py::arg("pack") = false,
       R"(A commented case file to start from, a str, as `ringfilm new` writes it.
 
-engine: "passenger-car" or "heavy-duty". trace: a file of the cylinder pressure, whose columns and units are read; what
+engine: "passenger-car" or "heavy-duty". load: "part" or "full". state: "new", "run-in" or "worn", of the surfaces.
+pack: all rings of the engine in place of the top ring alone. trace: a file of the cylinder pressure, whose columns and units are read; what
 the file does not show is marked MISSING in the text.)");
 }
 

@@ -139,31 +139,60 @@ void pairs(const OilsOptions& options) {
 
 struct NewOptions {
   std::string path;
-  std::optional<std::string> engine;  ///< one of io::start_engines(); the first of them if absent
-  std::optional<std::string> trace;   ///< file of the cylinder pressure
+  std::optional<std::string> engine, pack;  ///< one of io::start_engines(); the first of them if both are absent
+  std::optional<std::string> load, state;   ///< of io::start_loads() and io::start_states()
+  std::optional<std::string> trace;         ///< file of the cylinder pressure
+  std::optional<std::string> points;        ///< file of a study of operating points, written as well
 };
 
-/// Writes a commented case to start from; refuses to replace a file.
-void start_case(const NewOptions& options) {
-  const std::string& path = options.path;
-  io::check_can_write(path, io::Sink::kFile);
-  const io::OutputClaim claimed(path);
-  std::error_code error;
-  if (std::filesystem::exists(path, error)) {
-    throw InputError(path + ": this file exists already", "name one that does not, nothing is replaced here");
+io::StartOptions start_options(const NewOptions& options) {
+  if (options.engine && options.pack) {
+    throw InputError("--engine and --pack both name an engine", "name it once; --pack has all its rings");
   }
   io::StartOptions start;
-  if (options.engine) start.engine = *options.engine;
+  start.engine = options.engine.value_or(options.pack.value_or(start.engine));
+  start.is_pack = options.pack.has_value();
+  start.load = options.load.value_or(start.load);
+  start.state = options.state.value_or(start.state);
   start.trace = options.trace;
-  start.case_folder = std::filesystem::path(path).parent_path().string();
+  start.case_folder = std::filesystem::path(options.path).parent_path().string();
+  return start;
+}
+
+/// Refuses to replace a file.
+void check_is_new(const std::string& path) {
+  io::check_can_write(path, io::Sink::kFile);
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;
+  throw InputError(path + ": this file exists already", "name one that does not, nothing is replaced here");
+}
+
+/// Writes a commented case to start from, and a study of its operating points.
+void start_case(const NewOptions& options) {
+  const std::string& path = options.path;
+  check_is_new(path);
+  const io::OutputClaim claimed(path);
+  std::optional<io::OutputClaim> claimed_points;
+  if (options.points) {
+    check_is_new(*options.points);
+    claimed_points.emplace(*options.points);
+  }
+  const io::StartOptions start = start_options(options);
   const io::StartCase made = io::start_case(start);
   io::write_atomically(path, made.text);
+  if (options.points) {
+    const auto folder = std::filesystem::absolute(*options.points).parent_path();
+    const std::string base = std::filesystem::absolute(path).lexically_relative(folder).string();
+    io::write_atomically(*options.points, io::start_points(start, base));
+    std::cout << "wrote " << *options.points << "\n";
+  }
   std::cout << "wrote " << path << "\n";
   for (const std::string& one : made.found) std::cout << "found in " << *options.trace << ": " << one << "\n";
   for (const std::string& one : made.missing) std::cout << "missing: " << one << "\n";
   for (const std::string& one : made.notes) std::cout << "note: " << one << "\n";
   if (made.missing.empty()) {
     std::cout << "next: ringfilm run " << path << "\n";
+    if (options.points) std::cout << "next: ringfilm study " << *options.points << "\n";
   } else {
     std::cout << "next: state what is missing in " << path << " (lines with MISSING), then ringfilm check " << path
               << "\n";
@@ -202,6 +231,8 @@ constexpr const char* kNewFooter = R"(Examples:
   ringfilm new my_engine.toml
   ringfilm new truck.toml --engine heavy-duty
   ringfilm new truck.toml --engine heavy-duty --trace pressure.csv
+  ringfilm new pack.toml --pack passenger-car --load part --points points.toml
+  ringfilm new first_hour.toml --state new
 
 Numbers marked "typical, assumed" are guesses at the size. Of a trace the columns, their units and the dead centre at
 angle 0 are read; what the file does not show is printed as missing.
@@ -223,6 +254,11 @@ void declare_list(CommandOptions& add, OilsOptions& options) {
 void declare_new(CommandOptions& add, NewOptions& options) {
   add.text("CASE.toml", options.path, "", "the file to write; must not exist yet")->required();
   add.text("--engine", options.engine, "ENGINE", "whose typical numbers: passenger-car (default) or heavy-duty");
+  add.text("--pack", options.pack, "ENGINE", "the same engines with all their rings, their gas and their oil");
+  add.text("--load", options.load, "LOAD", "part or full (default)");
+  add.text("--state", options.state, "STATE", "of the surfaces: new, run-in (default) or worn");
+  add.text("--points", options.points, "POINTS.toml",
+           "a study of the case at weighted operating points, written as well; must not exist yet");
   add.text("--trace", options.trace, "X.csv", "file of the cylinder pressure, whose columns and units are read");
 }
 

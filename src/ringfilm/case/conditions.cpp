@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "ringfilm/base/constants.hpp"
 
@@ -11,10 +13,22 @@ namespace {
 
 using base::kZeroCelsius;
 
-// Typical, assumed (docs/manual/guide/typical-inputs.md): full load.
-constexpr double kOilRingFilm = 2e-6, kOilRingReach = 10e-3;                       // [m]
-constexpr double kRing = 190 + kZeroCelsius, kLinerAtTdc = 180 + kZeroCelsius;     // [K]
-constexpr double kLinerBelow = 115 + kZeroCelsius, kDistanceOfLinerBelow = 80e-3;  // [K], [m]
+// docs/manual/guide/typical-inputs.md has the sources.
+constexpr double kOilRingFilm = 0.6e-6, kOilRingReach = 10e-3;  // [m]; computed with data/packs; assumed
+
+/// Walls of a ring and its liner.
+struct Walls {
+  double ring;                     ///< [K]
+  std::vector<StrokeValue> liner;  ///< [m], [K]
+};
+
+Walls walls(Conditions conditions) {
+  if (conditions == Conditions::kHotEngine) {  // typical, assumed
+    return {190 + kZeroCelsius, {{0, 180 + kZeroCelsius}, {80e-3, 115 + kZeroCelsius}}};
+  }
+  // Mean around the bore of a car engine at full load, measured; the ring is assumed.
+  return {150 + kZeroCelsius, {{0, 127 + kZeroCelsius}, {40e-3, 105 + kZeroCelsius}, {80e-3, 110 + kZeroCelsius}}};
+}
 
 }  // namespace
 
@@ -26,10 +40,14 @@ double along_stroke(const std::vector<StrokeValue>& points, double distance) {
   return low.value + (high.value - low.value) * (distance - low.distance) / (high.distance - low.distance);
 }
 
+bool is_engine(Conditions conditions) {
+  return conditions == Conditions::kEngine || conditions == Conditions::kHotEngine;
+}
+
 void set_conditions(Conditions conditions, Case& c) {
   c.conditions = conditions;
   if (conditions == Conditions::kOfTheCase) return;
-  const bool engine = conditions == Conditions::kEngine;
+  const bool engine = is_engine(conditions);
   c.film.cavitation = engine ? Cavitation::kMassConserving : c.film.cavitation;
   c.film.chamber_edge = c.film.crankcase_edge = engine ? EdgeFluid::kGas : EdgeFluid::kOil;
   c.film.supply = engine ? OilSupply::kFilmOnLiner : OilSupply::kFlooded;
@@ -38,12 +56,13 @@ void set_conditions(Conditions conditions, Case& c) {
   if (!engine) return;
   c.supply.film = {{0, kOilRingFilm}};
   c.supply.reach = kOilRingReach;
-  c.thermal.ring = kRing;
-  c.thermal.liner = {{0, kLinerAtTdc}, {kDistanceOfLinerBelow, kLinerBelow}};
+  Walls hot = walls(conditions);
+  c.thermal.ring = hot.ring;
+  c.thermal.liner = std::move(hot.liner);
 }
 
 bool is_replaced_by(Conditions conditions, std::string_view key) {
-  if (key == "operating.oil_temperature" || key == "film.cavitation") return conditions == Conditions::kEngine;
+  if (key == "operating.oil_temperature" || key == "film.cavitation") return is_engine(conditions);
   constexpr std::array kKeys{"film.chamber_edge", "film.crankcase_edge", "film.supply",
                              "thermal.ring",      "thermal.liner",       "thermal.film"};
   return key.starts_with("supply.") || std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();

@@ -9,6 +9,9 @@ namespace ringfilm::cycle {
 /// Linear between the points, constant beyond them. @param points one at least
 double along_stroke(const std::vector<StrokeValue>& points, double distance);
 
+/// Do the conditions have gas at the edges, oil on the liner and hot walls?
+bool is_engine(Conditions conditions);
+
 /// Starts a case from the edges, the supply and the temperatures of `conditions`; what it states replaces them.
 void set_conditions(Conditions conditions, Case& c);
 

@@ -69,7 +69,7 @@ std::vector<double> AndersonMixing::mixture() const {
 }
 
 double AndersonMixing::cycles_ahead() const {
-  if (!can_mix()) return approach_;
+  if (!can_mix()) return kUnknownApproach;
   const Pair& now = history_.back();
   if (now.share == 0) return 0;
   double cycles = 0;

@@ -19,9 +19,6 @@ class AndersonMixing {
  public:
   /// What all cycles to come move, as a multiple of what the first one moved, if each moves 0.9 of the one before.
   static constexpr double kUnknownApproach = 10;
-  /// @param approach such a multiple, from what is known of the map before
-  explicit AndersonMixing(double approach = kUnknownApproach) : approach_(approach) {}
-
   /// @param image what the map makes of the argument; at least 0 in all cells, as are the mixtures
   void add(const std::vector<double>& argument, const std::vector<double>& image);
 
@@ -43,17 +40,13 @@ class AndersonMixing {
     double norm = 0;            ///< norm of `moved`
     double share = 0;           ///< share of all oil that lies elsewhere in the image than in the argument
   };
-  double approach_;
   std::vector<Pair> history_;  ///< the latest last
 };
 
 /// The oil on a liner over the cycles that its rings need until it repeats.
 class OilSettling {
  public:
-  /// @param approach as of AndersonMixing
-  explicit OilSettling(OilIteration iteration = OilIteration::kMixed,
-                       double approach = AndersonMixing::kUnknownApproach)
-      : iteration_(iteration), mixing_(approach) {}
+  explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
 
   /// The first cycle begins.
   void begin(const LinerFilm& liner) { begin_ = liner.mass_per_area(); }
@@ -61,7 +54,6 @@ class OilSettling {
   /// elsewhere, lays that with which the next cycle begins. The oil repeats where neither this cycle moved much nor
   /// all cycles to come are expected to, eq-oil-ahead.
   void begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings);
-  double cycles_ahead() const { return mixing_.cycles_ahead(); }  ///< as of AndersonMixing
 
  private:
   OilIteration iteration_;

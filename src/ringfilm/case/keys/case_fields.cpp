@@ -20,11 +20,12 @@ std::vector<Field> all_fields() {
       field({.key = "conditions",
              .kind = choice<&Case::conditions>({{"of-the-case", Conditions::kOfTheCase},
                                                 {"as-in-the-paper", Conditions::kAsInPaper},
-                                                {"engine", Conditions::kEngine}}),
+                                                {"engine", Conditions::kEngine},
+                                                {"hot-engine", Conditions::kHotEngine}}),
              .help =
                  "edges, supply of oil and temperatures that the case starts from: those of its keys alone, oil at the "
-                 "edges and one temperature, or gas at the edges, oil on the liner and hot walls; keys that are stated "
-                 "replace them",
+                 "edges and one temperature, or gas at the edges, oil on the liner and walls as measured at full load, "
+                 "or hotter ones; keys that are stated replace them",
              .example = "\"engine\""}),
       field({.key = "engine.bore",
              .kind = NumberKind{member<&Case::engine, &Engine::bore>},

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 #include "ringfilm/base/display.hpp"
-#include "ringfilm/cycle/setup/kinematics.hpp"
+#include "ringfilm/cycle/pack/pack_runs.hpp"
+#include "ringfilm/cycle/pack/start_of_oil.hpp"
 
 namespace ringfilm::cycle {
 namespace {
-
-using Runs = std::vector<std::unique_ptr<CycleRun>>;
-
-/// Cells and crank step with which the oil of a pack settles first: it moves little more on finer ones.
-constexpr int kCoarseCells = 50;
-constexpr double kCoarseStepDeg = 2;
 
 /// Height of the piston land below a ring. Where the case leaves it open, with a note: as high as the face is wide.
 /// The note names no number: results label it with that of the ring as the case counts, which rails do not change.
@@ -38,70 +32,17 @@ std::vector<double> below_first_ring(std::vector<Setup>& rings) {
   return below;
 }
 
-Runs started(const std::vector<Setup>& rings, const std::vector<double>& below,
-             const std::shared_ptr<LinerFilm>& liner) {
-  Runs runs;
-  for (std::size_t i = 0; i < rings.size(); ++i) {
-    runs.push_back(std::make_unique<CycleRun>(rings[i], PlaceOnLiner{liner, below[i], i + 1 == rings.size()}));
-  }
-  return runs;
-}
-
-/// One ring to the next dead centre. @returns whether it got there
-bool finish_stroke(CycleRun& ring, Observer* observer) {
-  const int stroke = stroke_at(ring.crank_angle_deg()), n_steps = steps_per_cycle(ring.setup().input.solver);
-  while (!ring.stop() && stroke_at(ring.crank_angle_deg()) == stroke) {
-    const int before = ring.steps_integrated();
-    ring.integration().propose();
-    ring.conclude(ring.integration().solve());
-    if (observer != nullptr && ring.steps_integrated() > before) {
-      observer->advanced(1 + before / n_steps, ring.crank_angle_deg());
-    }
-  }
-  return !ring.stop();
-}
-
 /// All rings until each repeats itself or one stops.
-void integrate(Runs& runs, LinerFilm& liner, OilSettling& settling, Observer* observer) {
-  settling.begin(liner);
+void integrate(PackRuns& pack, OilSettling& settling, Observer* observer) {
+  settling.begin(pack.liner());
   std::vector<CycleRun*> rings;
-  for (const auto& run : runs) rings.push_back(run.get());
-  const auto repeats = [](const auto& run) { return !run->stop() && run->done(); };
-  const auto finish = [&](const auto& run) { return finish_stroke(*run, observer); };
+  for (const auto& run : pack.runs()) rings.push_back(run.get());
+  const auto repeats = [](const CycleRun* run) { return !run->stop() && run->done(); };
   bool goes_on = true;
-  while (goes_on && !std::all_of(runs.begin(), runs.end(), repeats)) {
-    const bool down = stroke_at(runs.front()->crank_angle_deg()) % 2 == 0;
-    goes_on = down ? std::all_of(runs.rbegin(), runs.rend(), finish) : std::all_of(runs.begin(), runs.end(), finish);
-    if (goes_on && runs.front()->begins_compression()) settling.begin_next_cycle(liner, rings);
+  while (goes_on && !std::all_of(rings.begin(), rings.end(), repeats)) {
+    goes_on = pack.finish_stroke(observer);
+    if (goes_on && pack.begins_compression()) settling.begin_next_cycle(pack.liner(), rings);
   }
-}
-
-/// The oil with which the rings begin, and what is known of how it settles.
-struct Start {
-  LinerFilm liner;
-  double approach = AndersonMixing::kUnknownApproach;  ///< as of AndersonMixing
-};
-
-/// Where it pays, settled on coarse cells and steps, else a fresh liner.
-Start start_of_oil(const std::vector<Setup>& rings, const std::vector<double>& below, OilIteration iteration) {
-  Start fresh{fresh_liner(rings.back(), below.back())};
-  std::vector<Setup> coarse = rings;
-  bool pays = iteration == OilIteration::kMixed;
-  for (Setup& ring : coarse) {
-    Solver& solver = ring.input.solver;
-    pays &= solver.cells > kCoarseCells && solver.crank_step_deg < kCoarseStepDeg &&
-            ring.cells == CellsOfFace::kUniform && ring.surfaces == Surfaces::kRigid && !ring.input.is_unrolled();
-    solver.cells = kCoarseCells;
-    solver.crank_step_deg = kCoarseStepDeg;
-    solver.crank_step_control = StepControl::kFixed;
-  }
-  if (!pays) return fresh;
-  const auto liner = std::make_shared<LinerFilm>(fresh.liner);
-  Runs runs = started(coarse, below, liner);
-  OilSettling settling(iteration);
-  integrate(runs, *liner, settling, nullptr);
-  if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run->stop(); })) return fresh;
-  return {*liner, std::max(settling.cycles_ahead(), fresh.approach)};
 }
 
 }  // namespace
@@ -113,11 +54,11 @@ bool shares_oil(const Case& pack) {
 std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* observer, OilIteration iteration) {
   const std::vector<double> below = below_first_ring(rings);
   for (;;) {
-    const Start start = start_of_oil(rings, below, iteration);
-    const auto liner = std::make_shared<LinerFilm>(start.liner);
-    Runs runs = started(rings, below, liner);
-    OilSettling settling(iteration, start.approach);
-    integrate(runs, *liner, settling, observer);
+    const bool settles_first = iteration == OilIteration::kMixed;
+    PackRuns pack(rings, below, settles_first ? start_of_oil(rings, below) : fresh_liner(rings.back(), below.back()));
+    OilSettling settling(iteration);
+    integrate(pack, settling, observer);
+    const auto& runs = pack.runs();
     const auto stopped =
         std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run->stop().has_value(); });
     if (stopped != runs.end()) {

@@ -1,12 +1,15 @@
 #include "ringfilm/io/start/start_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
 #include "ringfilm/io/case/case_text.hpp"
+#include "ringfilm/io/start/start_values.hpp"
 #include "ringfilm/io/start/trace_keys.hpp"
+#include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/io/text/units.hpp"
@@ -14,77 +17,34 @@
 namespace ringfilm::io {
 namespace {
 
-const std::string kAssumed = "typical, assumed";
-
-/// An engine with its top ring. Sizes of real ones of its kind, none of them measured.
-struct Engine {
-  const char* name;
-  const char* title;
-  std::vector<StartValue> values;  ///< values of engine, operation and ring; a remark is empty where it is kAssumed
-  std::vector<StartValue> gas;     ///< values of the gas where no trace is given
-  const char* grade;               ///< viscosity grade of its oil
-};
-
-const std::vector<Engine>& engines() {
-  static const std::vector<Engine> all = {
-      {"passenger-car",
-       "Passenger-car engine, top ring",
-       {{"engine.bore", "\"89 mm\"", ""},
-        {"engine.stroke", "\"79.5 mm\"", ""},
-        {"engine.connecting_rod_length", "\"138.1 mm\"", ""},
-        {"operating.speed", "\"1500 rpm\"", ""},
-        {"ring.face_width", "\"1.2 mm\"", ""},
-        {"ring.elastic_pressure", "\"0.2 MPa\"", kAssumed + "; 0.12 to 0.25 MPa are usual"},
-        {"ring.face.form", "\"parabola\"", ""},
-        {"ring.face.crown_height", "\"15 um\"", ""}},
-       {},
-       "SAE 5W-30"},
-      {"heavy-duty",
-       "Heavy-duty diesel engine, top ring",
-       {{"engine.bore", "\"130 mm\"", ""},
-        {"engine.stroke", "\"160 mm\"", ""},
-        {"engine.connecting_rod_length", "\"260 mm\"", ""},
-        {"operating.speed", "\"1200 rpm\"", ""},
-        {"ring.face_width", "\"3 mm\"", ""},
-        {"ring.elastic_pressure", "\"0.2 MPa\"", kAssumed + "; 0.12 to 0.25 MPa are usual"},
-        {"ring.face.form", "\"parabola\"", ""},
-        {"ring.face.crown_height", "\"8 um\"", ""}},
-       {{"gas.compression_ratio", "17", ""},
-        {"gas.peak_pressure", "\"160 bar\"", ""},
-        {"gas.peak_angle", "\"15 degree\"", ""},
-        {"gas.intake_pressure", "\"2.5 bar\"", ""},
-        {"gas.exhaust_pressure", "\"2.2 bar\"", ""}},
-       "SAE 15W-40"}};
-  return all;
+template <typename Row>
+std::vector<std::string> names_of(const std::vector<Row>& table) {
+  std::vector<std::string> names;
+  for (const Row& row : table) names.emplace_back(row.name);
+  return names;
 }
 
-/// A pair of smooth run-in surfaces in oil: N beta sigma = 0.05, the upper end of its range (greenwood1971), and an
-/// rms slope of 0.15 (eq-spectral-moments).
-const std::vector<StartValue>& contact() {
-  static const std::vector<StartValue> values = {
-      {"contact.model", quoted("greenwood-williamson"), "with the next three: docs/manual/guide/contact-law.md"},
-      {"contact.asperity", quoted("zhao-maietta-chang"), "asperities flow from the hardness on"},
-      {"contact.summit_plane", quoted("nayak"), "summits lie above the mean plane of the surface"},
-      {"contact.hardness", "\"2.5 GPa\"", kAssumed + ": grey iron, the softer face"},
-      {"contact.asperity_density", "\"0.0125 um-2\"", kAssumed + ": N beta sigma = 0.05"},
-      {"contact.asperity_radius", "\"10 um\"", ""},
-      {"contact.roughness", "\"0.4 um\"", ""},
-      {"contact.boundary_shear_strength_coefficient", "0.12", kAssumed + ": engine oil with anti-wear additive"}};
-  return values;
-}
-
-const Engine& engine_of(const std::string& name) {
-  const std::vector<std::string> names = start_engines();
+/// The place of a name. Throws InputError that lists the names.
+std::size_t place_of(const std::string& what, const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return engines()[static_cast<std::size_t>(found - names.begin())];
-  throw InputError("there is no start case for the engine " + quoted(name) + did_you_mean(name, names),
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  throw InputError("there is no start case for the " + what + " " + quoted(name) + did_you_mean(name, names),
                    "one of: " + joined(names, ", "));
 }
 
+const StartEngine& engine_of(const StartOptions& options) {
+  return start_engine_table()[place_of("engine", options.engine, start_engines())];
+}
+
+/// Part load is the first point of an engine, full load the one after it.
+const StartPoint& point_of(const StartEngine& engine, const StartOptions& options) {
+  return engine.points[place_of("load", options.load, start_loads())];
+}
+
 /// Crank of an engine.
-cycle::Engine dimensions(const Engine& engine, const Units& units) {
+cycle::Engine dimensions(const StartEngine& engine, const Units& units) {
   const auto length = [&](const std::string& key) {
-    const auto found = std::find_if(engine.values.begin(), engine.values.end(),
+    const auto found = std::find_if(engine.engine.begin(), engine.engine.end(),
                                     [&](const StartValue& value) { return value.key == key; });
     return units.quantity(found->value.substr(1, found->value.size() - 2), "m", "89 mm");
   };
@@ -95,17 +55,25 @@ cycle::Engine dimensions(const Engine& engine, const Units& units) {
   return of;
 }
 
-std::string head(const Engine& engine) {
-  return "# A case of ringfilm: " + std::string(engine.title) +
+std::string title_of(const StartEngine& engine, const StartOptions& options) {
+  const std::string state = options.state == "run-in" ? "" : ", " + options.state;
+  return std::string(engine.title) + (options.is_pack ? ", ring pack" : ", top ring") + state + ", " + options.load +
+         " load";
+}
+
+std::string head(const std::string& title, bool has_all_keys) {
+  const std::string of_keys =
+      "# A line \"# key = value  # default\" is a default input; take the first # away to state another value.\n"
+      "# A line \"# key = value  # example\" is an optional key, or one of another model.\n"
+      "# A line \"# key = value  # of the oil\" is a value of the oil that lubricant.grade names.\n"
+      "# include = [\"fragment.toml\"] would read more keys from another file.\n";
+  return "# A case of ringfilm: " + title +
          ".\n"
          "# A quantity is text with its unit; a bare number has none.\n"
          "# \"typical, assumed\" marks an estimate (docs/manual/guide/typical-inputs.md): state your own "
          "value.\n"
-         "# A line \"# key = value  # default\" is a default input; take the first # away to state another value.\n"
-         "# A line \"# key = value  # example\" is an optional key, or one of another model.\n"
-         "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n"
-         "# A line \"# key = value  # of the oil\" is a value of the oil that lubricant.grade names.\n"
-         "# include = [\"fragment.toml\"] would read more keys from another file.\n";
+         "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n" +
+         (has_all_keys ? of_keys : "");
 }
 
 void append(const std::vector<StartValue>& values, std::vector<StartValue>& to) {
@@ -115,21 +83,46 @@ void append(const std::vector<StartValue>& values, std::vector<StartValue>& to) 
   }
 }
 
-}  // namespace
-
-std::vector<std::string> start_engines() {
-  std::vector<std::string> names;
-  for (const Engine& engine : engines()) names.emplace_back(engine.name);
-  return names;
+/// The values alone, section by section in their order.
+std::string stated_case(const std::string& head, const std::vector<StartValue>& values) {
+  std::string text = head, section;
+  for (const StartValue& value : values) {
+    const std::size_t dot = value.key.rfind('.');
+    const std::string of = dot == std::string::npos ? "" : value.key.substr(0, dot);
+    if (of != section) text += fmt::format("\n[{}]\n", of);
+    section = of;
+    const std::string name = value.key.substr(of.empty() ? 0 : dot + 1);
+    text += value.value.empty() ? fmt::format("# {} =  # MISSING: {}\n", name, value.remark)
+                                : fmt::format("{} = {}  # {}\n", name, value.value, value.remark);
+  }
+  return text;
 }
 
+/// The [[ring]] sections of the shipped pack of that name.
+std::string rings_of(const StartEngine& engine) {
+  const NamedFile file = locate(std::string("data/packs/") + engine.name + ".toml", "");
+  const std::string text = read_source_text(file.path, file.shown, kMaxToml).text;
+  return "\n# All numbers of the rings are typical, assumed; their faces are run in.\n" + text.substr(text.find("[[ring]]"));
+}
+
+}  // namespace
+
+std::vector<std::string> start_engines() { return names_of(start_engine_table()); }
+std::vector<std::string> start_loads() { return {"part", "full"}; }
+std::vector<std::string> start_states() { return names_of(start_state_table()); }
+
 StartCase start_case(const StartOptions& options) {
-  const Engine& engine = engine_of(options.engine);
+  const StartEngine& engine = engine_of(options);
+  const StartPoint& point = point_of(engine, options);
+  const std::size_t state = place_of("state", options.state, start_states());
+  const std::string title = title_of(engine, options);
   StartCase start;
   std::vector<StartValue> values = {
-      {"title", quoted(engine.title), "for people"},
-      {"conditions", quoted("engine"), kAssumed + ": gas at the edges, oil on the liner, hot walls at full load"}};
-  append(engine.values, values);
+      {"title", quoted(title), "for people"},
+      {"conditions", quoted("engine"), kAssumed + ": gas at the edges, oil on the liner, hot walls"}};
+  append(engine.engine, values);
+  append(point.operation, values);
+  append(start_walls(point), values);
   if (options.trace) {
     const Units units;
     TraceKeys trace = trace_keys(*options.trace, options.case_folder, dimensions(engine, units), units);
@@ -140,12 +133,50 @@ StartCase start_case(const StartOptions& options) {
   } else {
     values.push_back({"gas.model", "\"wiebe\"", "a computed pressure; a measured trace is better"});
     append(engine.gas, values);
+    append(point.gas, values);
   }
-  append(contact(), values);
+  if (options.is_pack) {
+    append({{"gas_path.model", quoted("orifice-volume"), "gas between the rings, computed"},
+            {"gas_path.ring_motion", quoted("axial"), "rings move in their grooves"}},
+           values);
+  } else {
+    append(engine.ring, values);
+    append({{"ring.face.form", "\"parabola\"", ""},
+            {"ring.face.crown_height", quoted(engine.crown_height[state]), kAssumed + ": " + options.state}},
+           values);
+  }
+  append(start_contact(start_state_table()[state]), values);
   values.push_back({"lubricant.grade", quoted(engine.grade), kAssumed + "; `ringfilm oils` lists others"});
-  values.push_back({"output.fields", quoted("all"), "for the slider along the face in the report; 3 MB in the result"});
-  start.text = commented_case(head(engine), values);
+  if (options.is_pack) {
+    append({{"supply.film", "\"5 um\"", kAssumed + ": that the crankcase throws below the oil ring"},
+            {"supply.reach", "\"20 mm\"", ""}},
+           values);
+    start.text = stated_case(head(title, false), values) + rings_of(engine);
+  } else {
+    values.push_back({"output.fields", quoted("all"), "for the slider along the face in the report; 3 MB in the result"});
+    start.text = commented_case(head(title, true), values);
+  }
   return start;
+}
+
+std::string start_points(const StartOptions& options, const std::string& case_path) {
+  const StartEngine& engine = engine_of(options);
+  std::string text = fmt::format("# Operating points of {} with their shares of the time: typical, assumed.\n"
+                                 "title = {}\nkind = \"compare\"\n\n[[base]]\nname = \"case\"\ncase = {}\n\n"
+                                 "[plan]\nmethod = \"operating-points\"\n",
+                                 case_path, quoted(std::string(engine.title) + ", operating points"),
+                                 quoted(case_path));
+  for (const StartPoint& point : engine.points) {
+    std::vector<StartValue> values;
+    append(point.operation, values);
+    append(start_walls(point), values);
+    if (!options.trace) append(point.gas, values);
+    text += fmt::format("\n[[point]]\nname = {}\nweight = {:.2g}\n\n[point.values]\n", quoted(point.name), point.weight);
+    for (const StartValue& value : values) {
+      text += fmt::format("\"{}\" = {}  # {}\n", value.key, value.value, value.remark);
+    }
+  }
+  return text;
 }
 
 }  // namespace ringfilm::io

@@ -9,6 +9,9 @@ namespace ringfilm::io {
 /// What a case to start from is made of.
 struct StartOptions {
   std::string engine = "passenger-car";  ///< one of start_engines()
+  std::string load = "full";             ///< one of start_loads()
+  std::string state = "run-in";          ///< of the surfaces and the top ring's face, one of start_states()
+  bool is_pack = false;                  ///< all rings of the engine, in place of the top ring alone
   std::optional<std::string> trace;      ///< file of the cylinder pressure, as named in the working folder
   /// Folder of the case, to which its path of the trace is relative; empty: the working folder.
   std::string case_folder;
@@ -22,11 +25,17 @@ struct StartCase {
   std::vector<std::string> notes;    ///< why the pressures of the trace are improbable, sentences
 };
 
-/// The engines for which there are typical numbers.
-std::vector<std::string> start_engines();
+std::vector<std::string> start_engines();  ///< engines for which there are typical numbers
+std::vector<std::string> start_loads();    ///< part and full load
+std::vector<std::string> start_states();   ///< new, run-in and worn
 
-/// A commented case that states typical numbers, each marked as assumed, and has every other key as a comment. Without
-/// a trace it runs unchanged. Throws InputError for an unknown engine and a trace that is not a table of numbers.
+/// A commented case that states typical numbers, each with its source or marked as assumed. That of a ring has every
+/// other key as a comment, that of a pack the shipped rings. Without a trace it runs unchanged. Throws InputError for
+/// an unknown engine, load or state and a trace that is not a table of numbers.
 StartCase start_case(const StartOptions& options);
+
+/// A study of a case to start from at the weighted operating points of its engine: part load and full load at low and
+/// high speed. @param case_path the case, as the study names it
+std::string start_points(const StartOptions& options, const std::string& case_path);
 
 }  // namespace ringfilm::io

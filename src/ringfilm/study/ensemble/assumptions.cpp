@@ -254,7 +254,7 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
         "the load alone the ring runs dry",
         std::move(others));
   }
-  if (c.conditions != cycle::Conditions::kEngine) {
+  if (!cycle::is_engine(c.conditions)) {
     // All at once: gas takes friction away, short oil and hot walls add it.
     Alternative engine{"conditions = \"engine\"", [](Case& x) { set_conditions(cycle::Conditions::kEngine, x); }};
     Case changed = c;

@@ -1,0 +1,48 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/io/case/case_text.hpp"
+
+/// Typical numbers of cases to start from. An empty remark: typical, assumed.
+namespace ringfilm::io {
+
+extern const std::string kAssumed;  ///< "typical, assumed"
+
+/// An operating point. Its walls are those of `conditions = "engine"` where it states none.
+struct StartPoint {
+  const char* name;
+  double weight;  ///< share of the time
+  std::vector<StartValue> operation;
+  std::vector<StartValue> gas;  ///< where no trace is given
+};
+
+/// How run in the surfaces are.
+struct StartState {
+  const char* name;
+  double Rpq, Rvq, Rmq, ring;  ///< of the liner, and Rq of the ring [um], [-]
+};
+
+/// An engine with its rings. Sizes of real ones of its kind, none of them measured.
+struct StartEngine {
+  const char* name;
+  const char* title;
+  std::vector<StartValue> engine;
+  std::vector<StartValue> ring;           ///< top ring alone
+  std::vector<std::string> crown_height;  ///< of its face, for each of start_state_table()
+  std::vector<StartValue> gas;            ///< where no trace is given
+  const char* grade;                      ///< viscosity grade of its oil
+  std::vector<StartPoint> points;         ///< part load, full load at low speed and at high speed
+};
+
+const std::vector<StartEngine>& start_engine_table();
+const std::vector<StartState>& start_state_table();
+
+/// A pair of grey iron and a steel ring in oil, plateau-honed. N beta sigma = 0.05, the upper end of its range
+/// (greenwood1971).
+std::vector<StartValue> start_contact(const StartState& state);
+
+/// Walls of the point, of `conditions = "engine"` where it states none.
+std::vector<StartValue> start_walls(const StartPoint& point);
+
+}  // namespace ringfilm::io
