@@ -18,6 +18,12 @@
 namespace ringfilm::python {
 namespace {
 
+/// What `ringfilm pairs --json` prints.
+py::dict shipped_library() {
+  const io::Units units;
+  return py::dict(from_json(io::pairs_json(io::shipped_pairs(units).pairs, io::shipped_surfaces(units))));
+}
+
 struct FieldRow {
   std::string key, unit, display_unit, active_when, help, example;
   py::object default_value;
@@ -117,11 +123,22 @@ void bind_tables(py::module_& module) {
 The key `grade` is a value of lubricant.grade, or None. At 150 degC by the law of temperature, without shear
 thinning.)");
   module.def(
-      "pairs", [] { return py::list(from_json(io::pairs_json(io::shipped_pairs(io::Units()).pairs))); },
+      "pairs", [] { return py::list(shipped_library()["pairs"]); },
       R"(The shipped pairs of coating and liner, a list of dicts as `ringfilm pairs --json` prints them, SI units.
 
 The key `name` is a value of contact.friction_pair. `state` is "lubricated" or "dry": a dry coefficient is that of a
 probe without oil, which orders surfaces and is not an input of an engine.)");
+  module.def(
+      "surface_classes",
+      [] {
+        py::dict all = shipped_library();
+        all.attr("pop")("pairs");
+        return all;
+      },
+      R"(The shipped classes of surfaces, {"liners": list of dicts, "rings": list of dicts}, SI units.
+
+`state` is "new", "run-in" or "worn". Rpq, Rvq and Rmq of a liner and `roughness` of a ring, its Rq, are values of
+[contact.plateau].)");
   module.def("fields", &fields, "All keys of a case, a list of Field in the order of a case file.");
   module.def(
       "note_topics",

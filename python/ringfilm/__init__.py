@@ -32,6 +32,7 @@ from ._ringfilm import (
     quantities,
     run_life,
     starting_case,
+    surface_classes,
     version,
 )
 from ._values import SI
@@ -70,5 +71,6 @@ __all__ = [
     "simulate_many",
     "starting_case",
     "surface",
+    "surface_classes",
     "version",
 ]

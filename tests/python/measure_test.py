@@ -217,6 +217,13 @@ def test_the_flow_through_a_measured_gap_and_its_pairs():
     assert {pair["state"] for pair in ringfilm.pairs()} == {"lubricated", "dry"}
 
 
+def test_the_classes_of_surfaces_are_lists_of_liners_and_rings():
+    classes = ringfilm.surface_classes()
+    assert list(classes) == ["liners", "rings"]
+    assert {one["state"] for group in classes.values() for one in group} == {"new", "run-in", "worn"}
+    assert all(liner["Rpq"] < liner["Rvq"] for liner in classes["liners"])
+
+
 def test_the_oil_of_a_case(case):
     oil = ringfilm.laws.oil(case)
     p = numpy.array([1e5, 1e7, 1e8])

@@ -131,10 +131,13 @@ void oils(const OilsOptions& options) {
   std::cout << (options.summary == SummaryForm::kJson ? io::oils_json(shipped) : io::oils_table(shipped));
 }
 
-/// Prints the shipped pairs of coating and liner with their boundary friction.
+/// Prints the shipped pairs of coating and liner with their boundary friction, and the classes of surfaces.
 void pairs(const OilsOptions& options) {
-  const auto shipped = io::shipped_pairs(io::Units()).pairs;
-  std::cout << (options.summary == SummaryForm::kJson ? io::pairs_json(shipped) : io::pairs_table(shipped));
+  const io::Units units;
+  const auto shipped = io::shipped_pairs(units).pairs;
+  const io::SurfaceClasses surfaces = io::shipped_surfaces(units);
+  std::cout << (options.summary == SummaryForm::kJson ? io::pairs_json(shipped, surfaces)
+                                                      : io::pairs_table(shipped) + "\n" + io::surfaces_table(surfaces));
 }
 
 struct NewOptions {
@@ -273,8 +276,9 @@ void add_data_commands(Program& program) {
   program.add("fields", "Print the keys of a case with unit, default, range and meaning", kFieldsFooter, declare_fields,
               fields);
   program.add("oils", "List the shipped oils with their viscosities", kOilsFooter, declare_list, oils);
-  program.add("pairs", "List the shipped pairs of coating and liner with their boundary friction", kPairsFooter,
-              declare_list, pairs);
+  program.add("pairs",
+              "List the shipped pairs of coating and liner with their boundary friction, and classes of surfaces",
+              kPairsFooter, declare_list, pairs);
   program.add("new", "Write a commented case to start from", kNewFooter, declare_new, start_case);
 }
 

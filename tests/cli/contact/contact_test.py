@@ -302,13 +302,40 @@ class TableInACase(ContactTest):
 
 class BoundaryFriction(ContactTest):
     def test_the_library_lists_dry_and_lubricated_pairs(self):
-        pairs = {pair["name"]: pair for pair in json.loads(self.run_well("pairs", "--json"))}
+        pairs = {pair["name"]: pair for pair in json.loads(self.run_well("pairs", "--json"))["pairs"]}
         crn = pairs["crn-on-grey-iron"]
         self.assertEqual((crn["state"], crn["friction"], crn["hardness"]), ("lubricated", 0.12, 2.5e9))
         self.assertTrue(crn["friction_low"] < crn["friction"] < crn["friction_high"])
         self.assertEqual(pairs["styles2014-new-dry"]["state"], "dry")
         self.assertTrue(all(pair["source"] for pair in pairs.values()))
         self.assertIn("crn-on-grey-iron", self.run_well("pairs"))
+
+    def test_the_library_lists_liners_and_rings_in_their_states(self):
+        library = json.loads(self.run_well("pairs", "--json"))
+        self.assertEqual(list(library), ["pairs", "liners", "rings"])
+        liners = {(liner["name"], liner["state"]): liner for liner in library["liners"]}
+        rings = {(ring["name"], ring["state"]): ring for ring in library["rings"]}
+        self.assertAlmostEqual(liners["plateau-honed-grey-iron", "run-in"]["Rpq"], 0.07e-6, delta=1e-12)
+        self.assertAlmostEqual(rings["nitrided", "worn"]["roughness"], 0.05e-6, delta=1e-12)
+        for liner in liners.values():
+            self.assertTrue(0 < liner["Rpq"] < liner["Rvq"] and 0 < liner["Rmq"] < 1 and liner["source"], liner)
+        for name, state in (*liners, *rings):  # what wears gets smoother
+            values, key = (liners, "Rpq") if (name, state) in liners else (rings, "roughness")
+            if state == "worn":
+                falling = [values[name, one][key] for one in ("new", "run-in", "worn")]
+                self.assertEqual(falling, sorted(falling, reverse=True), name)
+        shown = self.run_well("pairs")
+        for words in ("liner ", "ring ", "0.07 um", "sprayed-mirror-bore", "molybdenum"):
+            self.assertIn(words, shown)
+
+    def test_a_case_takes_the_plateau_of_a_class_of_liners(self):
+        liner = next(x for x in json.loads(self.run_well("pairs", "--json"))["liners"] if x["state"] == "run-in")
+        text = (self.folder / "case.toml").read_text()
+        lines = [line for line in text.splitlines() if not line.startswith("roughness")]
+        plateau = f'[contact.plateau]\nRpq = "{liner["Rpq"]} m"\nRvq = "{liner["Rvq"]} m"\nRmq = {liner["Rmq"]}\n'
+        (self.folder / "plateau.toml").write_text("\n".join(lines) + "\n" + plateau + 'ring_roughness = "0.07 um"\n')
+        law = json.loads(self.run_well("contact", "--case", "plateau.toml", "--json"))
+        self.assertAlmostEqual(law["Rpq"], liner["Rpq"], delta=1e-15)
 
     def test_a_case_takes_its_friction_from_a_pair(self):
         text = (self.folder / "case.toml").read_text()

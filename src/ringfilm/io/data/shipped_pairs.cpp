@@ -39,14 +39,13 @@ void read_friction(TomlTable& table, FrictionPair& pair) {
 }
 
 FrictionPair read_pair(const TomlValue& value, const Units& units, std::vector<Fault>& faults) {
-  TomlTable table(value, "[[pair]]",
-                  {"name", "coating", "liner", "state", "friction", "band", "hardness", "roughness", "source"}, faults);
+  TomlTable table(value, "[[pair]]", {"name", "coating", "liner", "state", "friction", "band", "hardness", "source"},
+                  faults);
   FrictionPair pair;
   pair.name = table.needed_text("name", "\"crn-on-grey-iron\"");
   pair.coating = table.needed_text("coating", "\"CrN (PVD)\"");
   pair.liner = table.needed_text("liner", "\"grey iron\"");
   pair.source = table.needed_text("source", "\"typical, assumed\"");
-  pair.roughness_class = table.text("roughness").value_or("");
   table.need("state", "\"lubricated\"");
   table.choose("state", kStates, pair.state);
   read_friction(table, pair);
@@ -97,21 +96,20 @@ std::string name_of(FrictionState state) {
 }
 
 std::string pairs_table(const std::vector<FrictionPair>& pairs) {
-  std::string text = fmt::format("{:<32}{:<12}{:>9}{:>14}{:>10}  {:<14}{}\n", "name", "state", "friction", "band",
-                                 "hardness", "roughness", "source");
+  std::string text =
+      fmt::format("{:<32}{:<12}{:>9}{:>14}{:>10}  {}\n", "name", "state", "friction", "band", "hardness", "source");
   for (const FrictionPair& pair : pairs) {
-    text += fmt::format("{:<32}{:<12}{:>9.4g}{:>14}{:>10}  {:<14}{}\n", pair.name, name_of(pair.state), pair.friction,
+    text += fmt::format("{:<32}{:<12}{:>9.4g}{:>14}{:>10}  {}\n", pair.name, name_of(pair.state), pair.friction,
                         pair.low ? fmt::format("{:.2f} to {:.2f}", *pair.low, *pair.high) : "-",
-                        pair.hardness ? text_in(*pair.hardness, kGigapascal, 3) : "-",
-                        pair.roughness_class.empty() ? "-" : pair.roughness_class, pair.source);
+                        pair.hardness ? text_in(*pair.hardness, kGigapascal, 3) : "-", pair.source);
   }
   return text +
          "friction: coefficient of boundary friction; of dry rows that of a probe without oil, not an input of an "
          "engine\nin a case: [contact] friction_pair = \"crn-on-grey-iron\"\n";
 }
 
-std::string pairs_json(const std::vector<FrictionPair>& pairs) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+std::string pairs_json(const std::vector<FrictionPair>& pairs, const SurfaceClasses& surfaces) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array(), liners = list, rings = list;
   for (const FrictionPair& pair : pairs) {
     list.push_back({{"name", pair.name},
                     {"coating", pair.coating},
@@ -121,10 +119,24 @@ std::string pairs_json(const std::vector<FrictionPair>& pairs) {
                     {"friction_low", maybe(pair.low)},
                     {"friction_high", maybe(pair.high)},
                     {"hardness", maybe(pair.hardness)},
-                    {"roughness_class", pair.roughness_class},
                     {"source", pair.source}});
   }
-  return list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  for (const LinerSurface& liner : surfaces.liners) {
+    liners.push_back({{"name", liner.name},
+                      {"state", liner.state},
+                      {"Rpq", liner.plateau.Rpq},
+                      {"Rvq", liner.plateau.Rvq},
+                      {"Rmq", liner.plateau.Rmq},
+                      {"hardness", maybe(liner.hardness)},
+                      {"youngs_modulus", maybe(liner.youngs_modulus)},
+                      {"source", liner.source}});
+  }
+  for (const RingSurface& ring : surfaces.rings) {
+    rings.push_back(
+        {{"name", ring.name}, {"state", ring.state}, {"roughness", ring.roughness}, {"source", ring.source}});
+  }
+  const nlohmann::ordered_json all = {{"pairs", list}, {"liners", liners}, {"rings", rings}};
+  return all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace ringfilm::io

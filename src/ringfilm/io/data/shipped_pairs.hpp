@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/io/data/shipped_surfaces.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
@@ -32,7 +33,7 @@ std::string name_of(models::FrictionState state);  ///< "lubricated", "dry"
 
 /// The list for a terminal (`ringfilm pairs`).
 std::string pairs_table(const std::vector<models::FrictionPair>& pairs);
-/// The list of pairs as JSON, SI units.
-std::string pairs_json(const std::vector<models::FrictionPair>& pairs);
+/// The lists of pairs, liners and rings as JSON, SI units.
+std::string pairs_json(const std::vector<models::FrictionPair>& pairs, const SurfaceClasses& surfaces);
 
 }  // namespace ringfilm::io

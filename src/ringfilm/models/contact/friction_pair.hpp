@@ -18,7 +18,6 @@ struct FrictionPair {
   double friction = 0;              ///< coefficient of boundary friction, zeta [-]
   std::optional<double> low, high;  ///< its band [-]
   std::optional<double> hardness;   ///< hardness of the softer face [Pa]
-  std::string roughness_class;      ///< rms of both surfaces together, as text with its unit
   std::string source;               ///< or "typical, assumed"
 };
 
