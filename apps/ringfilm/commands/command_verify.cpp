@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "commands/commands.hpp"
+#include "commands/verify_trends.hpp"
 #include "output_names.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/case/case_file.hpp"
@@ -25,11 +26,13 @@ using study::Tolerance;
 using study::Verdict;
 
 enum class VerifyRequest { kTable, kJson, kNames };
+enum class VerifySubject { kKnownAnswers, kTrends };
 
 struct VerifyOptions {
-  std::vector<std::string> names;     ///< folders of verification/; empty: all
+  std::vector<std::string> names;     ///< folders of verification/, or parts of ids of trends; empty: all
   std::optional<std::string> output;  ///< web page
   VerifyRequest requested = VerifyRequest::kTable;
+  VerifySubject subject = VerifySubject::kKnownAnswers;
 };
 
 /// The folders asked for, in the order of the shipped ones; all if none is named.
@@ -120,7 +123,7 @@ std::string totals(const std::vector<study::VerificationOutcome>& cases) {
 }
 
 /// Runs the shipped cases with known answers. Throws FailedChecks.
-void verify(const VerifyOptions& options) {
+void verify_known_answers(const VerifyOptions& options) {
   if (options.requested == VerifyRequest::kNames) return print_list();
   const std::vector<std::string> folders = chosen_folders(options.names);
   const io::Units units;
@@ -158,24 +161,37 @@ void verify(const VerifyOptions& options) {
   if (!holds) throw FailedChecks("a number differs from its expected value");
 }
 
+void verify(const VerifyOptions& options) {
+  if (options.subject == VerifySubject::kKnownAnswers) return verify_known_answers(options);
+  if (options.requested == VerifyRequest::kNames) return list_trends(options.names);
+  verify_trends(options.names, options.requested == VerifyRequest::kJson ? SummaryForm::kJson : SummaryForm::kTable);
+}
+
 constexpr const char* kVerifyFooter = R"(Examples:
   ringfilm verify
   ringfilm verify --list
   ringfilm verify rayleigh1918_step ausas2009_oscillating_squeeze
   ringfilm verify --output verification.html
+  ringfilm verify --trends
+  ringfilm verify --trends friction-speed friction-oil
 
 Each case is computed here and now beside an answer that is known from elsewhere: a closed form, a quadrature, a
 publication, an independent program. The exit code is 4 if a number lies outside its tolerance.
+--trends computes published trends of measured rings instead, in a minute. Those that disagree are recorded with their
+reason: the exit code is 4 if an outcome is not the recorded one.
 )";
 
 void declare_verify(CommandOptions& add, VerifyOptions& options) {
-  add.text("NAME", options.names, "...", "cases to check; all if none is named");
+  add.text("NAME", options.names, "...", "cases to check, or parts of the ids of trends; all if none is named");
   const CLI::Option* list =
       add.flag("--list", options.requested, VerifyRequest::kNames, "print the names of the cases, compute nothing");
   add.flag("--json", options.requested, VerifyRequest::kJson, "print the rows as JSON, SI units, instead of the table");
-  add.text("-o,--output,--html", options.output, "X.html", "write the same as a web page");
-  add.rule([list, &options](Faults&) {
+  const CLI::Option* trends = add.flag("--trends", options.subject, VerifySubject::kTrends,
+                                       "compute published trends of measured rings instead");
+  const CLI::Option* output = add.text("-o,--output,--html", options.output, "X.html", "write the same as a web page");
+  add.rule([list, trends, output, &options](Faults& faults) {
     if (is_stated(list)) options.requested = VerifyRequest::kNames;  // with --json, too
+    if (is_stated(trends) && is_stated(output)) faults.refuse("--trends has no page", "remove --output");
   });
 }
 

@@ -442,7 +442,8 @@ std::vector<std::string> verification_folders() {
   std::vector<std::string> folders;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(all, error)) {
-    if (fs::is_directory(entry.path())) folders.push_back(entry.path().string());
+    if (!fs::is_directory(entry.path()) || fs::exists(entry.path() / "trends.toml")) continue;  // trends_file.hpp
+    folders.push_back(entry.path().string());
   }
   if (folders.empty()) {
     throw InputError(all.string() + ": no verification is here", "the folder is shipped with cases/ and data/");

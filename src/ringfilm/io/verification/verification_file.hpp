@@ -12,8 +12,8 @@ namespace ringfilm::io {
 /// docs/manual/verification.md. Throws InputError with every fault of reference.toml, or those of a case.
 study::Verification read_verification(const std::string& folder, const Units& units);
 
-/// The folders of verification/ in the shipped folder that hold a reference.toml, by name in alphabetic order.
-/// Throws InputError if there is none.
+/// The folders of verification/ in the shipped folder but that of the trends (trends_file.hpp), by name in alphabetic
+/// order. Throws InputError if there is none.
 std::vector<std::string> verification_folders();
 
 /// What cannot be checked, from the tables [[not_covered]] of a TOML file, each with what and reason.
