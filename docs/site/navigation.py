@@ -11,6 +11,7 @@ SECTIONS = [
         "Judging a result",
         [
             "docs/manual/guide/validation",
+            "docs/manual/guide/measured-trends",
             "docs/manual/guide/rig-trends",
             "docs/manual/guide/plausibility",
             "docs/manual/guide/notes",

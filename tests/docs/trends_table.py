@@ -1,0 +1,36 @@
+"""usage: trends_table.py PROGRAM TABLE
+
+Is the table in the manual what `ringfilm verify --trends` prints, and is each outcome the recorded one? Words to the
+letter; numbers, which are shown with three digits, within 2 %: the oil on the liner settles to about 1 %."""
+
+import re
+import subprocess
+import sys
+
+program, path = sys.argv[1:]
+NUMBER = re.compile(r"(?<![\w.-])\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w-])")
+CHANGE = re.compile(r" \([+-][\d.]+ %\)$")  # follows from the numbers before it
+
+
+def parts(line):
+    line = CHANGE.sub("", line)
+    return NUMBER.sub("#", line), [float(number) for number in NUMBER.findall(line)]
+
+
+def same(shown, printed):
+    (words, numbers), (other_words, others) = parts(shown), parts(printed)
+    return words == other_words and all(abs(a - b) <= 0.02 * abs(b) for a, b in zip(numbers, others))
+
+
+done = subprocess.run([program, "verify", "--trends"], capture_output=True, text=True)
+printed = done.stdout.splitlines()
+with open(path, encoding="utf-8") as table:
+    shown = table.read().splitlines()
+print(done.stdout[-200:], done.stderr)
+for i in range(max(len(shown), len(printed))):
+    if i >= min(len(shown), len(printed)) or not same(shown[i], printed[i]):
+        print("in the manual:", shown[i] if i < len(shown) else "nothing")
+        print("printed now:  ", printed[i] if i < len(printed) else "nothing")
+        print("the manual is not up to date: ringfilm verify --trends > docs/manual/trends-table.txt renews it")
+        sys.exit(1)
+sys.exit(done.returncode)
