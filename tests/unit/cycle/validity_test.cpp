@@ -105,6 +105,24 @@ TEST(Validity, ResultsThatNoRingCanHaveAreNoted) {
   EXPECT_THAT(topics(usual_sample(), 1.1e6), Contains("friction-too-high"));
 }
 
+TEST(Validity, FrictionThatIsMostlyOfTheBoundaryIsNoted) {
+  const auto note_with_share = [](double share) -> std::string {
+    const auto setup = prepare(styles_new_ring());
+    CycleValues values;
+    values.mean_power_loss = 50;
+    values.mean_boundary_power = share * values.mean_power_loss;
+    std::vector<Note> notes;
+    append_validity_notes(setup, face_grid(setup), {usual_sample()}, values, {}, notes);
+    const auto found =
+        std::find_if(notes.begin(), notes.end(), [](const Note& n) { return n.topic == "friction-mostly-boundary"; });
+    return found == notes.end() ? "" : found->message;
+  };
+  EXPECT_EQ(note_with_share(0.69), "");
+  EXPECT_THAT(note_with_share(0.92), ::testing::HasSubstr("92 % of the friction energy is boundary friction"));
+  EXPECT_THAT(note_with_share(0.92), ::testing::HasSubstr("(contact.roughness)"));
+  EXPECT_EQ(note_topic("friction-mostly-boundary")->trust, Trust::kFull);
+}
+
 TEST(Validity, ATensionThatNoRingHasIsNoted) {
   const auto noted = [](double force) {
     Case c = styles_new_ring();

@@ -74,6 +74,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"surfaces-flattened", kLimited, kCase},
       {"viscosity-extrapolated", kLimited, kCase},
       {"density-extrapolated", kLimited, kCase},
+      {"friction-mostly-boundary", kFull, kCase},
       {"error-estimate-missing", kFull, kCase},
       {"error-estimate-one-sided", kFull, kCase},
       {"cavitation-pressure-lowered", kFull, kCase},

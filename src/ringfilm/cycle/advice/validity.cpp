@@ -224,6 +224,22 @@ void append_heating_note(const Setup& setup, const std::vector<Sample>& base, st
        steps});
 }
 
+/// From this share of the friction energy on boundary friction alone decides how friction changes with the film.
+constexpr double kMostlyBoundary = 0.7;
+
+void append_boundary_share_note(const Contact& contact, const CycleValues& values, std::vector<Note>& notes) {
+  // Both are 0 where the cycle was not finished.
+  if (values.mean_boundary_power <= kMostlyBoundary * values.mean_power_loss) return;
+  const std::string carries = contact.model == ContactLaw::kTable ? "contact.law" : roughness_keys(contact);
+  notes.push_back({"friction-mostly-boundary",
+                   formatted("%.0f %% of the friction energy is boundary friction: friction of such a ring falls with "
+                             "speed and with thicker oil, while that of rings that were measured rises with speed "
+                             "(NACA TN 1249; Wakuri 1992); what decides it are the roughness that carries (%s), the "
+                             "temperatures of the walls and contact.boundary_shear_strength_coefficient",
+                             100 * values.mean_boundary_power / values.mean_power_loss, carries.c_str()),
+                   1});
+}
+
 /// Half-space contact holds for small slopes; tan 11 degree is taken as the largest.
 constexpr double kSteepestAsperity = 0.2;
 
@@ -432,6 +448,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   }
   append_origin_note(setup.input, notes);
   append_limit_notes(setup, base, values.fmep, notes);
+  append_boundary_share_note(setup.input.contact, values, notes);
   append_asperity_notes(setup, base, notes);
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
   append_measured_flow_notes(setup, base, notes);
