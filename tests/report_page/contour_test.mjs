@@ -4,7 +4,7 @@ import test from 'node:test';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const { contourLines, filledBands, labelPlace } = await import(
+const { contourLines, filledBands, labelPlace, lowestRegions } = await import(
   pathToFileURL(join(process.argv[2], 'src', 'plot/contour.js')).href
 );
 
@@ -83,4 +83,22 @@ test('a label lies on its line, upright, and not on a short one', () => {
     ),
     null,
   );
+});
+
+test('regions of the lowest value cover every cell once, and meet where two values are equal', () => {
+  // x, 30 and 130 - x over the width of 100: lowest from 0 to 30, then 30, then 130 - x never below 30.
+  const values = [(i) => xs[i], () => 30, (i) => 130 - xs[i]];
+  const { regions, borders } = lowestRegions(xs, ys, values);
+  assert.ok(Math.abs(sum(regions[0]) - 30 * 60) < 1e-9, String(sum(regions[0])));
+  assert.ok(Math.abs(sum(regions[1]) - 70 * 60) < 1e-9, String(sum(regions[1])));
+  assert.equal(sum(regions[2]), 0);
+  assert.ok(borders.length > 0);
+  const inside = borders.filter(([a, b]) => a.x < 99 && b.x < 99);
+  for (const [a, b] of inside) assert.ok(Math.abs(a.x - 30) < 1e-9 && Math.abs(b.x - 30) < 1e-9);
+});
+
+test('a cell next to a missing value has no region', () => {
+  const { regions } = lowestRegions(xs, ys, [(i, j) => (i === 1 && j === 1 ? null : xs[i]), () => 200]);
+  // Of 100 by 60 the four cells around that node are left out, 40 by 35.
+  assert.ok(Math.abs(sum(regions[0]) - (100 * 60 - 40 * 35)) < 1e-9, String(sum(regions[0])));
 });

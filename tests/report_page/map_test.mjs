@@ -7,6 +7,7 @@ import { pathToFileURL } from 'node:url';
 
 const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).href);
 const { MapChoice, mapFigure } = await load('study/study_map.js');
+const { lowestFigure } = await load('study/study_lowest.js');
 const { StudyModel } = await load('study/study_model.js');
 const { differenceOf } = await load('study/study_compare.js');
 
@@ -61,4 +62,47 @@ test('a base of which an operating point was not solved has no difference to ano
   });
   assert.equal(differenceOf(compared(null), { name: 'fmep' }, 1), null);
   assert.match(differenceOf(compared(11), { name: 'fmep' }, 1).text, /10/);
+});
+
+/** A map of 2 x 2 scenarios for each oil of a list of values. */
+function comparedOils(values) {
+  const factor = (name, choices = []) => ({
+    name,
+    unit: '1',
+    display_unit: '1',
+    choices,
+    logarithmic: false,
+  });
+  const axis = (k, levels) => ({ factor: k, levels, of: levels.length });
+  const model = new StudyModel({
+    quantities: [{ name: 'fmep', unit: 'Pa', display_unit: 'kPa', long_name: 'FMEP' }],
+    page_quantities: [],
+    main_values: ['fmep'],
+    factors: [factor('speed'), factor('temperature'), factor('oil', ['oils/thin.toml', 'oils/thick.toml'])],
+    bases: [{ name: 'base' }],
+    unsolved: { count: 0 },
+    error: null,
+    usual_accuracy: 0.005,
+    grid: {
+      quantities: ['fmep'],
+      bases: [{ axes: [axis(0, [1, 2]), axis(1, [1, 2]), axis(2, [0, 1])], values: { fmep: values } }],
+    },
+  });
+  const figure = lowestFigure(model, model.quantity.get('fmep'), new MapChoice(model));
+  const shapes = figure.draw(600).shapes.join('');
+  return { caption: figure.caption(), regions: shapes.match(/class="lowest"/g)?.length ?? 0, figure };
+}
+
+test('the choice with the lowest value has a region, with its share and lead in the caption', () => {
+  const { caption, regions, figure } = comparedOils([5000, 6000, 5000, 6000, 5000, 4000, 5000, 4000]);
+  assert.equal(figure.title, 'oil with the lowest FMEP');
+  assert.equal(regions, 2);
+  assert.match(caption, /thin at 2 of 4, by up to 17 %; thick at 2 of 4, by up to 20 %/);
+  assert.match(caption, /Nothing but speed, temperature, oil varies\./);
+});
+
+test('scenarios that one choice did not solve have no lowest', () => {
+  const { caption, regions } = comparedOils([5000, null, 5000, 6000, 5000, 4000, 5000, 4000]);
+  assert.equal(regions, 0);
+  assert.match(caption, /thin at 1 of 3/);
 });

@@ -89,6 +89,65 @@ export function contourLines(xs, ys, value, level) {
   return joined(pieces);
 }
 
+/** The part of a polygon of { x, y, values } in which a linear excess is not below zero. */
+function keptWhere(polygon, excess) {
+  const out = [];
+  polygon.forEach((a, i) => {
+    const b = polygon[(i + 1) % polygon.length];
+    const [from, to] = [excess(a), excess(b)];
+    if (from >= 0) out.push(a);
+    if (from >= 0 === to >= 0) return;
+    const t = from / (from - to);
+    const mixed = (u, v) => u + t * (v - u);
+    out.push({
+      x: mixed(a.x, b.x),
+      y: mixed(a.y, b.y),
+      values: a.values.map((v, n) => mixed(v, b.values[n])),
+    });
+  });
+  return out;
+}
+
+/** Two values are equal on a border but for rounding. */
+const kRounding = 1e-9;
+
+/**
+ * Where each of several values is the lowest: { regions, borders }; regions[k] is a list of polygons of { x, y },
+ * borders are pieces [a, b] of the lines at which the lowest changes.
+ * @param values a list of (i, j) to a number, null where there is none: no cell next to it has a region
+ */
+export function lowestRegions(xs, ys, values) {
+  const regions = values.map(() => []);
+  const borders = [];
+  const all = (i, j) => values.map((value) => value(i, j));
+  for (const { corners, i, j } of cells(xs, ys, (a, b) => (all(a, b).includes(null) ? null : 0))) {
+    const valued = [all(i, j), all(i + 1, j), all(i + 1, j + 1), all(i, j + 1)];
+    const points = corners.map(({ x, y }, n) => ({ x, y, values: valued[n] }));
+    const mean = (of) => points.reduce((sum, p) => sum + of(p), 0) / points.length;
+    const middle = {
+      x: mean((p) => p.x),
+      y: mean((p) => p.y),
+      values: values.map((_, n) => mean((p) => p.values[n])),
+    };
+    points.forEach((point, n) => {
+      for (let k = 0; k < values.length; k++) {
+        let part = [point, points[(n + 1) % points.length], middle];
+        for (let other = 0; other < values.length && part.length; other++)
+          if (other !== k) part = keptWhere(part, (p) => p.values[other] - p.values[k]);
+        if (part.length < 3) continue;
+        regions[k].push(part);
+        const isEqual = (p, other) => Math.abs(p.values[other] / p.values[k] - 1) < kRounding;
+        part.forEach((a, m) => {
+          const b = part[(m + 1) % part.length];
+          const isBorder = values.some((_, other) => other > k && isEqual(a, other) && isEqual(b, other));
+          if (isBorder) borders.push([a, b]);
+        });
+      }
+    });
+  }
+  return { regions, borders };
+}
+
 function joined(pieces) {
   const key = ([x, y]) => `${x.toFixed(3)} ${y.toFixed(3)}`;
   const at = new Map();

@@ -7,6 +7,7 @@ import { ChartView, Visibility } from '../figure/chart_view.js';
 import { comparisonFigure } from './study_compare.js';
 import { curveFigures } from './study_curves.js';
 import { effectsFigure, indicesFigure, rankingFigure, sensitivityFigure } from './study_decides.js';
+import { lowestFigure } from './study_lowest.js';
 import { gridCurvesFigure, GridValues, MapChoice, mapFigure } from './study_map.js';
 import { StudyModel } from './study_model.js';
 import { convergenceFigure, histogramFigure } from './study_spread.js';
@@ -94,7 +95,10 @@ The result file has all of them.',
       .map((figure) => chartView(figure, context));
     return views.length ? { views, choices: null } : null;
   }
-  const views = shown.map((q) => new DrawingView(mapFigure(model, q, choice), context));
+  const lowest = lowestFigure(model, shown.find((q) => q.name === 'fmep') ?? shown[0], choice);
+  const views = [...shown.map((q) => mapFigure(model, q, choice)), ...(lowest ? [lowest] : [])].map(
+    (figure) => new DrawingView(figure, context),
+  );
   const host = element('div', { class: 'choices' });
   const redraw = (act) => (value) => {
     const focused = [...host.querySelectorAll('select, input')].indexOf(document.activeElement);

@@ -14,7 +14,7 @@ const kLevels = 13;
 const kFlat = 0.6;
 
 /** Share of a value within which it may be off: as estimated on the sample of the study, else as a study asks for. */
-function relativeError(model, name) {
+export function relativeError(model, name) {
   return model.error?.quantiles?.[name] ?? model.usual_accuracy;
 }
 
@@ -54,11 +54,11 @@ export class MapChoice {
       Math.min(this.places?.[k] ?? Math.floor((axis.levels.length - 1) / 2), axis.levels.length - 1),
     );
   }
-  /** What stays the same in the map, in words. */
-  words() {
+  /** What stays the same in the map, in words. @param compared place of the axis that is compared; none if omitted */
+  words(compared) {
     const fixed = this.grid.axes
       .map((axis, k) =>
-        k === this.across || k === this.up
+        k === this.across || k === this.up || k === compared
           ? null
           : `${axis.factor.name} ${this.model.levelText(axis.factor, axis.levels[this.places[k]])}`,
       )
@@ -81,6 +81,23 @@ function axisOf(axis) {
   };
 }
 
+/** The two axes of the map: across and up. */
+export function mapAxes(choice) {
+  return [axisOf(choice.grid.axes[choice.across]), axisOf(choice.grid.axes[choice.up])];
+}
+
+/** Scales and frame of the map at a width in pixels. */
+export function mapGeometry(choice, width) {
+  const [across, up] = mapAxes(choice);
+  const height = Math.min(420, Math.max(290, 0.72 * width));
+  return {
+    across,
+    up,
+    height,
+    ...frame({ x: 0, y: 0, width, height }, across, up, { right: 22, bottom: 46 }),
+  };
+}
+
 export function mapFigure(model, q, choice) {
   const value = (i, j) => {
     const places = [...choice.places];
@@ -99,17 +116,8 @@ export function mapFigure(model, q, choice) {
   const levels = all.filter((v) => v > whole[0] && v < whole[1]);
   const colour = (band) =>
     colourText(heightColour(levels.length ? 0.04 + (0.96 * band) / levels.length : kFlat));
-  const axes = () => [axisOf(choice.grid.axes[choice.across]), axisOf(choice.grid.axes[choice.up])];
-  const geometry = (width) => {
-    const [across, up] = axes();
-    const height = Math.min(420, Math.max(290, 0.72 * width));
-    return {
-      across,
-      up,
-      height,
-      ...frame({ x: 0, y: 0, width, height }, across, up, { right: 22, bottom: 46 }),
-    };
-  };
+  const axes = () => mapAxes(choice);
+  const geometry = (width) => mapGeometry(choice, width);
   const unsolved = () =>
     axes()[0]
       .levels.flatMap((_, i) => axes()[1].levels.map((__, j) => [i, j]))
