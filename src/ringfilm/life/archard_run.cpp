@@ -52,12 +52,13 @@ class Scenario {
 void Scenario::check_wedge(const WornDepths& now) {
   if (result_.wear->wedge_gone) return;
   const std::vector<double> heights = wear_.face().heights(now.face, 0);
-  if (std::min(heights.front(), heights.back()) < wear_.roughness_at(now.time)) result_.wear->wedge_gone = now.time;
+  if (std::min(heights.front(), heights.back()) < wear_.roughness_at(now)) result_.wear->wedge_gone = now.time;
 }
 
 WornProfile Scenario::profile(const WornDepths& depths) {
   WornProfile worn = worn_profile(depths.face, wear_.area(depths.face), life_.wear.coating_thickness);
   worn.liner_depth = depths.liner;
+  wear_.put_running_in(depths, worn);
   gas_.put_blow_by(worn);
   return worn;
 }
@@ -122,7 +123,8 @@ void Scenario::append_tilt_note() {
   if (spacing == 0 || result_.states.empty()) return;
   const LifeState& last = result_.states.back();
   const double radius = radius_at_lowest(last.x, last.face_height);
-  const double allowed = 0.5 * std::sqrt(2 * wear_.roughness_at(last.time) / radius);
+  const double sigma = wear_.roughness_at({last.time, last.worn->depth, last.worn->liner_depth});
+  const double allowed = 0.5 * std::sqrt(2 * sigma / radius);
   if (spacing <= allowed) return;
   result_.notes.push_back({"tilt-samples-few", "tilts are " + number_text(number_in(spacing, kArcMinute)) +
                                                    " arc minutes apart; the worn face needs " +
@@ -177,6 +179,11 @@ void Scenario::append_notes() {
       {"wear-scenario", "the wear coefficient " + origin +
                             ", not a property of the coating: oil temperature, duty and roughness change the "
                             "implied one by more than a factor of two"});
+  if (life_.running_in) {
+    result_.notes.push_back({"roughness-runs-in",
+                             "the roughness follows the worn depth by [running_in]: its limit and depth scale are "
+                             "inputs of this scenario, and shear strength stays as it is"});
+  }
   append_tilt_note();
   append_jump_note();
   if (life_.wear.surface == WornSurface::kPath) append_held_note(life_, result_);
@@ -185,13 +192,16 @@ void Scenario::append_notes() {
 void Scenario::integrate() {
   result_.wear.emplace();
   result_.wear->coefficient = life_.wear.coefficient;
+  wear_.put_running_in({}, result_.unworn);
   std::vector<double> times;
   for (const ReportedTime& reported : life_.times) times.push_back(reported.time);
   WearLimits limits;
   limits.deepest = life_.wear.coating_thickness.value_or(kAssumedCoating);
-  limits.decay_depth = kDecayDepth * wear_.roughness_at(0);
-  if (life_.wear.surface == WornSurface::kPath) {
-    limits.is_too_long = [this](double from, double to) { return wear_.surface_changes_much(from, to); };
+  limits.decay_depth = kDecayDepth * wear_.roughness_at({});
+  if (life_.wear.surface == WornSurface::kPath || life_.running_in) {
+    limits.is_too_long = [this](const WornDepths& from, const WornDepths& to) {
+      return wear_.surface_changes_much(from, to);
+    };
   }
   limits.after_jump = [this](const WornDepths& now) { check_wedge(now); };
   const WearHistory history = integrate_wear(

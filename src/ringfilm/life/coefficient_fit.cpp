@@ -138,7 +138,7 @@ class Fit {
   /// distance is that of the measured face from its own line.
   bool is_flat(const Target& target, const std::vector<double>& height) const {
     const std::vector<double> line(height.size(), 0.0);
-    return rms_distance(wear_.face().x(), height, line, target.row.trusted) < kFlat * wear_.roughness_at(0);
+    return rms_distance(wear_.face().x(), height, line, target.row.trusted) < kFlat * wear_.roughness_at({});
   }
 
   /// When the face has lost an area; nothing where the path ended before.

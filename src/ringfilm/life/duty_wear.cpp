@@ -12,7 +12,7 @@
 namespace ringfilm::life {
 namespace {
 
-/// Share by which sigma or zeta may change within a jump.
+/// Share by which roughness or zeta may change within a jump.
 constexpr double kSurfaceChange = 0.02;
 
 /// Tilts that stand for all between -a and a: the middles of as many equal parts.
@@ -61,25 +61,48 @@ DutyWear::DutyWear(const Life& life, const CycleIntegrators& integrators, PackGa
       gas_(gas),
       base_(life.points.front().input),
       n_points_(n_duty_points(life)),
-      face_(with_surface(base_, 0)),
+      face_(with_surface({})),
       tilts_(tilts_of(life.wear)) {}
 
-/// Face, roughness and shear strength without wear.
-RingState DutyWear::surface_at(double time) const {
+/// Means over the surface whose wear smooths the pair; before anything is worn that of an unworn one.
+RunInDepth DutyWear::run_in_at(const WornDepths& now) const {
+  const RunningIn& law = *life_.running_in;
+  if (now.face.empty()) return {};
+  if (law.surface == RunningInSurface::kLiner) return run_in_depth(now.liner, {}, law.depth_scale);
+  return run_in_depth(now.face, face_.share(), law.depth_scale);
+}
+
+/// eq-life-run-in-mean; that of the case, to the bit, where nothing is worn.
+double DutyWear::run_in_roughness_at(const WornDepths& now) const {
+  const double start = run_in_roughness(base_);
+  return start - (1 - run_in_at(now).excess_left) * (start - life_.running_in->roughness_limit);
+}
+
+void DutyWear::put_running_in(const WornDepths& now, WornProfile& worn) const {
+  if (!life_.running_in) return;
+  const RunningIn& law = *life_.running_in;
+  worn.running_in_roughness = run_in_roughness_at(now);
+  worn.smoothing_share =
+      least_depth_scale(base_, law.roughness_limit) / law.depth_scale * run_in_at(now).loss_per_depth;
+}
+
+/// Roughness and shear strength, with the face before any wear.
+RingState DutyWear::surface_at(const WornDepths& now) const {
+  if (life_.running_in) return run_in_state(base_, run_in_roughness_at(now));
   if (life_.wear.surface == WornSurface::kFrozen) return ring_state_of(base_);
-  RingState state = state_on_path(life_.states, life_.path, time, base_.solver.cells);
+  RingState state = state_on_path(life_.states, life_.path, now.time, base_.solver.cells);
   state.face = base_.ring.face;
   return state;
 }
 
 RingState DutyWear::ring_at(const WornDepths& now, double tilt) const {
-  RingState state = surface_at(now.time);
+  RingState state = surface_at(now);
   state.face = face_.face(now.face, tilt);
   state.gap = end_gap_wear(now);
   return state;
 }
 
-double DutyWear::roughness_at(double time) const { return cycle::prepare(with_surface(base_, time)).ring.sigma; }
+double DutyWear::roughness_at(const WornDepths& now) const { return cycle::prepare(with_surface(now)).ring.sigma; }
 
 double DutyWear::area(const std::vector<double>& worn) const {
   double area = 0;
@@ -164,11 +187,12 @@ void DutyWear::weight_edges(WearLoad& load) const {
   }
 }
 
-bool DutyWear::surface_changes_much(double from, double to) const {
+bool DutyWear::surface_changes_much(const WornDepths& from, const WornDepths& to) const {
   const RingState a = surface_at(from), b = surface_at(to);
   const auto change = [](double before, double after) { return before > 0 ? std::abs(after / before - 1) : 0.0; };
-  return std::max(change(a.roughness, b.roughness), change(a.boundary_shear_strength_coefficient,
-                                                           b.boundary_shear_strength_coefficient)) > kSurfaceChange;
+  return std::max({change(a.roughness, b.roughness), change(a.Rpq.value_or(0), b.Rpq.value_or(0)),
+                   change(a.boundary_shear_strength_coefficient, b.boundary_shear_strength_coefficient)}) >
+         kSurfaceChange;
 }
 
 }  // namespace ringfilm::life

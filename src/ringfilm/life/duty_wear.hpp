@@ -3,6 +3,7 @@
 
 #include "ringfilm/life/life_run.hpp"
 #include "ringfilm/life/pack_gas.hpp"
+#include "ringfilm/life/wear/run_in_depth.hpp"
 #include "ringfilm/life/wear/worn_face.hpp"
 #include "ringfilm/life/wear_integration.hpp"
 
@@ -20,9 +21,11 @@ class DutyWear {
 
   /// The level ring with these depths at their running time.
   RingState ring_at(const WornDepths& now) const { return ring_at(now, 0); }
-  double roughness_at(double time) const;  ///< sigma [m]
-  /// Do sigma or zeta change by more than a jump may contain?
-  bool surface_changes_much(double from, double to) const;
+  double roughness_at(const WornDepths& now) const;  ///< sigma [m]
+  /// Do roughness or zeta change by more than a jump may contain?
+  bool surface_changes_much(const WornDepths& from, const WornDepths& to) const;
+  /// Puts the roughness that runs in and the share of the worn volume that this took; without running in it is kept.
+  void put_running_in(const WornDepths& now, WornProfile& worn) const;
 
   const WornFace& face() const { return face_; }
   double area(const std::vector<double>& worn) const;  ///< area of the cross-section that is lost [m2]
@@ -33,8 +36,10 @@ class DutyWear {
   long cycles() const { return cycles_; }                                        ///< integrated so far
 
  private:
-  RingState surface_at(double time) const;
-  cycle::Case with_surface(const cycle::Case& c, double time) const { return with_ring_state(c, surface_at(time)); }
+  RunInDepth run_in_at(const WornDepths& now) const;
+  double run_in_roughness_at(const WornDepths& now) const;
+  RingState surface_at(const WornDepths& now) const;
+  cycle::Case with_surface(const WornDepths& now) const { return with_ring_state(base_, surface_at(now)); }
   RingState ring_at(const WornDepths& now, double tilt) const;
   std::vector<CycleRequest> requests(const WornDepths& now);
   void add_cycle(const CycleRequest& request, const std::vector<double>& heights, const cycle::CycleResult& result,

@@ -5,6 +5,7 @@
 
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/base/table.hpp"
+#include "ringfilm/life/ring_state.hpp"
 #include "ringfilm/life/wear/wear_bounds.hpp"
 
 namespace ringfilm::life {
@@ -304,6 +305,69 @@ void check_gas_path(const Life& life, std::vector<Fault>& faults) {
                     "base case"});
 }
 
+/// How the roughness of a scenario may change, and whose depth that is.
+void check_use_of_running_in(const Life& life, std::vector<Fault>& faults) {
+  const RunningIn& law = *life.running_in;
+  const auto refuse = [&](const std::string& message, const std::string& remedy) {
+    faults.push_back({law.mark, "[running_in] " + message, remedy});
+  };
+  if (life.mode == Mode::kMeasuredPath) {
+    return refuse("needs the worn depth, and mode = \"measured-path\" has no wear coefficient",
+                  "omit it, or take mode = \"archard\" with wear.coefficient and wear.liner_coefficient");
+  }
+  if (life.wear.source == CoefficientSource::kFitted) {
+    refuse(
+        "cannot be combined with coefficient = \"fit\": the faces that a scenario passes are independent of its "
+        "coefficient only while the roughness is constant",
+        "omit it, or state wear.coefficient");
+  }
+  if (life.wear.surface == WornSurface::kPath) {
+    refuse("cannot be combined with wear.surface = \"path\", by which the roughness is that of the measured states",
+           "omit one of the two");
+  }
+  if (law.surface == RunningInSurface::kLiner && !life.wear.liner_coefficient) {
+    refuse("smooths the liner by its worn depth, and [wear] has no liner_coefficient",
+           "state wear.liner_coefficient, for example \"5e-17 m2/N\", or running_in.surface = \"ring\" where the "
+           "roughness is that of the ring");
+  }
+  for (const OperatingPoint& point : life.points) {
+    if (point.input.contact.model == cycle::ContactLaw::kTable) {
+      return refuse("changes a roughness, and the contact law of a measured pair (contact.model = \"table\") has none",
+                    "omit it, or take a contact.model with contact.roughness or [contact.plateau]");
+    }
+    if (law.surface == RunningInSurface::kRing && point.input.contact.plateau.is_stated()) {
+      return refuse("has surface = \"ring\", and the plateau of the base case is that of the liner",
+                    "omit running_in.surface, and state wear.liner_coefficient");
+    }
+  }
+}
+
+/// A roughness falls to its limit, and its peaks lose no more than is worn.
+void check_running_in(const Life& life, std::vector<Fault>& faults) {
+  const std::size_t n_before = faults.size();
+  check_use_of_running_in(life, faults);
+  if (faults.size() > n_before) return;
+  const RunningIn& law = *life.running_in;
+  const cycle::Case& base = life.points.front().input;
+  const double start = run_in_roughness(base);
+  if (law.roughness_limit >= start) {
+    const std::string key = base.contact.plateau.is_stated() ? "Rpq of [contact.plateau]" : "contact.roughness";
+    faults.push_back({law.limit_mark,
+                      "running_in.roughness_limit = " + text_in(law.roughness_limit, kMicrometre) + " is not below " +
+                          key + " of the base case, " + text_in(start, kMicrometre),
+                      "surfaces run in to a lower roughness: state a smaller limit, or a rougher case"});
+    return;
+  }
+  const double least = least_depth_scale(base, law.roughness_limit);
+  if (law.depth_scale >= least) return;
+  constexpr double kRoundedUp = 1.005;  // in three digits
+  faults.push_back({law.scale_mark,
+                    "running_in.depth_scale = " + text_in(law.depth_scale, kMicrometre) +
+                        " would take more material from the peaks than is worn, at first " +
+                        number_text(least / law.depth_scale, 3) + " times as much",
+                    "state " + text_in(kRoundedUp * least, kMicrometre, 3) + " or more"});
+}
+
 }  // namespace
 
 std::size_t n_duty_points(const Life& life) {
@@ -320,6 +384,7 @@ std::vector<Fault> faults_of(const Life& life) {
   check_gas_path(life, faults);
   if (life.pack) check_pack(life, faults);
   if (life.mode == Mode::kArchard) check_wear(life, faults);
+  if (life.running_in) check_running_in(life, faults);
   const bool is_fitted = life.wear.source == CoefficientSource::kFitted;
   if (life.mode == Mode::kMeasuredPath || life.wear.surface == WornSurface::kPath || is_fitted) {
     check_path(life, faults);

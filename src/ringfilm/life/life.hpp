@@ -117,6 +117,22 @@ struct Wear {
   SourceMark mark = {};                     ///< place of the table in the file
 };
 
+/// The surface whose wear smooths the pair.
+enum class RunningInSurface {
+  kLiner,  ///< as deep as it is worn along the stroke
+  kRing    ///< as deep as the face is worn
+};
+
+/// A roughness that falls with the worn depth, eq-life-run-in.
+struct RunningIn {
+  double roughness_limit = 0;  ///< towards which it falls: of Rpq of a plateau, else of contact.roughness [m]
+  double depth_scale = 0;      ///< worn depth over which its excess falls to 1/e of itself [m]
+  RunningInSurface surface = RunningInSurface::kLiner;  ///< surface whose depth counts
+  SourceMark mark = {};                                 ///< place of the table in the file
+  SourceMark limit_mark = {};                           ///< place of the limit
+  SourceMark scale_mark = {};                           ///< place of the depth scale
+};
+
 /// Gas pressures next to and behind a ring whose pack is given.
 enum class RingPressures {
   kGiven,    ///< those of the cases
@@ -139,15 +155,16 @@ struct EndRule {
 
 /// What a life is computed from.
 struct Life {
-  std::string title;                  ///< as pages show it
-  Mode mode = Mode::kMeasuredPath;    ///< path or scenario
-  std::vector<ReportedTime> times;    ///< increasing
-  std::vector<MeasuredState> states;  ///< anchors of the path, in the order of their running times
-  Interpolation path;                 ///< between them
-  Datum datum = Datum::kOwn;          ///< datum of the faces of these states
-  std::vector<EndRule> end_rules;     ///< when the life ends; empty: no rule
-  Wear wear;                          ///< wear of Mode::kArchard
-  std::optional<RingPack> pack;       ///< absent: gas pressures as the cases have them, blow-by not known
+  std::string title;                    ///< as pages show it
+  Mode mode = Mode::kMeasuredPath;      ///< path or scenario
+  std::vector<ReportedTime> times;      ///< increasing
+  std::vector<MeasuredState> states;    ///< anchors of the path, in the order of their running times
+  Interpolation path;                   ///< between them
+  Datum datum = Datum::kOwn;            ///< datum of the faces of these states
+  std::vector<EndRule> end_rules;       ///< when the life ends; empty: no rule
+  Wear wear;                            ///< wear of Mode::kArchard
+  std::optional<RunningIn> running_in;  ///< absent: the roughness is as `wear.surface` has it
+  std::optional<RingPack> pack;         ///< absent: gas pressures as the cases have them, blow-by not known
   /// Operating points of the duty, with shares of 1 in all, then those only reported.
   std::vector<OperatingPoint> points;
   /// With what its cycles are computed where cases ask for an accuracy, as sentences.

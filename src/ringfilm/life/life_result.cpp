@@ -22,6 +22,12 @@ const std::vector<WornQuantity>& worn_quantities() {
       {{"end_gap_growth", "m", "mm", "growth of the end gap", "Delta g", "eq-life-gap"},
        "growth of the end gap",
        &WornProfile::end_gap_growth},
+      {{"running_in_roughness", "m", "um", "roughness that runs in", "sigma_w", "eq-life-run-in-mean"},
+       "running-in roughness",
+       &WornProfile::running_in_roughness},
+      {{"smoothing_share", "1", "%", "share of the worn volume taken from the peaks", "s_w", "eq-life-run-in-volume"},
+       "share from the peaks",
+       &WornProfile::smoothing_share},
       {cycle::leading_gas_sum(), "blow-by per cylinder", &WornProfile::blow_by}};
   return table;
 }

@@ -23,11 +23,15 @@ struct WornProfile {
   double end_gap_growth = 0;  ///< 2 pi times the largest depth: by how much the ends of the ring move apart [m]
   std::optional<double> coating_left;  ///< at the deepest place; nothing where its thickness is not known [m]
   std::vector<double> liner_depth;     ///< at LifeResult::liner_position [m]; empty: the liner is not followed
+  /// Roughness that runs in: Rpq of a plateau, else contact.roughness [m]; nothing without running in.
+  std::optional<double> running_in_roughness;
+  /// Share of the worn volume that was taken from the peaks; nothing without running in [-].
+  std::optional<double> smoothing_share;
   /// Blow-by of the pack with its end gap as worn, mean over the duty [m3/s]; nothing without a pack.
   std::optional<double> blow_by;
 };
 
-/// A value of a WornProfile; a life without a pack has none of its gas.
+/// A value of a WornProfile; a life without a pack has none of its gas, one without running in none of it.
 struct WornQuantity : cycle::Quantity {
   std::string heading;  ///< heading of its column in a table
   std::variant<double WornProfile::*, std::optional<double> WornProfile::*> value;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "ringfilm/case/case_face.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/life/wear/run_in_depth.hpp"
 #include "ringfilm/models/ring.hpp"
 
 namespace ringfilm::life {
@@ -91,8 +93,30 @@ cycle::Case with_ring_state(cycle::Case c, const RingState& state) {
   c.contact.asperity_radius = state.asperity_radius;
   c.contact.roughness = state.roughness;
   c.contact.roughness_measure = state.roughness_measure;
+  if (state.Rpq) c = cycle::with_plateau_roughness(std::move(c), *state.Rpq);
   c.contact.boundary_shear_strength_coefficient = state.boundary_shear_strength_coefficient;
   return c;
+}
+
+double run_in_roughness(const cycle::Case& c) {
+  const auto curve = cycle::plateau_curve(c.contact);
+  return curve ? curve->Rpq : c.contact.roughness;
+}
+
+RingState run_in_state(const cycle::Case& c, double roughness) {
+  const bool has_plateau = c.contact.plateau.is_stated();
+  cycle::Case smoother = has_plateau ? cycle::with_plateau_roughness(c, roughness) : c;
+  if (!has_plateau) smoother.contact.roughness = roughness;
+  RingState state = ring_state_of(smoother);
+  state.asperity_radius *= cycle::asperity_roughness(c) / cycle::asperity_roughness(smoother);
+  if (has_plateau) state.Rpq = roughness;
+  return state;
+}
+
+double least_depth_scale(const cycle::Case& c, double limit) {
+  const double stated = run_in_roughness(c);
+  const double rms = c.contact.plateau.is_stated() ? stated : cycle::asperity_roughness(c);
+  return kMeanPeakHeight * rms * (1 - limit / stated);
 }
 
 RingState turned(RingState state) {
@@ -117,6 +141,7 @@ RingState with_part(RingState earlier, const RingState& later, Part part) {
       earlier.asperity_radius = later.asperity_radius;
       earlier.roughness = later.roughness;
       earlier.roughness_measure = later.roughness_measure;
+      earlier.Rpq = later.Rpq;
       break;
     case Part::kShearStrength:
       earlier.boundary_shear_strength_coefficient = later.boundary_shear_strength_coefficient;

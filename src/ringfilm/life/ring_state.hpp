@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct RingState {
   cycle::RoughnessMeasure roughness_measure = cycle::RoughnessMeasure::kAsGiven;
   double boundary_shear_strength_coefficient = 0;  ///< zeta [-]
   EndGapWear gap = {};                             ///< with the face; used where a pack is given
+  std::optional<double> Rpq = {};                  ///< rms of the plateau; nothing: that of the case [m]
 };
 
 /// The numbers of the contact, as all outputs have them.
@@ -49,6 +51,18 @@ RingState ring_state_of(const cycle::Case& c);  ///< state of the ring of a case
 
 /// The case with another ring in it.
 cycle::Case with_ring_state(cycle::Case c, const RingState& state);
+
+/// The roughness of a case that runs in: Rpq of its plateau, else contact.roughness [m]. Not of a table.
+double run_in_roughness(const cycle::Case& c);
+
+/// The ring of a case whose peaks have another roughness: heights are scaled, distances between the peaks kept, so
+/// that N stays and beta sigma stays, eq-life-run-in-asperities. At the roughness of the case it is that of the case,
+/// to the bit. @param roughness as run_in_roughness() has it [m]
+RingState run_in_state(const cycle::Case& c, double roughness);
+
+/// Least depth scale with which peaks lose no more than what is worn, eq-life-run-in-volume [m].
+/// @param limit of the roughness, as run_in_roughness() has it [m]
+double least_depth_scale(const cycle::Case& c, double limit);
 
 RingState turned(RingState state);  ///< its two edges exchanged; one that turns over at each reversal as it is
 

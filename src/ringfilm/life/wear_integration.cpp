@@ -57,12 +57,19 @@ class Integration {
     bool lacks_last_stage = false;
   };
 
+  /// Depths after a jump with the present load, which must be known.
+  WornDepths first_stage(double time) const {
+    const double K = coefficient_integral(wear_, now_.time, time);
+    WornDepths end{time, now_.face, worn_liner(time, *load_now_, *load_now_)};
+    for (std::size_t i = 0; i < now_.face.size(); ++i) end.face[i] += K * load_now_->face[i];
+    return end;
+  }
+
   /// From the present depths over a time that may not be kept.
   Jump jump_to(double time) {
     if (!load_now_) load_now_ = measured(now_);
     const double K = coefficient_integral(wear_, now_.time, time);
-    Jump jump{{time, now_.face, worn_liner(time, *load_now_, *load_now_)}, 0};
-    for (std::size_t i = 0; i < now_.face.size(); ++i) jump.end.face[i] += K * load_now_->face[i];
+    Jump jump{first_stage(time), 0};
     WearLoad later = *load_now_;
     if (wear_.scheme == WearScheme::kHeun && time > now_.time) {
       const double share = share_of_coating(jump.end);
@@ -243,7 +250,7 @@ class Integration {
       double length = std::min({next_, time - now_.time, longest_by_depth()});
       const double until = length == time - now_.time ? time : now_.time + length;
       check_progress(until);
-      if (limits_.is_too_long && limits_.is_too_long(now_.time, until)) {
+      if (limits_.is_too_long && limits_.is_too_long(now_, first_stage(until))) {
         next_ = kShortened * length;
         continue;
       }

@@ -43,8 +43,8 @@ struct WearLimits {
   /// by jumps of a share of its thickness, eq-life-coarse [m].
   std::optional<double> decay_depth = {};
   std::function<bool()> is_enough = {};  ///< asked after each jump that was chosen: does it end there? Empty: never
-  /// Is a jump from one time to another too long for what else changes? Empty: never.
-  std::function<bool(double from, double to)> is_too_long = {};
+  /// Is a jump too long for what else changes, from the present depths to those of its first stage? Empty: never.
+  std::function<bool(const WornDepths& from, const WornDepths& to)> is_too_long = {};
   /// Receives the depths after each jump; after that through the coating those where it ends.
   std::function<void(const WornDepths&)> after_jump = {};
 };

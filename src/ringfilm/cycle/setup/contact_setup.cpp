@@ -103,6 +103,24 @@ Case without_plateau(Case c) {
   return c;
 }
 
+Case with_plateau_roughness(Case c, double Rpq) {
+  const auto before = plateau_curve(c.contact);
+  if (!before || before->Rpq == Rpq) return c;
+  const models::PlateauCurve after{Rpq, before->Rvq, before->Rmq};
+  const models::PlateauPlanes from = models::plateau_planes(*before), to = models::plateau_planes(after);
+  Plateau plateau;
+  plateau.Rpq = after.Rpq;
+  plateau.Rvq = after.Rvq;
+  plateau.Rmq = after.Rmq;
+  plateau.ring_roughness = c.contact.plateau.ring_roughness;
+  if (const auto& measured = c.contact.plateau.surface_roughness) {
+    plateau.surface_roughness = *measured * to.rms / from.rms;
+  }
+  if (const auto& measured = c.contact.plateau.offset) plateau.offset = *measured + to.plateau - from.plateau;
+  c.contact.plateau = plateau;
+  return c;
+}
+
 double roughness(const Case& c) {
   if (c.contact.model == ContactLaw::kTable) return c.contact.law->composite_roughness;
   if (const auto planes = plateau_planes(c.contact)) return std::hypot(c.contact.plateau.ring_roughness, planes->rms);

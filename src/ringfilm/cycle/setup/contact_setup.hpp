@@ -35,6 +35,10 @@ double plateau_offset(const Contact& contact);
 /// The case with a Gaussian surface of the same composite roughness in place of `contact.plateau`.
 Case without_plateau(Case c);
 
+/// The case with another rms of the plateau over valleys that stay where they are, eq-life-run-in-plateau; a case
+/// without `contact.plateau` as it is. @param Rpq [m]
+Case with_plateau_roughness(Case c, double Rpq);
+
 /// Composite roughness that film and lambda ratio refer to, that of the whole surfaces [m].
 double roughness(const Case& c);
 

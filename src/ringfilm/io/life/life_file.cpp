@@ -25,10 +25,10 @@ class LifeReader : DocumentReader {
 
   LifeFile read() {
     const TomlValue root = read_document(DocumentKind::kLife, "life");
-    TomlTable table(
-        root, "a life",
-        {"title", "case", "mode", "hours", "state", "path", "wear", "duty", "report_point", "pack", "end_of_life"},
-        faults_);
+    TomlTable table(root, "a life",
+                    {"title", "case", "mode", "hours", "state", "path", "wear", "running_in", "duty", "report_point",
+                     "pack", "end_of_life"},
+                    faults_);
     life_.title = table.text("title").value_or(stem());
     table.choose("mode", {{"measured-path", life::Mode::kMeasuredPath}, {"archard", life::Mode::kArchard}}, life_.mode);
     read_hours(table);
@@ -37,6 +37,7 @@ class LifeReader : DocumentReader {
     for (const TomlValue& state : table.items("state")) read_state(state);
     read_path(table);
     read_wear(table);
+    read_running_in(table);
     read_pack(table);
     read_end(table);
     if (faults_.empty() && n_duty_ == 0) faults_ = faults_without_points();
@@ -218,6 +219,27 @@ class LifeReader : DocumentReader {
     }
     const cycle::Case* base = life_.points.empty() ? nullptr : &life_.points.front().input;
     life_.wear = read_wear_table(*value, base, units_, faults_);
+  }
+
+  void read_running_in(TomlTable& root) {
+    const TomlValue* value = root.find("running_in");
+    if (value == nullptr) return;
+    TomlTable table(*value, "[running_in]", {"roughness_limit", "depth_scale", "surface"}, faults_);
+    life::RunningIn& law = life_.running_in.emplace();
+    law.mark = table.mark();
+    table.choose("surface", {{"liner", life::RunningInSurface::kLiner}, {"ring", life::RunningInSurface::kRing}},
+                 law.surface);
+    const auto read_length = [&](const std::string& key, const std::string& example, double& length, SourceMark& mark) {
+      const TomlValue* stated = table.need(key, example);
+      if (stated == nullptr) return;
+      mark = stated->mark;
+      length = table.quantity(key, *stated, "m", example, units_).value_or(1);
+      if (!(length > 0)) {
+        table.refuse_value(key, "is not above 0", fmt::format("state, for example, {} = {}", key, example));
+      }
+    };
+    read_length("roughness_limit", "\"0.1 um\"", law.roughness_limit, law.limit_mark);
+    read_length("depth_scale", "\"0.3 um\"", law.depth_scale, law.scale_mark);
   }
 
   /// A pack, of which only the gas is used.

@@ -29,9 +29,17 @@ ordered_json fit_object(const life::CoefficientFit& fit) {
 }  // namespace
 
 ordered_json wear_units() {
-  return {{"coefficient", "m2/N"},   {"running_in_coefficient", "m2/N"},  {"implied_coefficient", "m2/N"},
-          {"running_in_hours", "h"}, {"coating_worn_through_hours", "h"}, {"wedge_gone_hours", "h"},
-          {"stage_difference", "m"}, {"volume_balance_error", "1"},       {"largest_worn_area", "m2"}};
+  return {{"coefficient", "m2/N"},
+          {"running_in_coefficient", "m2/N"},
+          {"implied_coefficient", "m2/N"},
+          {"running_in_hours", "h"},
+          {"coating_worn_through_hours", "h"},
+          {"wedge_gone_hours", "h"},
+          {"stage_difference", "m"},
+          {"volume_balance_error", "1"},
+          {"largest_worn_area", "m2"},
+          {"roughness_limit", "m"},
+          {"depth_scale", "m"}};
 }
 
 ordered_json hours_or_null(const std::optional<double>& time) {
@@ -52,6 +60,7 @@ ordered_json measured_faces(const LifeDocument& document) {
 
 ordered_json wear_object(const LifeDocument& document) {
   const life::Wear& wear = document.file.life.wear;
+  const std::optional<life::RunningIn>& running_in = document.file.life.running_in;
   const life::WearSummary& summary = *document.result.wear;
   ordered_json object = {{"coefficient", summary.coefficient},
                          {"coefficient_origin", summary.fit ? "tuned" : "assumed"}};
@@ -59,7 +68,12 @@ ordered_json wear_object(const LifeDocument& document) {
     object["running_in_coefficient"] = *wear.running_in_coefficient;
     object["running_in_hours"] = wear.running_in_time / life::kHour;
   }
-  object["surface"] = wear.surface == life::WornSurface::kFrozen ? "frozen" : "path";
+  object["surface"] = running_in ? "running-in" : wear.surface == life::WornSurface::kFrozen ? "frozen" : "path";
+  if (running_in) {
+    object["running_in"] = {{"roughness_limit", running_in->roughness_limit},
+                            {"depth_scale", running_in->depth_scale},
+                            {"surface", running_in->surface == life::RunningInSurface::kLiner ? "liner" : "ring"}};
+  }
   object["scheme"] = wear.scheme == life::WearScheme::kHeun ? "heun" : "euler";
   object["jumps"] = summary.effort.jumps;
   object["rejected_jumps"] = summary.effort.rejected_jumps;

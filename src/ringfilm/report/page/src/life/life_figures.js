@@ -117,10 +117,11 @@ function howKnown(life) {
       `an interpolation that is linear in time.${turned}`
     );
   }
-  const surface =
-    life.wear.surface === 'path'
-      ? ' Roughness and shear strength are interpolated between measured states.'
-      : ' Roughness and shear strength are assumed to stay as they are.';
+  const surface = {
+    path: ' Roughness and shear strength are interpolated between measured states.',
+    'running-in': ' The roughness falls with the worn depth by a stated law; shear strength is assumed to stay.',
+    frozen: ' Roughness and shear strength are assumed to stay as they are.',
+  }[life.wear.surface];
   const coefficient = life.wear.fit
     ? 'A scenario, not a prediction: the line has the geometric mean of the coefficients that the measured faces ' +
       'allow, the band has both ends of their range.'
