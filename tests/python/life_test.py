@@ -17,6 +17,14 @@ def test_a_life_is_a_dict_over_its_hours():
     assert len(last["face_height"]) == len(life["x"])
 
 
+def test_a_roughness_that_runs_in_is_in_each_state():
+    states = ringfilm.run_life(str(CASES / "life" / "running_in.toml"), threads=1)["states"]
+    roughness = [state["running_in_roughness"] for state in states]
+    assert roughness[0] == pytest.approx(0.48e-6, rel=1e-12)
+    assert roughness == sorted(roughness, reverse=True)
+    assert {quantity.name for quantity in ringfilm.quantities()["worn"]} >= {"running_in_roughness", "smoothing_share"}
+
+
 def test_faces_give_lower_bounds():
     rings = [str(CASES / "styles2014" / f"{name}.toml") for name in ("new", "embedded")]
     (pair,) = ringfilm.compare_faces(rings)["pairs"]

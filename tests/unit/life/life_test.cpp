@@ -122,6 +122,46 @@ TEST(Life, AFitStartsFromTheFaceOfTheBaseCase) {
   EXPECT_THAT(refusal(life), HasSubstr("life.toml:3:1: the face of the base case and that of the first state differ"));
 }
 
+Life running_in() {
+  Life life = two_states();
+  life.states.clear();
+  life.mode = Mode::kArchard;
+  life.wear.coefficient = 1e-19;
+  life.wear.liner_coefficient = 1e-16;
+  life.running_in = {0.35e-6, 0.1e-6, RunningInSurface::kLiner, {}, {}, {}};
+  life.running_in->mark = {"life.toml", 5, 1, ""};
+  life.running_in->limit_mark = {"life.toml", 6, 1, ""};
+  life.running_in->scale_mark = {"life.toml", 7, 1, ""};
+  return life;
+}
+
+TEST(Life, ARoughnessRunsInToALimitBelowThatOfTheCase) {
+  Life life = running_in();
+  EXPECT_EQ(refusal(life), "");
+  life.running_in->roughness_limit = 0.5e-6;
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:6:1: running_in.roughness_limit = 0.5 um is not below"));
+}
+
+TEST(Life, PeaksThatWouldLoseMoreThanIsWornAreRefused) {
+  Life life = running_in();
+  life.running_in->depth_scale = 0.05e-6;
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:7:1: running_in.depth_scale = 0.05 um would take more material"));
+}
+
+TEST(Life, ARoughnessRunsInWithTheDepthOfASurfaceThatWears) {
+  Life life = running_in();
+  life.wear.liner_coefficient.reset();
+  EXPECT_THAT(refusal(life), HasSubstr("life.toml:5:1: [running_in] smooths the liner"));
+  life.running_in->surface = RunningInSurface::kRing;
+  EXPECT_EQ(refusal(life), "");
+}
+
+TEST(Life, AMeasuredContactLawHasNoRoughnessToRunIn) {
+  Life life = running_in();
+  life.points[0].input.contact.model = cycle::ContactLaw::kTable;
+  EXPECT_THAT(refusal(life), HasSubstr("the contact law of a measured pair (contact.model = \"table\") has none"));
+}
+
 TEST(LifeQuantities, APointWithoutAShareChangesNothing) {
   Life life = two_states();
   life.points.push_back({"beside", 0, life.points[0].input});

@@ -136,6 +136,66 @@ TEST(RingState, OnePartIsTakenFromTheLaterState) {
   EXPECT_EQ(with_part(a, b, Part::kShearStrength).boundary_shear_strength_coefficient, 0.1423);
 }
 
+/// Heights scaled by one factor, distances kept: all moments fall with the square of the roughness.
+TEST(RingState, ASurfaceThatRunsInKeepsItsBandwidthAndTheDensityOfItsPeaks) {
+  const cycle::Case c = three_states()[0].input;
+  const RingState before = ring_state_of(c), after = run_in_state(c, 0.35e-6);
+  const Moments from = moments_of(before), to = moments_of(after);
+  const double square = std::pow(0.35 / 0.48, 2);
+  EXPECT_EQ(after.asperity_density, before.asperity_density);
+  EXPECT_NEAR(to.m0 / from.m0, square, 1e-14);
+  EXPECT_NEAR(to.m2 / from.m2, square, 1e-14);
+  EXPECT_NEAR(to.m4 / from.m4, square, 1e-14);
+  EXPECT_EQ(after.boundary_shear_strength_coefficient, before.boundary_shear_strength_coefficient);
+}
+
+TEST(RingState, ASurfaceThatHasNotRunInIsThatOfTheCaseToTheBit) {
+  cycle::Case c = three_states()[0].input;
+  for (const bool has_plateau : {false, true}) {
+    if (has_plateau) {
+      c.contact.plateau.Rk = 0.4e-6;
+      c.contact.plateau.Rpk = 0.15e-6;
+      c.contact.plateau.Rvk = 1.5e-6;
+      c.contact.plateau.Mr2 = 0.8;
+    }
+    const RingState same = run_in_state(c, run_in_roughness(c)), given = ring_state_of(c);
+    EXPECT_EQ(same.roughness, given.roughness);
+    EXPECT_EQ(same.asperity_radius, given.asperity_radius);
+    EXPECT_EQ(with_ring_state(c, same).contact.plateau, c.contact.plateau);
+  }
+}
+
+/// Lines of the material ratio curve in closed form: F_1 of eq-gaussian-integral at the quantile where they meet.
+TEST(RingState, APlateauRunsInOverValleysThatStay) {
+  cycle::Case c = three_states()[0].input;
+  constexpr double kMeet = 0.84134474606854293;    // share below one standard deviation
+  constexpr double kBeyond = 0.08331547058768629;  // F_1(1)
+  c.contact.plateau.Rpq = 0.2e-6;
+  c.contact.plateau.Rvq = 1e-6;
+  c.contact.plateau.Rmq = kMeet;
+  c.contact.plateau.ring_roughness = 0.15e-6;
+  c.contact.plateau.offset = 0.05e-6;
+  c.contact.plateau.surface_roughness = 0.4e-6;
+  const RingState after = run_in_state(c, 0.08e-6);
+  const cycle::Plateau plateau = with_ring_state(c, after).contact.plateau;
+  EXPECT_EQ(plateau.Rpq, 0.08e-6);
+  EXPECT_EQ(plateau.Rvq, 1e-6);
+  EXPECT_EQ(plateau.Rmq, kMeet);
+  EXPECT_EQ(plateau.ring_roughness, 0.15e-6);
+  EXPECT_NEAR(plateau.offset.value(), 0.05e-6 + 0.12e-6 * kBeyond, 1e-18);
+  EXPECT_LT(plateau.surface_roughness.value(), 0.4e-6);
+  EXPECT_NEAR(after.roughness, std::hypot(0.15e-6, *plateau.surface_roughness), 1e-18);
+  EXPECT_NEAR(after.asperity_radius, 1.56e-6 * 0.25 / 0.17, 1e-17);  // hypot of 0.15 with 0.2 and 0.08
+}
+
+TEST(RingState, PeaksLoseNoMoreThanIsWornFromTheLeastDepthScaleOn) {
+  cycle::Case c = three_states()[0].input;
+  const double share = 1 / std::sqrt(2 * std::numbers::pi);
+  EXPECT_NEAR(least_depth_scale(c, 0.35e-6), share * 0.13e-6, 1e-20);
+  c.contact.roughness_measure = cycle::RoughnessMeasure::kRaToRq;
+  EXPECT_NEAR(least_depth_scale(c, 0.35e-6), share * 0.13e-6 * std::sqrt(std::numbers::pi / 2), 1e-20);
+}
+
 TEST(RingState, TheShareOfThePathRunsFromOneStateToTheNext) {
   const Interpolation logarithmic, linear{TimeScale::kLinear, kHour};
   EXPECT_DOUBLE_EQ(path_share(logarithmic, 0, 10 * kHour, 10 * kHour), 1);

@@ -59,6 +59,8 @@ io::LifeDocument life_of_one_state() {
   state.points = {state.values};
   state.point_gas = {gas_path::gas_sums(gas_of_two_regions(), 287)};
   state.worn = life::worn_profile({1e-6, 2e-6}, 1.5e-9, 20e-6);
+  state.worn->running_in_roughness = 0.4e-6;
+  state.worn->smoothing_share = 0.3;
   state.worn->blow_by = 1e-5;
   state.least_wear.resize(1);
   state.from_measured.resize(1);
