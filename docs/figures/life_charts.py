@@ -1,4 +1,4 @@
-"""Charts of lives: faces and friction power between measured states."""
+"""Charts of lives: faces and friction power between measured states, and the law of running-in."""
 
 import functools
 import json
@@ -10,7 +10,7 @@ import tempfile
 
 from shipped import ROOT
 from chart import LEFT, RIGHT, Panel, Style, legend, mark_synthetic
-from svg import BLACK, BLUE, ORANGE, RED, WIDTH, Picture
+from svg import BLACK, BLUE, GREEN, ORANGE, RED, WIDTH, Picture
 
 LIFE = ROOT / "cases" / "life" / "styles2014.toml"
 SHOWN = "0 h 1 h 3 h 10 h 30 h 75 h 150 h"
@@ -88,4 +88,34 @@ def draw_power(panel, states):
     panel.frame()
 
 
-PICTURES = {"path": path}
+def running_in():
+    """Roughness and share of the worn volume over the worn depth, both in closed form."""
+    picture = Picture("Roughness that runs in, and the share of the worn volume that peaks lose", 370)
+    half = (WIDTH - LEFT - RIGHT - 92) / 2
+    depths = [0.02 * k for k in range(1, 201)]  # over the depth scale
+    roughness = Panel(picture, LEFT, 50, half, 220, (0, 4), (0, 1))
+    roughness.title("roughness over that at the start")
+    share = Panel(picture, LEFT + half + 92, 50, half, 220, (0, 4), (0, 1))
+    share.title("share of the worn volume")
+    for panel in (roughness, share):
+        panel.x_axis("largest worn depth over the depth scale", range(5))
+        panel.y_axis("", [0, 0.2, 0.4, 0.6, 0.8, 1])
+    for limit, colour in ((0.35 / 0.48, BLUE), (0.4, ORANGE)):
+        everywhere = [limit + (1 - limit) * math.exp(-depth) for depth in depths]
+        # A depth that falls exponentially along the stroke: the mean over the worn volume in closed form.
+        along = [limit + (1 - limit) * -math.expm1(-depth) / depth for depth in depths]
+        roughness.curve([0, *depths], [1, *everywhere], Style(colour))
+        roughness.curve([0, *depths], [1, *along], Style(colour, "7 3"))
+        roughness.curve([0, 4], [limit, limit], Style(colour, "2 3", 1.0))
+    for least, colour in ((1, BLACK), (0.52, BLUE), (0.2, GREEN)):
+        share.curve([0, *depths], [least, *(least * -math.expm1(-depth) / depth for depth in depths)], Style(colour))
+    for panel in (roughness, share):
+        panel.frame()
+    entries = [(Style(BLACK), "uniform depth"), (Style(BLACK, "7 3"), "depth that falls along the stroke")]
+    legend(picture, LEFT, 332, [*entries, (Style(BLACK, "2 3", 1.0), "limit")], step=[160, 280, 0])
+    entries = [(Style(BLACK), "least depth scale"), (Style(BLUE), "1.9 times"), (Style(GREEN), "5 times the least")]
+    legend(picture, LEFT, 356, [*entries], step=[180, 120, 0])
+    return picture
+
+
+PICTURES = {"path": path, "running_in": running_in}
