@@ -109,7 +109,7 @@ std::string rings_of(const StartEngine& engine) {
 
 std::vector<std::string> start_engines() { return names_of(start_engine_table()); }
 std::vector<std::string> start_loads() { return {"part", "full"}; }
-std::vector<std::string> start_states() { return names_of(start_state_table()); }
+std::vector<std::string> start_states() { return {"new", "run-in", "worn"}; }
 
 StartCase start_case(const StartOptions& options) {
   const StartEngine& engine = engine_of(options);
@@ -145,7 +145,7 @@ StartCase start_case(const StartOptions& options) {
             {"ring.face.crown_height", quoted(engine.crown_height[state]), kAssumed + ": " + options.state}},
            values);
   }
-  append(start_contact(start_state_table()[state]), values);
+  append(start_contact(options.state), values);
   values.push_back({"lubricant.grade", quoted(engine.grade), kAssumed + "; `ringfilm oils` lists others"});
   if (options.is_pack) {
     append({{"supply.film", "\"5 um\"", kAssumed + ": that the crankcase throws below the oil ring"},

@@ -7,6 +7,7 @@
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/base/joined.hpp"
 #include "ringfilm/case/conditions.hpp"
+#include "ringfilm/io/data/shipped_surfaces.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 
 namespace ringfilm::io {
@@ -18,7 +19,9 @@ namespace {
 const std::string kElasticPressure = kAssumed + "; 0.12 to 0.25 MPa are usual";
 
 /// sigma/beta of 0.01 is at the smooth end of the usual range (docs/manual/guide/typical-inputs.md).
-constexpr double kRadius_um = 10, kProduct = 0.05;
+constexpr double kRadius = 10e-6, kProduct = 0.05;  // [m], [-]
+/// Classes of the surfaces.
+const std::string kLiner = "plateau-honed-grey-iron", kRing = "nitrided";
 
 StartValue speed(const char* value) { return {"operating.speed", value, ""}; }
 
@@ -96,27 +99,26 @@ const std::vector<StartEngine>& start_engine_table() {
   return table;
 }
 
-const std::vector<StartState>& start_state_table() {
-  static const std::vector<StartState> table = {
-      {"new", 0.15, 1.0, 0.80, 0.15}, {"run-in", 0.07, 0.8, 0.80, 0.07}, {"worn", 0.05, 0.6, 0.85, 0.05}};
-  return table;
-}
-
-std::vector<StartValue> start_contact(const StartState& state) {
-  const auto micrometres = [](double value) { return fmt::format("\"{:.4g} um\"", value); };
-  const double sigma = std::hypot(state.Rpq, state.ring);
+std::vector<StartValue> start_contact(const std::string& state) {
+  const Units units;
+  const SurfaceClasses classes = shipped_surfaces(units);
+  const LinerSurface liner = liner_of_name(classes, kLiner, state);
+  const RingSurface ring = ring_of_name(classes, kRing, state);
+  const auto micrometres = [](double value) { return quoted(text_in(value, kMicrometre, 4)); };
+  const double sigma = std::hypot(liner.plateau.Rpq, ring.roughness);
+  const std::string where = " (" + state + " in " + kSurfacesFile + ")";
   return {{"contact.model", quoted("greenwood-williamson"), "with the next three: docs/manual/guide/contact-law.md"},
           {"contact.asperity", quoted("zhao-maietta-chang"), "asperities flow from the hardness on"},
           {"contact.summit_plane", quoted("nayak"), "summits lie above the mean plane of the surface"},
-          {"contact.hardness", "\"2.5 GPa\"", kAssumed + ": grey iron, the softer face"},
-          {"contact.asperity_density", fmt::format("\"{:.3g} um-2\"", kProduct / (kRadius_um * sigma)),
+          {"contact.hardness", quoted(text_in(*liner.hardness, kGigapascal, 4)), liner.source + ": " + liner.name},
+          {"contact.asperity_density", quoted(text_in(kProduct / (kRadius * sigma), kPerSquareMicrometre, 3)),
            kAssumed + ": N beta sigma = 0.05, sigma of ring and plateau"},
-          {"contact.asperity_radius", micrometres(kRadius_um), ""},
+          {"contact.asperity_radius", micrometres(kRadius), ""},
           {"contact.boundary_shear_strength_coefficient", "0.12", kAssumed + ": engine oil with anti-wear additive"},
-          {"contact.plateau.Rpq", micrometres(state.Rpq), kAssumed + ": plateau-honed liner, " + state.name},
-          {"contact.plateau.Rvq", micrometres(state.Rvq), ""},
-          {"contact.plateau.Rmq", fmt::format("{:.2g}", state.Rmq), ""},
-          {"contact.plateau.ring_roughness", micrometres(state.ring), ""}};
+          {"contact.plateau.Rpq", micrometres(liner.plateau.Rpq), liner.source + ": " + liner.name + where},
+          {"contact.plateau.Rvq", micrometres(liner.plateau.Rvq), liner.source},
+          {"contact.plateau.Rmq", number_text(liner.plateau.Rmq, 4), liner.source},
+          {"contact.plateau.ring_roughness", micrometres(ring.roughness), ring.source + ": " + ring.name + where}};
 }
 
 std::vector<StartValue> start_walls(const StartPoint& point) {

@@ -17,30 +17,23 @@ struct StartPoint {
   std::vector<StartValue> gas;  ///< where no trace is given
 };
 
-/// How run in the surfaces are.
-struct StartState {
-  const char* name;
-  double Rpq, Rvq, Rmq, ring;  ///< of the liner, and Rq of the ring [um], [-]
-};
-
 /// An engine with its rings. Sizes of real ones of its kind, none of them measured.
 struct StartEngine {
   const char* name;
   const char* title;
   std::vector<StartValue> engine;
   std::vector<StartValue> ring;           ///< top ring alone
-  std::vector<std::string> crown_height;  ///< of its face, for each of start_state_table()
+  std::vector<std::string> crown_height;  ///< of its face, for each of start_states()
   std::vector<StartValue> gas;            ///< where no trace is given
   const char* grade;                      ///< viscosity grade of its oil
   std::vector<StartPoint> points;         ///< part load, full load at low speed and at high speed
 };
 
 const std::vector<StartEngine>& start_engine_table();
-const std::vector<StartState>& start_state_table();
-
-/// A pair of grey iron and a steel ring in oil, plateau-honed. N beta sigma = 0.05, the upper end of its range
-/// (greenwood1971).
-std::vector<StartValue> start_contact(const StartState& state);
+/// A pair of the shipped classes of surfaces in oil: a plateau-honed liner of grey iron and a nitrided ring.
+/// N beta sigma = 0.05, the upper end of its range (greenwood1971). Throws InputError where the shipped folder is not
+/// found.
+std::vector<StartValue> start_contact(const std::string& state);
 
 /// Walls of the point, of `conditions = "engine"` where it states none.
 std::vector<StartValue> start_walls(const StartPoint& point);
