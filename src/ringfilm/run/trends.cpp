@@ -56,7 +56,7 @@ class StartCaseFiles {
       folder_ = name;
     }
     const fs::path file = folder_ / (engine + ".toml");
-    if (!fs::exists(file)) io::write_atomically(file.string(), io::start_case({engine, std::nullopt, ""}).text);
+    if (!fs::exists(file)) io::write_atomically(file.string(), io::start_case({.engine = engine}).text);
     return file.string();
   }
 

@@ -12,9 +12,9 @@ struct StartOptions {
   std::string load = "full";             ///< one of start_loads()
   std::string state = "run-in";          ///< of the surfaces and the top ring's face, one of start_states()
   bool is_pack = false;                  ///< all rings of the engine, in place of the top ring alone
-  std::optional<std::string> trace;      ///< file of the cylinder pressure, as named in the working folder
+  std::optional<std::string> trace{};    ///< file of the cylinder pressure, as named in the working folder
   /// Folder of the case, to which its path of the trace is relative; empty: the working folder.
-  std::string case_folder;
+  std::string case_folder{};
 };
 
 /// A case as text, and what a trace does not show.

@@ -25,7 +25,7 @@ class StartCaseOf : public ::testing::TestWithParam<std::string> {
 
 TEST_P(StartCaseOf, CanBeReadUnchanged) {
   const ScratchFolder folder;
-  const StartCase start = start_case({GetParam()});
+  const StartCase start = start_case({.engine = GetParam()});
   write_text(folder / "my.toml", start.text);
   const cycle::Case c = read_case(folder / "my.toml");
   EXPECT_EQ(c.gas.model, cycle::GasModel::kWiebe);
@@ -37,7 +37,7 @@ TEST_P(StartCaseOf, CanBeReadUnchanged) {
 }
 
 TEST_P(StartCaseOf, HasEveryKeyOrItsComment) {
-  const std::string text = start_case({GetParam()}).text;
+  const std::string text = start_case({.engine = GetParam()}).text;
   for (const cycle::Field& field : cycle::case_fields()) {
     if (!cycle::belongs(field, cycle::Case{})) continue;  // the case that it starts is a cycle
     const std::string name = field.key.substr(field.key.rfind('.') + 1);
@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, StartCaseOf, ::testing::ValuesIn(start_engines
 
 TEST(StartCase, OfAnUnknownEngineListsThoseThatAreKnown) {
   try {
-    start_case({"moped"});
+    start_case({.engine = "moped"});
     FAIL() << "there is a moped";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("one of: passenger-car, heavy-duty"));
