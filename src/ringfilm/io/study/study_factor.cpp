@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/io/case/case_values.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
@@ -41,7 +42,7 @@ class FactorReader {
     if (field_ == nullptr || faults_.size() > n_before_) return std::nullopt;
     factor_.name = table_.text("name").value_or(factor_.targets.front().key);
     factor_.source = table_.text("source").value_or("");
-    const bool is_text = study::entry_of(*field_) == study::Entry::kText;
+    const bool is_text = study::entry_of(*field_) == study::Entry::kText || lists_values_along_stroke();
     factor_.unit = is_text ? "" : factor_.how == FactorMode::kScale ? "1" : field_->unit;
     factor_.display_unit = is_text ? "" : factor_.how == FactorMode::kScale ? "1" : field_->display_unit;
     // A difference of temperatures is read in kelvin.
@@ -219,8 +220,24 @@ class FactorReader {
     factor_.variation = d;
   }
 
+  /// Does one of the values differ along the stroke?
+  bool lists_values_along_stroke() {
+    const TomlValue* values = table_.find("values");
+    return std::holds_alternative<cycle::StrokeValuesKind>(field_->kind) && values != nullptr &&
+           std::ranges::any_of(values->items, [](const auto& item) { return item.kind == TomlValue::Kind::kList; });
+  }
+
   void read_choices() {
     study::Choices choices;
+    if (const auto* along_stroke = std::get_if<cycle::StrokeValuesKind>(&field_->kind)) {
+      for (const TomlValue& item : table_.items("values")) {
+        cycle::Case read;
+        set_value(read, *field_, {field_->key, item, ""}, sources_.units, faults_);
+        choices.values.push_back({item.as_written(), item.mark, "", along_stroke->ref(read)});
+      }
+      factor_.variation = std::move(choices);
+      return;
+    }
     table_.texts("values");  // refuses what is not a text
     for (const TomlValue& item : table_.items("values")) choices.values.push_back({item.text, item.mark});
     factor_.variation = std::move(choices);

@@ -30,6 +30,8 @@ struct Choice {
   SourceMark mark = {};  ///< where it is written in the study's file
   /// SHA-256 of the bytes of the file that it names; empty: it names none that can be read
   std::string file_sha256 = {};
+  /// Values along the stroke that `text` states, of a key that has them.
+  std::vector<cycle::StrokeValue> along_stroke = {};
 };
 
 enum class Spacing { kLinear, kLogarithmic };

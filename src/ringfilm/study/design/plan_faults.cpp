@@ -162,6 +162,11 @@ class FactorCheck {
   }
 
   void check_choices(const cycle::Field& field) {
+    const auto is_along_stroke = [](const Choice& choice) { return !choice.along_stroke.empty(); };
+    if (std::holds_alternative<cycle::StrokeValuesKind>(field.kind) &&
+        std::ranges::all_of(std::get<Choices>(factor_.variation).values, is_along_stroke)) {
+      return;
+    }
     if (entry_of(field) != Entry::kText) {
       refuse("has texts for " + field.key + ", which is a number", "list numbers");
       return;

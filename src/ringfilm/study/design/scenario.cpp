@@ -139,6 +139,10 @@ class NumberWriter {
 };
 
 void choose(Case& c, const Field& field, const Choice& choice) {
+  if (const auto* along_stroke = std::get_if<StrokeValuesKind>(&field.kind)) {
+    along_stroke->ref(c) = choice.along_stroke;
+    return;
+  }
   const auto* names = std::get_if<ChoiceKind>(&field.kind);
   if (names == nullptr) throw std::logic_error("a text that no model computes with: " + choice.text);
   const auto found = std::find(names->names.begin(), names->names.end(), choice.text);
