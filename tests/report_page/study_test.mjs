@@ -67,6 +67,7 @@ const kFigures = {
     'map-boundary-regime-energy-share',
     'map-full-film-energy-share',
     'map-boundary-power-share',
+    'lowest-fmep',
     'stribeck',
     'comparison-figure',
   ],

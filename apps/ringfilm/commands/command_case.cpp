@@ -17,7 +17,6 @@
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
-#include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 #include "text/shared_options.hpp"
@@ -143,7 +142,7 @@ void pairs(const OilsOptions& options) {
 struct NewOptions {
   std::string path;
   std::optional<std::string> engine, pack;  ///< one of io::start_engines(); the first of them if both are absent
-  std::optional<std::string> load, state;   ///< of io::start_loads() and io::start_states()
+  std::optional<std::string> load, state;   ///< one of io::start_loads(), one of io::start_states()
   std::optional<std::string> trace;         ///< file of the cylinder pressure
   std::optional<std::string> points;        ///< file of a study of operating points, written as well
 };
@@ -199,10 +198,6 @@ void start_case(const NewOptions& options) {
   } else {
     std::cout << "next: state what is missing in " << path << " (lines with MISSING), then ringfilm check " << path
               << "\n";
-  }
-  if (!io::find_shipped_folder()) {  // the oil of the case is one of the shipped files
-    const Fault missing = io::missing_shipped_folder();
-    std::cout << "before that: " << missing.remedy << "; " << missing.message << "\n";
   }
 }
 

@@ -78,6 +78,9 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
     table.add("oil_replenished",
               "left at TDC " + table.shown("oil_scraped_up") + ", at BDC " + table.shown("oil_scraped_down"));
   }
+  if (values.gas_through_film_forward + values.gas_through_film_back > 0) {
+    table.add("gas_through_film_forward", "back " + table.shown("gas_through_film_back") + "; upper bounds");
+  }
   table.add("peak_film_pressure",
             "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
   table.add("archard_wear_load");

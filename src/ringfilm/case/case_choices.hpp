@@ -187,7 +187,7 @@ enum class Conditions {
   kOfTheCase,  ///< what the keys state; edges of oil by default
   kAsInPaper,  ///< edges flooded with oil, one oil temperature, as in styles2014
   kEngine,     ///< gas at the edges, oil on the liner, walls as measured at full load
-  kHotEngine   ///< the same with hotter walls
+  kHotEngine   ///< those of kEngine with hotter walls
 };
 
 /// `film.supply`: what lies on the liner ahead of an edge of gas.

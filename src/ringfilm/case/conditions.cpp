@@ -14,7 +14,7 @@ namespace {
 using base::kZeroCelsius;
 
 // docs/manual/guide/typical-inputs.md has the sources.
-constexpr double kOilRingFilm = 0.8e-6, kOilRingReach = 10e-3;  // [m]; computed with data/packs; assumed
+constexpr double kOilRingFilm = 0.8 / 1e6, kOilRingReach = 10e-3;  // [m]; computed with data/packs; assumed
 
 /// Walls of a ring and its liner.
 struct Walls {

@@ -25,7 +25,7 @@ const std::vector<WornQuantity>& worn_quantities() {
       {{"running_in_roughness", "m", "um", "roughness that runs in", "sigma_w", "eq-life-run-in-mean"},
        "running-in roughness",
        &WornProfile::running_in_roughness},
-      {{"smoothing_share", "1", "%", "share of the worn volume taken from the peaks", "s_w", "eq-life-run-in-volume"},
+      {{"smoothing_share", "1", "%", "share of the worn volume from the peaks", "s_w", "eq-life-run-in-volume"},
        "share from the peaks",
        &WornProfile::smoothing_share},
       {cycle::leading_gas_sum(), "blow-by per cylinder", &WornProfile::blow_by}};

@@ -315,7 +315,7 @@ class BoundaryFriction(ContactTest):
         self.assertEqual(list(library), ["pairs", "liners", "rings"])
         liners = {(liner["name"], liner["state"]): liner for liner in library["liners"]}
         rings = {(ring["name"], ring["state"]): ring for ring in library["rings"]}
-        self.assertAlmostEqual(liners["plateau-honed-grey-iron", "run-in"]["Rpq"], 0.07e-6, delta=1e-12)
+        self.assertAlmostEqual(liners["plateau-honed-grey-iron", "run-in"]["Rpq"], 0.08e-6, delta=1e-12)
         self.assertAlmostEqual(rings["nitrided", "worn"]["roughness"], 0.05e-6, delta=1e-12)
         for liner in liners.values():
             self.assertTrue(0 < liner["Rpq"] < liner["Rvq"] and 0 < liner["Rmq"] < 1 and liner["source"], liner)

@@ -166,7 +166,7 @@ class ShippedDataTest(program.ProgramTest):
         )
         self.assert_refused(self.with_data(f"{program.SOURCES}/data", "run", "named.toml"), "set RINGFILM_DATA to")
 
-    def test_a_copied_program_states_that_its_data_are_missing_before_a_case_is_run(self):
+    def test_a_copied_program_states_that_its_data_are_missing(self):
         (self.folder / "bin").mkdir()
         copy = shutil.copy(program.PROGRAM, self.folder / "bin" / "ringfilm")
         environment = {name: text for name, text in os.environ.items() if name != "RINGFILM_DATA"}
@@ -174,11 +174,9 @@ class ShippedDataTest(program.ProgramTest):
         written = program.subprocess.run(
             [copy, "new", "mine.toml"], cwd=self.folder, capture_output=True, text=True, env=environment
         )
-        self.assertEqual(written.returncode, 0, written.stderr)
-        self.assertRegex(
-            written.stdout,
-            r"before that: set the environment variable RINGFILM_DATA .*; the shipped cases and data are not found\n$",
-        )
+        self.assertEqual(written.returncode, 2, written.stdout)
+        self.assertIn("the shipped cases and data are not found: set the environment variable", written.stderr)
+        self.assertFalse((self.folder / "mine.toml").exists())
         self.assertTrue(self.run_well("new", "other.toml").endswith("next: ringfilm run other.toml\n"))
 
 

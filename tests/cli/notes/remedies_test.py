@@ -53,6 +53,7 @@ class Remedies(program.ProgramTest):
             section = re.match(r"\[+([a-z_.]+)\]+", line)
             if section:
                 prefix = section.group(1)
+                keys.add(prefix)
             elif re.match(r"  [a-z]", line) and "prefix" in locals():
                 keys.add(f"{prefix}.{line.split()[0]}")
         self.assertIn("solver.cells", keys)

@@ -24,8 +24,8 @@ constexpr std::array kCoarse = {Coarse{50, 2}, Coarse{100, 2}, Coarse{100, 1}};
 constexpr double kSettled = 0.03;
 constexpr int kMaxCycles = 60;
 
-/// Oil that cycle after cycle is taken from a stretch of the liner, or laid there, as what rings have pushed together at
-/// TDC and take away again over hundreds of cycles.
+/// Oil that cycle after cycle is taken from a stretch of the liner, or laid there, as what rings have pushed together
+/// at TDC and take away again over hundreds of cycles.
 class SlowStretches {
  public:
   /// Moves the oil of a slow stretch by many cycles at once. @param begin oil at the begin of the last cycle [kg/m2]
@@ -38,7 +38,7 @@ class SlowStretches {
     bool leaps = false;
     for (std::size_t i = 0; i < before.size(); ++i) {
       const double ratio = changes_[i] / before[i];
-      if (std::abs(changes_[i]) < kLargest * all || !(std::abs(ratio - 1) < kSame)) continue;
+      if (std::abs(changes_[i]) < kMinOfChanges * all || !(std::abs(ratio - 1) < kSame)) continue;
       const auto first = oil.begin() + i * kCells, last = first + std::min<std::ptrdiff_t>(kCells, oil.end() - first);
       const double cycles = ratio < kSlowest ? ratio / (1 - ratio) : kSlowest / (1 - kSlowest);
       const double share = 1 + cycles * changes_[i] / std::accumulate(first, last, 0.0);
@@ -60,11 +60,11 @@ class SlowStretches {
     return changes;
   }
 
-  static constexpr std::ptrdiff_t kCells = 25;  ///< of the liner's cells in a stretch
+  static constexpr std::ptrdiff_t kCells = 25;  ///< cells of the liner in a stretch
   /// A slow stretch has this share of all changes of the cycle, and the change of the cycle before but for this share.
   /// No stretch settles more slowly than by this ratio from cycle to cycle [-].
-  static constexpr double kLargest = 0.2, kSame = 0.2, kSlowest = 0.98;
-  static constexpr double kMinShare = 0.1, kMaxShare = 3;  ///< of its oil that a stretch has after a leap [-]
+  static constexpr double kMinOfChanges = 0.2, kSame = 0.2, kSlowest = 0.98;
+  static constexpr double kMinShare = 0.1, kMaxShare = 3;  ///< share of its oil that a stretch has after a leap [-]
   std::vector<double> changes_;                            ///< by the last cycle [kg/m2]; empty: not known
 };
 

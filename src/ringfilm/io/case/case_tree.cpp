@@ -398,7 +398,8 @@ class Gatherer {
     if (dropped_ == nullptr || asked == stated.end()) return;
     const auto own = entries_.find("conditions");
     if (own != entries_.end() && own->second.value.text == asked->value.text) return;
-    const auto conditions = asked->value.text.ends_with("engine") ? cycle::Conditions::kEngine : cycle::Conditions::kAsInPaper;
+    const auto conditions =
+        asked->value.text.ends_with("engine") ? cycle::Conditions::kEngine : cycle::Conditions::kAsInPaper;
     std::vector<std::string> keys;
     for (const auto& [key, entry] : entries_) {
       if (cycle::is_replaced_by(conditions, key)) keys.push_back(key);

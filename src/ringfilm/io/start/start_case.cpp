@@ -102,7 +102,8 @@ std::string stated_case(const std::string& head, const std::vector<StartValue>& 
 std::string rings_of(const StartEngine& engine) {
   const NamedFile file = locate(std::string("data/packs/") + engine.name + ".toml", "");
   const std::string text = read_source_text(file.path, file.shown, kMaxToml).text;
-  return "\n# All numbers of the rings are typical, assumed; their faces are run in.\n" + text.substr(text.find("[[ring]]"));
+  return "\n# All numbers of the rings are typical, assumed; their faces are run in.\n" +
+         text.substr(text.find("[[ring]]"));
 }
 
 }  // namespace
@@ -153,7 +154,8 @@ StartCase start_case(const StartOptions& options) {
            values);
     start.text = stated_case(head(title, false), values) + rings_of(engine);
   } else {
-    values.push_back({"output.fields", quoted("all"), "for the slider along the face in the report; 3 MB in the result"});
+    values.push_back(
+        {"output.fields", quoted("all"), "for the slider along the face in the report; 3 MB in the result"});
     start.text = commented_case(head(title, true), values);
   }
   return start;
@@ -161,17 +163,18 @@ StartCase start_case(const StartOptions& options) {
 
 std::string start_points(const StartOptions& options, const std::string& case_path) {
   const StartEngine& engine = engine_of(options);
-  std::string text = fmt::format("# Operating points of {} with their shares of the time: typical, assumed.\n"
-                                 "title = {}\nkind = \"compare\"\n\n[[base]]\nname = \"case\"\ncase = {}\n\n"
-                                 "[plan]\nmethod = \"operating-points\"\n",
-                                 case_path, quoted(std::string(engine.title) + ", operating points"),
-                                 quoted(case_path));
+  std::string text = fmt::format(
+      "# Operating points of {} with their shares of the time: typical, assumed.\n"
+      "title = {}\nkind = \"compare\"\n\n[[base]]\nname = \"case\"\ncase = {}\n\n"
+      "[plan]\nmethod = \"operating-points\"\n",
+      case_path, quoted(std::string(engine.title) + ", operating points"), quoted(case_path));
   for (const StartPoint& point : engine.points) {
     std::vector<StartValue> values;
     append(point.operation, values);
     append(start_walls(point), values);
     if (!options.trace) append(point.gas, values);
-    text += fmt::format("\n[[point]]\nname = {}\nweight = {:.2g}\n\n[point.values]\n", quoted(point.name), point.weight);
+    text +=
+        fmt::format("\n[[point]]\nname = {}\nweight = {:.2g}\n\n[point.values]\n", quoted(point.name), point.weight);
     for (const StartValue& value : values) {
       text += fmt::format("\"{}\" = {}  # {}\n", value.key, value.value, value.remark);
     }

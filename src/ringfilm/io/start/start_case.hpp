@@ -10,7 +10,7 @@ namespace ringfilm::io {
 struct StartOptions {
   std::string engine = "passenger-car";  ///< one of start_engines()
   std::string load = "full";             ///< one of start_loads()
-  std::string state = "run-in";          ///< of the surfaces and the top ring's face, one of start_states()
+  std::string state = "run-in";          ///< state of surfaces and top ring's face, one of start_states()
   bool is_pack = false;                  ///< all rings of the engine, in place of the top ring alone
   std::optional<std::string> trace{};    ///< file of the cylinder pressure, as named in the working folder
   /// Folder of the case, to which its path of the trace is relative; empty: the working folder.

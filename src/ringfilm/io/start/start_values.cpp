@@ -58,8 +58,14 @@ StartEngine passenger_car() {
             0.7,
             together({speed("\"2000 rpm\"")}, part_load_of_car()),
             {{"gas.peak_pressure", "\"30 bar\"", ""}, {"gas.intake_pressure", "\"0.5 bar\"", ""}}},
-           {"full load, low speed", 0.2, {speed("\"1500 rpm\"")}, {{"gas.peak_pressure", "\"62 bar\"", ""}, {"gas.intake_pressure", "\"0.95 bar\"", ""}}},
-           {"full load, high speed", 0.1, {speed("\"5000 rpm\"")}, {{"gas.peak_pressure", "\"75 bar\"", ""}, {"gas.intake_pressure", "\"0.95 bar\"", ""}}}}};
+           {"full load, low speed",
+            0.2,
+            {speed("\"1500 rpm\"")},
+            {{"gas.peak_pressure", "\"62 bar\"", ""}, {"gas.intake_pressure", "\"0.95 bar\"", ""}}},
+           {"full load, high speed",
+            0.1,
+            {speed("\"5000 rpm\"")},
+            {{"gas.peak_pressure", "\"75 bar\"", ""}, {"gas.intake_pressure", "\"0.95 bar\"", ""}}}}};
 }
 
 StartEngine heavy_duty() {
@@ -129,8 +135,8 @@ std::vector<StartValue> start_walls(const StartPoint& point) {
   set_conditions(cycle::Conditions::kEngine, measured);
   std::vector<std::string> liner;
   for (const auto& [distance, temperature] : measured.thermal.liner) {
-    liner.push_back(fmt::format("[\"{}\", \"{}\"]", text_in(distance, kMillimetre, 3),
-                                text_in(temperature, kCelsius, 3)));
+    liner.push_back(
+        fmt::format("[\"{}\", \"{}\"]", text_in(distance, kMillimetre, 3), text_in(temperature, kCelsius, 3)));
   }
   return {{"thermal.ring", "\"" + text_in(*measured.thermal.ring, kCelsius, 3) + "\"", ""},
           {"thermal.liner", "[" + joined(liner, ", ") + "]",

@@ -23,7 +23,7 @@ struct StartEngine {
   const char* title;
   std::vector<StartValue> engine;
   std::vector<StartValue> ring;           ///< top ring alone
-  std::vector<std::string> crown_height;  ///< of its face, for each of start_states()
+  std::vector<std::string> crown_height;  ///< heights of its face, for each of start_states()
   std::vector<StartValue> gas;            ///< where no trace is given
   const char* grade;                      ///< viscosity grade of its oil
   std::vector<StartPoint> points;         ///< part load, full load at low speed and at high speed

@@ -119,7 +119,8 @@ function howKnown(life) {
   }
   const surface = {
     path: ' Roughness and shear strength are interpolated between measured states.',
-    'running-in': ' The roughness falls with the worn depth by a stated law; shear strength is assumed to stay.',
+    'running-in':
+      ' The roughness falls with the worn depth by a stated law; shear strength is assumed to stay.',
     frozen: ' Roughness and shear strength are assumed to stay as they are.',
   }[life.wear.surface];
   const coefficient = life.wear.fit
