@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ringfilm/base/constants.hpp"
+#include "ringfilm/base/display.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -14,7 +15,8 @@ namespace {
 using base::kZeroCelsius;
 
 // docs/manual/guide/typical-inputs.md has the sources.
-constexpr double kOilRingFilm = 0.8 / 1e6, kOilRingReach = 10e-3;  // [m]; computed with data/packs; assumed
+/// Computed with data/packs; assumed [m].
+constexpr double kOilRingFilm = kMicrometre.scale.to_si(0.8), kOilRingReach = 10e-3;
 
 /// Walls of a ring and its liner.
 struct Walls {

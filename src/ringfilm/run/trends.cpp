@@ -90,8 +90,8 @@ double window_value(const std::vector<cycle::Sample>& samples, double cycle::Sam
     inside.push_back(sample.*member);
   }
   if (inside.empty()) return kNothing;
-  if (window.value == WindowValue::kLargest) return *std::max_element(inside.begin(), inside.end());
-  if (window.value == WindowValue::kSmallest) return *std::min_element(inside.begin(), inside.end());
+  if (window.value == WindowValue::kMax) return *std::max_element(inside.begin(), inside.end());
+  if (window.value == WindowValue::kMin) return *std::min_element(inside.begin(), inside.end());
   return std::accumulate(inside.begin(), inside.end(), 0.0) / static_cast<double>(inside.size());
 }
 

@@ -316,7 +316,7 @@ class BoundaryFriction(ContactTest):
         liners = {(liner["name"], liner["state"]): liner for liner in library["liners"]}
         rings = {(ring["name"], ring["state"]): ring for ring in library["rings"]}
         self.assertAlmostEqual(liners["plateau-honed-grey-iron", "run-in"]["Rpq"], 0.08e-6, delta=1e-12)
-        self.assertAlmostEqual(rings["nitrided", "worn"]["roughness"], 0.05e-6, delta=1e-12)
+        self.assertAlmostEqual(rings["nitrided", "worn"]["roughness"], 0.07e-6, delta=1e-12)
         for liner in liners.values():
             self.assertTrue(0 < liner["Rpq"] < liner["Rvq"] and 0 < liner["Rmq"] < 1 and liner["source"], liner)
         for name, state in (*liners, *rings):  # what wears gets smoother

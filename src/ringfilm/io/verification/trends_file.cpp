@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Scatter of a pack at the default solver.step_error is about 1 %.
-constexpr double kLeastChange = 0.02;
+constexpr double kMinChange = 0.02;
 constexpr std::uint64_t kMaxRings = 100;
 constexpr double kCycle = 720;  // [degree]
 
@@ -80,7 +80,7 @@ class TrendsReader {
     read_levels(table, trend.levels);
     read_probe(table, trend.probe);
     read_expectation(table, trend);
-    trend.least_change = table.number("least_change").value_or(kLeastChange);
+    trend.least_change = table.number("least_change").value_or(kMinChange);
     table.need("known", "\"agrees\"");
     table.choose("known", study::agreements(), trend.known);
     if (trend.known == study::Agreement::kDisagrees) trend.reason = table.needed_text("reason");
@@ -145,8 +145,7 @@ class TrendsReader {
     }
     table.need("take", "\"largest\"");
     using enum study::WindowValue;
-    table.choose<study::WindowValue>("take", {{"largest", kLargest}, {"smallest", kSmallest}, {"mean", kMean}},
-                                     window.value);
+    table.choose<study::WindowValue>("take", {{"largest", kMax}, {"smallest", kMin}, {"mean", kMean}}, window.value);
   }
 
   void read_expectation(TomlTable& table, study::Trend& trend) {

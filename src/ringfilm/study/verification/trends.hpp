@@ -11,7 +11,7 @@
 namespace ringfilm::study {
 
 /// How a curve over crank angle becomes one number.
-enum class WindowValue { kLargest, kSmallest, kMean };
+enum class WindowValue { kMax, kMin, kMean };
 
 /// A part of the cycle.
 struct CrankWindow {

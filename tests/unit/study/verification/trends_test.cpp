@@ -77,7 +77,7 @@ TEST(Trends, AnOutcomeIsAsRecordedWhenItsRunsEnded) {
 }
 
 TEST(Trends, AProbeKnowsItsKindByItsWindow) {
-  TrendProbe probe{"total_friction", std::nullopt, 1, CrankWindow{0, 60, WindowValue::kLargest}};
+  TrendProbe probe{"total_friction", std::nullopt, 1, CrankWindow{0, 60, WindowValue::kMax}};
   EXPECT_TRUE(find_probed(probe, probe.quantity));
   probe.share_of = "boundary_friction";
   EXPECT_EQ(probed_quantity(probe).unit, "1");
