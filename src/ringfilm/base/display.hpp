@@ -36,8 +36,11 @@ inline constexpr DisplayUnit kSquareMillimetre{"m2", "mm2", {1, 1e6}}, kWornArea
     kCubicMillimetre{"m3", "mm3", {1, 1e9}}, kPerSquareMicrometre{"m-2", "um-2", {1e12}};
 inline constexpr DisplayUnit kBar{"Pa", "bar", {1e5}}, kKilopascal{"Pa", "kPa", {1e3}}, kMegapascal{"Pa", "MPa", {1e6}},
     kGigapascal{"Pa", "GPa", {1e9}};
+inline constexpr DisplayUnit kKilowatt{"W", "kW", {1e3}};
 inline constexpr DisplayUnit kNanonewton{"N", "nN", {1, 1e9}}, kNewtonPerMillimetre{"N/m", "N/mm", {1e3}};
 inline constexpr DisplayUnit kGram{"kg", "g", {1, 1e3}}, kMilligram{"kg", "mg", {1, 1e6}},
+    kGramPerMole{"kg/mol", "g/mol", {1, 1e3}}, kKilogramPerHour{"kg/s", "kg/h", {1, 3600}},
+    kGramPerHour{"kg/s", "g/h", {1, 3.6e6}}, kGramPerKilowattHour{"kg/J", "g/(kW h)", {1, 3.6e9}},
     kMilligramPerSecond{"kg/s", "mg/s", {1, 1e6}}, kLitrePerMinute{"m3/s", "l/min", {1, 60e3}};
 inline constexpr DisplayUnit kMillipascalSecond{"Pa s", "mPa s", {1, 1e3}},
     kSquareMillimetrePerSecond{"m2/s", "mm2/s", {1, 1e6}};
