@@ -41,6 +41,19 @@ py::list terms(const std::vector<cycle::FourierTerm>& values) {
   return list;
 }
 
+/// In SI.
+py::list fractions(const std::vector<models::OilFraction>& values) {
+  py::list list;
+  for (const models::OilFraction& fraction : values) {
+    py::dict one;
+    one["share"] = fraction.share;
+    one["boiling_point"] = fraction.boiling_point;
+    if (fraction.molar_mass) one["molar_mass"] = *fraction.molar_mass;
+    list.append(one);
+  }
+  return list;
+}
+
 /// The value of a key in SI.
 class SiValue {
  public:
@@ -65,6 +78,7 @@ class SiValue {
     return pairs(kind.ref(case_));
   }
   py::object operator()(const cycle::FourierTermsKind& kind) const { return terms(kind.ref(case_)); }
+  py::object operator()(const cycle::DistillationKind& kind) const { return fractions(kind.ref(case_)); }
   py::object operator()(const cycle::StrokeValuesKind& kind) const {
     const auto& points = kind.ref(case_);
     if (points.size() == 1) return py::float_(points.front().value);
@@ -166,6 +180,16 @@ class Restore {
                               py::cast<double>(one["phase"]), std::nullopt};
       if (one.contains("height")) term.height = py::cast<double>(one["height"]);
       kind.ref(case_).push_back(term);
+    }
+  }
+  void operator()(const cycle::DistillationKind& kind) const {
+    kind.ref(case_).clear();
+    for (const py::handle item : py::iter(value_)) {
+      const auto one = py::cast<py::dict>(item);
+      models::OilFraction fraction{py::cast<double>(one["share"]), py::cast<double>(one["boiling_point"]),
+                                   std::nullopt};
+      if (one.contains("molar_mass")) fraction.molar_mass = py::cast<double>(one["molar_mass"]);
+      kind.ref(case_).push_back(fraction);
     }
   }
   void operator()(const cycle::StrokeValuesKind& kind) const {
@@ -288,6 +312,8 @@ class Toml {
         list.items.push_back(distance_and_value(item));
       } else if (std::holds_alternative<cycle::FourierTermsKind>(field_.kind)) {
         list.items.push_back(fourier_term(item));
+      } else if (std::holds_alternative<cycle::DistillationKind>(field_.kind)) {
+        list.items.push_back(oil_fraction(item));
       } else if (has_temperatures) {
         list.items.push_back(temperature_value(item));
       } else if (py::isinstance<py::str>(item)) {
@@ -324,6 +350,18 @@ class Toml {
     if (!py::hasattr(item, "__len__") || py::len(item) != 2) refuse();
     const py::object temperature = item.attr("__getitem__")(0), value = item.attr("__getitem__")(1);
     table.members = {{"temperature", part(temperature, kelvin)}, {"value", part(value, own)}};
+    return table;
+  }
+
+  TomlValue oil_fraction(const py::handle& item) const {
+    if (!py::isinstance<py::dict>(item)) refuse();
+    const Unit share{"1", "1", "0.3"}, kelvin{"K", "degC", "\"440 degC\""}, mass{"kg/mol", "g/mol", "\"380 g/mol\""};
+    TomlValue table;
+    table.kind = TomlValue::Kind::kTable;
+    for (const auto& [name, value] : py::cast<py::dict>(item)) {
+      const std::string key = text_of("a name in the list", name, "share");
+      table.members.push_back({key, part(value, key == "boiling_point" ? kelvin : key == "molar_mass" ? mass : share)});
+    }
     return table;
   }
 

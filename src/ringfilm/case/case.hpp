@@ -12,6 +12,7 @@
 #include "ringfilm/case/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
 #include "ringfilm/models/contact/measured_flow.hpp"
+#include "ringfilm/models/oil/evaporation.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
@@ -48,12 +49,15 @@ struct Engine {
   double bore = 0;                   ///< bore of the cylinder, B [m]
   double stroke = 0;                 ///< twice the crank radius [m]
   double connecting_rod_length = 0;  ///< between the centres of its bearings [m]
+  std::optional<double> cylinders;   ///< number of cylinders; absent: values of one cylinder alone [-]
 };
 
 /// The keys under `operating`.
 struct Operating {
   double speed = 0;            ///< speed of the crankshaft, omega [rad/s]
   double oil_temperature = 0;  ///< temperature of the film, one value for the whole stroke; not used with [thermal] [K]
+  std::optional<double> brake_power;  ///< brake power of the engine, for the specific consumption of oil [W]
+  std::optional<double> fuel_rate;    ///< fuel that the engine burns, for the share of oil in it [kg/s]
 };
 
 using FilmTemperature = models::FilmTemperature;  ///< `thermal.film`
@@ -97,6 +101,8 @@ struct Gas {
   double exhaust_valve_closing_deg = 375;  ///< [degree]
   double intake_valve_opening_deg = 345;   ///< [degree]
   double intake_valve_closing_deg = 590;   ///< [degree]
+  /// Temperature of the charge when the intake valve closes; typical, assumed [K].
+  double charge_temperature = 350;
   // wiebe, and a trace that covers only a part of the cycle (there without default)
   std::optional<double> intake_pressure;                   ///< in the cylinder during intake, absolute [Pa]
   std::optional<double> exhaust_pressure;                  ///< in the cylinder during exhaust, absolute [Pa]
@@ -382,6 +388,7 @@ struct Lubricant {
   std::optional<double> shear_exponent;                   ///< m or n; absent: models::usual_exponent [-]
   /// Viscosity at 150 degC and 1e6 1/s, which determines g_c where the case does not state it [Pa s].
   std::optional<double> hths_viscosity;
+  std::vector<models::OilFraction> distillation;  ///< fractions by boiling point, rising; empty: nothing evaporates
 
   /// Is the oil any other than a Newtonian one?
   bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
@@ -434,6 +441,27 @@ struct Supply {
   std::optional<double>
       reach;  ///< liner from so far below the TDC position of the chamber edge has it on downstrokes [m]
   Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take
+};
+
+/// The keys under `evaporation`: transfer of oil vapour from the liner to the gas. The defaults are typical and assumed.
+struct Evaporation {
+  std::optional<double> mass_transfer_coefficient;  ///< beta; absent: from the transfer of heat [m/s]
+  std::optional<double> heat_transfer_coefficient;  ///< alpha of gas and liner; absent: `heat_transfer` [W/(m2 K)]
+  HeatTransfer heat_transfer = HeatTransfer::kWoschni;  ///< correlation of the transfer of heat
+  double lewis_number = 8;                              ///< thermal diffusivity of the gas over that of the vapour [-]
+};
+
+/// The keys under `oil_transport`: what carries oil into the chamber. Where a case does not state a key, its default
+/// has a band. All are typical and assumed.
+struct OilTransport {
+  double gas_load = 0.006;         ///< oil that gas carries back through the first gap, over its mass [-]
+  double land_film = 2.5e-6;       ///< oil film on the top land of the piston [m]
+  double top_land_height = 6e-3;   ///< height of the top land, from the first ring to the crown [m]
+  double scraped_share = 0.1;      ///< share of the oil left above the ring at TDC that does not come back [-]
+  struct Band {
+    double low, high;  ///< of a default
+  };
+  static constexpr Band kGasLoad{0.0034, 0.0114}, kLandFilm{1e-6, 6e-6}, kScrapedShare{0, 1};
 };
 
 /// The keys under `solver`.
@@ -541,6 +569,8 @@ struct Case {
   Contact contact;                                 ///< roughness of the pair and boundary friction
   Lubricant lubricant;                             ///< the oil by its laws, or by a table
   Supply supply;                                   ///< oil on the liner, if the inlet is not flooded
+  Evaporation evaporation;                         ///< transfer of oil vapour from the liner to the gas
+  OilTransport oil_transport;                      ///< what carries oil into the chamber
   Film film;                                       ///< in one dimension or two, and how it ruptures
   Solver solver;                                   ///< grid, steps, tolerances
   Output output;                                   ///< what is kept of the integration
@@ -554,6 +584,10 @@ struct Case {
   /// Do asperities carry load? Those of a pad do where a composite modulus is stated.
   bool has_contact() const { return problem == Problem::kCycle || contact.composite_modulus.has_value(); }
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
+  /// Is the oil on the liner followed from stroke to stroke?
+  bool follows_oil() const {
+    return problem == Problem::kCycle && film.supply_at_inlet() == OilSupply::kFilmOnLiner;
+  }
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
   /// Does its ring bend in the bore?

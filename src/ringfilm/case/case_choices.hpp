@@ -203,6 +203,11 @@ enum class Scraped {
   kDiscarded  ///< it is gone
 };
 
+/// `evaporation.heat_transfer`: the correlation of the transfer of heat from the gas to the liner.
+enum class HeatTransfer {
+  kWoschni  ///< eq-woschni
+};
+
 using film::AverageGap;                          ///< `film.average_gap`
 using film::Roughness;                           ///< `film.flow_factors`, `film.shear_flow`, `film.stress_factors`
 using ShearThinning = models::ShearThinningLaw;  ///< `lubricant.shear_thinning`

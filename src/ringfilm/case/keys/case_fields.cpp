@@ -51,6 +51,14 @@ std::vector<Field> all_fields() {
              .help = "connecting rod between the centres of its bearings, l",
              .example = "\"138.1 mm\"",
              .uses = {.gas = true}}),
+      field({.key = "engine.cylinders",
+             .kind = OptionalNumberKind{member<&Case::engine, &Engine::cylinders>},
+             .unit = kPlainNumber,
+             .range = between(1, 100),
+             .need = Need::kOptional,
+             .help = "number of cylinders, for the blow-by and the oil consumption of the engine",
+             .example = "4",
+             .uses = {.gas = true}}),
       field({.key = "operating.speed",
              .kind = NumberKind{member<&Case::operating, &Operating::speed>},
              .unit = kRpm,
@@ -68,6 +76,22 @@ std::vector<Field> all_fields() {
            .when = {[](const Case& c) { return !c.thermal.is_stated(); }, "no thermal.ring or thermal.liner is stated"},
            .help = "temperature of the oil film, T; one value for the whole stroke",
            .example = "\"120 degC\""}),
+      field({.key = "operating.brake_power",
+             .kind = OptionalNumberKind{member<&Case::operating, &Operating::brake_power>},
+             .unit = kKilowatt,
+             .range = above(0, 1e8),
+             .need = Need::kOptional,
+             .when = kOilFollowed,
+             .help = "brake power of the engine, for its oil consumption in g/kWh",
+             .example = "\"25 kW\""}),
+      field({.key = "operating.fuel_rate",
+             .kind = OptionalNumberKind{member<&Case::operating, &Operating::fuel_rate>},
+             .unit = kKilogramPerHour,
+             .range = above(0, 1e3),
+             .need = Need::kOptional,
+             .when = kOilFollowed,
+             .help = "fuel that the engine burns, for its oil consumption as a share of it",
+             .example = "\"6.5 kg/h\""}),
   };
   append_thermal_fields(fields);
   append_gas_fields(fields);
@@ -76,6 +100,7 @@ std::vector<Field> all_fields() {
   append_contact_fields(fields);
   append_measured_fields(fields);
   append_lubricant_fields(fields);
+  append_oil_consumption_fields(fields);
   append_run_fields(fields);
   append_pad_fields(fields);
   return fields;

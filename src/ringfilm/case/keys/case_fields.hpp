@@ -100,6 +100,10 @@ struct FourierTermsKind {
   int lowest_order;
   enum class Place { kOneSection, kAlongStroke } place;
 };
+/// An array of { share = 0.3, boiling_point = "380 degC", molar_mass = "350 g/mol" }, `lubricant.distillation`.
+struct DistillationKind {
+  Ref<std::vector<models::OilFraction>> ref;
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
@@ -108,7 +112,7 @@ struct FieldAnglesKind {};
 using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
                           OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
                           TemperatureValuesKind, ConstantOrTemperatureValuesKind, StrokeValuesKind, FourierTermsKind,
-                          AnglesKind, FieldAnglesKind>;
+                          DistillationKind, AnglesKind, FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
 enum class Need {

@@ -11,6 +11,17 @@ bool partial_trace(const Case& c) {
 
 constexpr When kTrace{[](const Case& c) { return c.gas.model == GasModel::kTrace; }, "gas.model = \"trace\""};
 constexpr When kWiebe{[](const Case& c) { return c.gas.model == GasModel::kWiebe; }, "gas.model = \"wiebe\""};
+/// Does the mass of the charge count: its share that flows back through the gaps, and its temperature?
+bool has_charge(const Case& c) {
+  return c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath || c.follows_oil();
+}
+constexpr When kCharge{has_charge,
+                       "gas_path.model = \"orifice-volume\", for ringfilm gas, or film.supply = \"film-on-liner\""};
+constexpr When kWiebeOrCharge{[](const Case& c) { return c.gas.model == GasModel::kWiebe || has_charge(c); },
+                              "gas.model = \"wiebe\" or gas_path.model = \"orifice-volume\", for ringfilm gas, or "
+                              "film.supply = \"film-on-liner\""};
+constexpr When kWiebeOrOil{[](const Case& c) { return c.gas.model == GasModel::kWiebe || c.follows_oil(); },
+                           "gas.model = \"wiebe\" or film.supply = \"film-on-liner\""};
 constexpr When kAnyTrace{
     [](const Case& c) {
       return c.gas.model == GasModel::kTrace || c.gas.crankcase_pressure_file || c.ring.pressure_above.file ||
@@ -98,7 +109,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .kind = NumberKind{member<&Case::gas, &Gas::compression_ratio>},
                  .unit = kPlainNumber,
                  .range = above(1, 60),
-                 .when = kWiebe,
+                 .when = kWiebeOrCharge,
                  .help = "largest over smallest cylinder volume",
                  .example = "10.5",
                  .uses = {.gas = true}}),
@@ -130,7 +141,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .kind = NumberKind{member<&Case::gas, &Gas::exhaust_valve_opening_deg>},
                  .unit = si_unit("degree"),
                  .range = valve_angle,
-                 .when = kWiebe,
+                 .when = kWiebeOrOil,
                  .help = "exhaust valve opens, counted from firing TDC",
                  .example = "\"130 degree\"",
                  .uses = {.gas = true}}),
@@ -154,9 +165,17 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .kind = NumberKind{member<&Case::gas, &Gas::intake_valve_closing_deg>},
                  .unit = si_unit("degree"),
                  .range = valve_angle,
-                 .when = kWiebe,
+                 .when = kWiebeOrCharge,
                  .help = "intake valve closes, counted from firing TDC",
                  .example = "\"590 degree\"",
+                 .uses = {.gas = true}}),
+          field({.key = "gas.charge_temperature",
+                 .kind = NumberKind{member<&Case::gas, &Gas::charge_temperature>},
+                 .unit = si_unit("K"),
+                 .range = between(150, 1000),
+                 .when = kCharge,
+                 .help = "temperature of the charge when the intake valve closes; typical, assumed",
+                 .example = "\"350 K\"",
                  .uses = {.gas = true}}),
           field({.key = "gas.intake_pressure",
                  .kind = OptionalNumberKind{member<&Case::gas, &Gas::intake_pressure>},

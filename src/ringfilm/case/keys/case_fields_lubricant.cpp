@@ -288,6 +288,15 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                  .help = "viscosity at 150 degC and 1e6 s-1 (HTHS, ASTM D4683), from which g_c follows",
                  .example = "\"2.9 mPa s\"",
                  .uses = {.pad = true}}),
+          field({.key = "lubricant.distillation",
+                 .kind = DistillationKind{member<&Case::lubricant, &Lubricant::distillation>},
+                 .need = Need::kOptional,
+                 .when = kOilFollowed,
+                 .help = "fractions of the oil by boiling point at 1.01325 bar, for its evaporation; if omitted, "
+                         "nothing evaporates",
+                 .example = "[{ share = 0.3, boiling_point = \"440 degC\", molar_mass = \"380 g/mol\" }, "
+                            "{ share = 0.7, boiling_point = \"540 degC\" }]",
+                 .uses = {.pad = true}}),
       });
 }
 

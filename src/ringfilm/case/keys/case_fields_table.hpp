@@ -50,6 +50,9 @@ struct When {
   const char* words = "";
 };
 
+/// Of keys that the oil consumption uses.
+inline constexpr When kOilFollowed{[](const Case& c) { return c.follows_oil(); }, "film.supply = \"film-on-liner\""};
+
 inline Range above(double low, double high) { return {low, high, true, false}; }
 inline Range between(double low, double high) { return {low, high, false, false}; }
 inline Range strictly_between(double low, double high) { return {low, high, true, true}; }
@@ -150,6 +153,7 @@ void append_ring_fields(std::vector<Field>& fields);
 void append_contact_fields(std::vector<Field>& fields);
 void append_measured_fields(std::vector<Field>& fields);
 void append_lubricant_fields(std::vector<Field>& fields);
+void append_oil_consumption_fields(std::vector<Field>& fields);  ///< evaporation and oil transport
 void append_run_fields(std::vector<Field>& fields);
 void append_pad_fields(std::vector<Field>& fields);
 

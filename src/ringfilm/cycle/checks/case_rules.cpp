@@ -11,6 +11,7 @@
 #include "ringfilm/cycle/checks/case_rules_gas_path.hpp"
 #include "ringfilm/cycle/checks/case_rules_measured.hpp"
 #include "ringfilm/cycle/checks/case_rules_oil.hpp"
+#include "ringfilm/cycle/checks/case_rules_oil_consumption.hpp"
 #include "ringfilm/cycle/checks/case_rules_pad.hpp"
 #include "ringfilm/cycle/checks/case_rules_plateau.hpp"
 #include "ringfilm/cycle/checks/case_rules_unrolled.hpp"
@@ -299,6 +300,7 @@ void check_engine_and_gas(const Case& c, Breaches& breaches) {
 std::vector<RuleBreach> broken_gas_rules(const Case& c) {
   Breaches breaches;
   check_engine_and_gas(c, breaches);
+  append_cylinder_breaches(c.engine, breaches);
   if (!c.gas_path.is_computed() && !c.stated.contains("gas_path.model")) {
     breaches.push_back({"gas_path.model", "gas_path.model is not stated: there is no gas to compute",
                         "write model = \"orifice-volume\" in [gas_path], or \"given\" for what flows between stated "
@@ -336,6 +338,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   append_measured_breaches(c.contact.measured, breaches);
   if (append_plateau_breaches(c, breaches)) check_contact_law(c, breaches);
   if (!c.lubricant.table_file) append_oil_law_breaches(c.lubricant, breaches);
+  append_oil_consumption_breaches(c, breaches);
   check_angles(c, breaches);
   append_unrolled_breaches(c, breaches);
   if (c.has_closure()) append_closure_breaches(c, breaches);

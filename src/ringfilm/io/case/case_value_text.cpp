@@ -82,6 +82,16 @@ class Writer {
     }
     return parts.empty() ? "" : bracketed(parts);
   }
+  std::string operator()(const cycle::DistillationKind& kind) {
+    std::vector<std::string> parts;
+    for (const models::OilFraction& fraction : kind.ref(case_)) {
+      parts.push_back(fmt::format(
+          "{{ share = {}, boiling_point = {}{} }}", exact_text(fraction.share),
+          write_(fraction.boiling_point, "K", "degC"),
+          fraction.molar_mass ? ", molar_mass = " + write_(*fraction.molar_mass, "kg/mol", "g/mol") : ""));
+    }
+    return parts.empty() ? "" : bracketed(parts);
+  }
   std::string operator()(const cycle::AnglesKind&) {
     const cycle::Output& output = case_.output;
     return output.crank_angles_deg.empty() ? number(output.crank_angle_step_deg) : angles(output.crank_angles_deg);

@@ -156,6 +156,11 @@ class Setter {
     for (const TomlValue& item : list("a list of orders")) terms.push_back(fourier_term(item, kind));
     if (good()) kind.ref(case_) = terms;
   }
+  void operator()(const cycle::DistillationKind& kind) {
+    std::vector<models::OilFraction> fractions;
+    for (const TomlValue& item : list("a list of fractions")) fractions.push_back(oil_fraction(item));
+    if (good()) kind.ref(case_) = fractions;
+  }
   void operator()(const cycle::AnglesKind&) {
     if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();
@@ -296,6 +301,32 @@ class Setter {
     if (const TomlValue* phase = item.find("phase")) term.phase_deg = within_turn(*phase);
     if (const TomlValue* height = item.find("height")) term.height = plain_quantity(*height, "m", "\"20 mm\"");
     return term;
+  }
+
+  models::OilFraction oil_fraction(const TomlValue& item) {
+    refuse_unknown_keys(item, field_.key, {"share", "boiling_point", "molar_mass"}, faults_);
+    const TomlValue *share = item.find("share"), *boiling_point = item.find("boiling_point");
+    if (share == nullptr || boiling_point == nullptr) {
+      refuse(item, "requires a share and a boiling point", "for example " + field_.example);
+      return {};
+    }
+    models::OilFraction fraction;
+    if (const auto x = plain_quantity(*share, "1", "0.3")) {
+      if (!(*x > 0 && *x <= 1)) refuse(*share, "is out of range", "allowed is above 0 to 1");
+      fraction.share = *x;
+    }
+    if (const auto T = plain_quantity(*boiling_point, "K", "\"440 degC\"")) {
+      if (!(*T > 300 && *T < models::kHighestBoilingPoint)) {
+        refuse(*boiling_point, "is out of range", "allowed is above 26.85 degC to below 806.85 degC");
+      }
+      fraction.boiling_point = *T;
+    }
+    if (const TomlValue* molar_mass = item.find("molar_mass")) {
+      const auto M = plain_quantity(*molar_mass, "kg/mol", "\"380 g/mol\"");
+      if (M && !(*M >= 0.01 && *M <= 10)) refuse(*molar_mass, "is out of range", "allowed is 10 to 10000 g/mol");
+      fraction.molar_mass = M;
+    }
+    return fraction;
   }
 
   int whole_order(const TomlValue& value, int lowest) {

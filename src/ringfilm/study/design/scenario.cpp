@@ -34,6 +34,7 @@ struct EntryOf {
   Entry operator()(const FileKind&) const { return Entry::kText; }
   Entry operator()(const OptionalFileKind&) const { return Entry::kText; }
   Entry operator()(const UnitNameKind&) const { return Entry::kNone; }
+  Entry operator()(const DistillationKind&) const { return Entry::kNone; }
   Entry operator()(const AnglesKind&) const { return Entry::kNone; }
   Entry operator()(const FieldAnglesKind&) const { return Entry::kNone; }
 };
@@ -211,6 +212,13 @@ struct ValueText {
     return text;
   }
   std::string operator()(const StrokeValuesKind& kind) const { return listed_pairs(kind.ref(c)); }
+  std::string operator()(const DistillationKind& kind) const {
+    std::string text;
+    for (const models::OilFraction& fraction : kind.ref(c)) {
+      text += exact(fraction.share) + " " + exact(fraction.boiling_point) + " " + optional(fraction.molar_mass) + " ";
+    }
+    return text;
+  }
   std::string operator()(const AnglesKind&) const {
     return exact(c.output.crank_angle_step_deg) + " " + listed(c.output.crank_angles_deg);
   }
