@@ -30,6 +30,18 @@ std::string blow_by_text(const gas_path::GasSums& sums) {
          " at 1.01325 bar and 25 degC";
 }
 
+std::string reverse_blow_by_text(const gas_path::GasSums& sums) {
+  if (!sums.reverse_blow_by_per_cycle) return "";
+  const EngineeringText shown;
+  const std::string share =
+      sums.reverse_blow_by_charge_share && *sums.reverse_blow_by_charge_share > 0
+          ? fmt::format(" ({:.2g} % of the charge)", 100 * *sums.reverse_blow_by_charge_share)
+          : "";
+  return "; back past the first ring " +
+         shown(cycle::gas_sum_quantity("reverse_blow_by_per_cycle"), *sums.reverse_blow_by_per_cycle) + " per cycle" +
+         share;
+}
+
 std::string regions_table(const io::PackGas& gas) {
   std::string text = fmt::format("{:<14}{:>16}{:>16}{:>16}\n", "region", "peak", "at", "mean");
   for (const gas_path::RegionValues& region : gas.regions) {

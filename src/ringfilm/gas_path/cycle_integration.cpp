@@ -379,6 +379,7 @@ GasPathResult CycleIntegration::result() const {
   std::stable_sort(result.events.begin(), result.events.end(),
                    [](const RingEvent& a, const RingEvent& b) { return a.crank_angle_deg < b.crank_angle_deg; });
   result.duration = base::kCycleDeg * system_.seconds_per_degree();
+  result.trapped_mass = network_.pack().trapped_mass;
   return result;
 }
 

@@ -64,6 +64,7 @@ struct Pack {
   Gas gas;
   RingMotion ring_motion = RingMotion::kSeated;
   double sliding_smoothing_speed = 0;  ///< U_0; RingMotion::kAxial [m/s]
+  double trapped_mass = 0;             ///< charge of the cylinder, for shares of it; 0: not known [kg]
   std::vector<Ring> rings;             ///< from the chamber to the crankcase
 };
 

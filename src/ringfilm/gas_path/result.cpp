@@ -20,10 +20,37 @@ const char* event_name(FlankEvent event) {
   return "";
 }
 
+namespace {
+
+/// Mass that flows back along all paths for which `holds(path)` [kg].
+template <class Condition>
+double mass_back(const GasPathResult& result, const Condition& holds) {
+  double mass = 0;
+  for (std::size_t k = 0; k < result.paths.size(); ++k) {
+    if (holds(result.paths[k])) mass += result.back[k];
+  }
+  return mass;
+}
+
+}  // namespace
+
+double reverse_blow_by(const GasPathResult& result, std::size_t ring) {
+  return mass_back(result,
+                   [ring](const Path& path) { return path.ring == ring && path.kind != PathKind::kAboveRing; });
+}
+
 GasSums gas_sums(const GasPathResult& result, double gas_constant) {
   GasSums sums;
   sums.blow_by_per_cycle = result.blow_by;
   sums.blow_by_flow = volume_flow(result, gas_constant);
+  sums.reverse_blow_by_per_cycle = reverse_blow_by(result, 0);
+  sums.reverse_blow_by_charge_share =
+      result.trapped_mass > 0 ? *sums.reverse_blow_by_per_cycle / result.trapped_mass : 0;
+  const std::size_t crankcase = result.regions.size() - 1;
+  sums.returned_to_chamber_per_cycle = mass_back(result, [](const Path& path) { return path.from == 0; });
+  sums.returned_from_crankcase_per_cycle =
+      mass_back(result, [crankcase](const Path& path) { return path.to == crankcase; });
+  sums.trapped_mass = result.trapped_mass;
   sums.mass_defect = result.mass_defect;
   sums.periodicity_error = result.periodicity;
   sums.cycles_integrated = result.cycles;

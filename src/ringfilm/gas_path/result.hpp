@@ -56,6 +56,7 @@ struct GasPathResult {
   std::vector<RingMotionValues> motion;       ///< motion of each ring; RingMotion::kAxial
   std::vector<double> transported;            ///< net mass along each path in the cycle [kg]
   std::vector<double> back;                   ///< mass along each path against its direction, positive [kg]
+  double trapped_mass = 0;                    ///< Pack::trapped_mass [kg]
   double blow_by = 0;                         ///< net mass that enters the crankcase in the cycle [kg]
   double duration = 0;                        ///< duration of the cycle [s]
   double mass_defect =
@@ -79,6 +80,12 @@ double volume_flow(const GasPathResult& result, double gas_constant);
 struct GasSums {
   double blow_by_per_cycle = 0;           ///< GasPathResult::blow_by [kg]
   double blow_by_flow = 0;                ///< volume_flow() [m3/s]
+  /// Gas that passes the first ring towards the chamber, by all its paths from below it, eq-reverse-blow-by [kg].
+  std::optional<double> reverse_blow_by_per_cycle;
+  std::optional<double> reverse_blow_by_charge_share;  ///< that mass over the trapped mass; 0: that is not known [-]
+  std::optional<double> returned_to_chamber_per_cycle;  ///< gas that enters the chamber out of the pack [kg]
+  std::optional<double> returned_from_crankcase_per_cycle;  ///< gas that enters the pack out of the crankcase [kg]
+  std::optional<double> trapped_mass;                   ///< GasPathResult::trapped_mass [kg]
   double mass_defect = 0;                 ///< GasPathResult::mass_defect [-]
   double periodicity_error = 0;           ///< GasPathResult::periodicity [-]
   std::optional<long> cycles_integrated;  ///< GasPathResult::cycles
@@ -93,6 +100,10 @@ struct PathValues {
   std::optional<double> mass_forward_per_cycle;  ///< mass in its direction [kg]
   std::optional<double> mass_back_per_cycle;     ///< mass against its direction, positive [kg]
 };
+
+/// Mass that leaves a ring towards the chamber in the cycle, out of the region below it: through its end gap, its film
+/// and its lower side clearance [kg]. @param ring index in Pack::rings
+double reverse_blow_by(const GasPathResult& result, std::size_t ring);
 
 /// @param gas_constant [J/(kg K)]
 GasSums gas_sums(const GasPathResult& result, double gas_constant);

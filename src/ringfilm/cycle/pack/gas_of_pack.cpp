@@ -8,6 +8,7 @@
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
+#include "ringfilm/cycle/setup/charge.hpp"
 #include "ringfilm/cycle/setup/land_pressure.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -107,6 +108,7 @@ gas_path::Pack gas_pack(const Case& c) {
               std::max(path.choking_smoothing, kMinSmoothing)};
   pack.ring_motion = path.ring_motion;
   pack.sliding_smoothing_speed = path.sliding_smoothing_speed;
+  pack.trapped_mass = Charge(c).mass();
   if (!c.is_pack()) pack.rings.push_back(gas_ring(c));
   for (const Case& ring : c.rings) pack.rings.push_back(gas_ring(ring));
   return pack;

@@ -17,7 +17,8 @@ struct GasQuantity : Quantity {
   std::variant<Values Row::*...> value;  ///< the member that holds it
 };
 
-using GasSumQuantity = GasQuantity<gas_path::GasSums, double, std::optional<long>, std::optional<bool>>;
+using GasSumQuantity =
+    GasQuantity<gas_path::GasSums, double, std::optional<double>, std::optional<long>, std::optional<bool>>;
 using GasRegionQuantity = GasQuantity<gas_path::RegionValues, double>;
 using GasPathQuantity = GasQuantity<gas_path::PathValues, double, std::optional<double>>;
 using GasRingQuantity = GasQuantity<gas_path::RingMotionValues, double, std::optional<double>, long, bool>;

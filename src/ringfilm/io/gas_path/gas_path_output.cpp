@@ -62,7 +62,7 @@ GasPathDocument gas_path_document(const cycle::Case& c, const gas_path::Pack& pa
   }
   document.notes = cycle::gas_path_notes(c, pack, document.result);
   document.provenance = this_program();
-  document.gas = pack_gas(document.result, pack.gas.gas_constant);
+  document.gas = pack_gas(document.result, pack.gas.gas_constant, c.engine.cylinders);
   return document;
 }
 

@@ -15,10 +15,23 @@ ordered_json named_rows(const Quantities& quantities, const std::vector<Row>& ro
   return list;
 }
 
+/// The masses and flows of one cylinder times their number; masses are those of a cycle of all cylinders.
+ordered_json engine_object(const gas_path::GasSums& sums, double cylinders) {
+  ordered_json object = {{"cylinders", cylinders}};
+  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
+    const std::optional<double> of_cylinder = cycle::number_of(quantity, sums);
+    if (of_cylinder && (quantity.unit == "kg" || quantity.unit == "m3/s")) {
+      object[quantity.name] = cylinders * *of_cylinder;
+    }
+  }
+  return object;
+}
+
 }  // namespace
 
 ordered_json gas_object(const PackGas& gas) {
   ordered_json object = quantities_object(cycle::gas_sum_quantities(), gas.sums), units = ordered_json::object();
+  if (gas.cylinders) object["engine"] = engine_object(gas.sums, *gas.cylinders);
   object["regions"] = named_rows(cycle::gas_region_quantities(), gas.regions);
   object["ring_events"] = ordered_json::array();
   for (const PackGas::Event& event : gas.events) {

@@ -2,8 +2,9 @@
 
 namespace ringfilm::io {
 
-PackGas pack_gas(const gas_path::GasPathResult& result, double gas_constant) {
+PackGas pack_gas(const gas_path::GasPathResult& result, double gas_constant, std::optional<double> cylinders) {
   PackGas gas;
+  gas.cylinders = cylinders;
   gas.sums = gas_sums(result, gas_constant);
   gas.regions = result.regions;
   gas.paths = path_values(result);

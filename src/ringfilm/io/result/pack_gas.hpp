@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct PackGas {
   };
 
   gas_path::GasSums sums;
+  std::optional<double> cylinders;              ///< number of cylinders of the engine, where it is stated
   std::vector<gas_path::RegionValues> regions;  ///< the chamber first, the crankcase last
   std::vector<gas_path::PathValues> paths;
   std::vector<Event> events;
@@ -34,7 +36,8 @@ struct PackGas {
   std::vector<double> position;  ///< position of each compression ring above its lower flank [m]
 };
 
-/// The gas of a computed result. @param gas_constant [J/(kg K)]
-PackGas pack_gas(const gas_path::GasPathResult& result, double gas_constant);
+/// The gas of a computed result. @param gas_constant [J/(kg K)] @param cylinders of the engine, where it is stated
+PackGas pack_gas(const gas_path::GasPathResult& result, double gas_constant,
+                 std::optional<double> cylinders = std::nullopt);
 
 }  // namespace ringfilm::io

@@ -44,6 +44,18 @@ void exchange_gas_sums(File& file, Sums& sums) {
   }
 }
 
+/// The number of cylinders, where the case states it.
+template <class File, class Number>
+void exchange_cylinders(File& file, Number& cylinders) {
+  const cycle::Quantity variable = count("gas_cylinders", "cylinders of the engine");
+  if constexpr (File::kReads) {
+    if (!file.has_variable(variable.name)) return;
+    file.scalar(variable, cylinders.emplace());
+  } else if (cylinders) {
+    file.scalar(variable, *cylinders);
+  }
+}
+
 template <class File, class Gas>
 void exchange_gas_tables(File& file, Gas& gas) {
   file.rows("gas_region", gas.regions);
@@ -92,6 +104,7 @@ void exchange_pack_gas(File& file, Document& document) {
                          "eq-ring-acceleration"),
                gas.position);
   exchange_gas_sums(file, gas.sums);
+  exchange_cylinders(file, gas.cylinders);
 }
 
 }  // namespace ringfilm::io
