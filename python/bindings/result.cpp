@@ -393,8 +393,13 @@ void bind_pack(py::module_& module) {
       "ring_position.");
   type.def_property_readonly(
       "oil", [](const PackObject& self) { return part_of_json(self, "oil"); },
-      "Film on the liner above the pack and the upper bound of oil to the chamber, a dict in SI; None where the oil on "
+      "Film on the liner above the pack and all oil that the first ring leaves there, a dict in SI; None where the oil on "
       "the liner is not followed.");
+  type.def_property_readonly(
+      "oil_consumption", [](const PackObject& self) { return part_of_json(self, "oil_consumption"); },
+      "Estimated oil consumption of one cylinder and its parts, a dict in SI as `ringfilm run --json` prints it: low, "
+      "value, high and assumption, evaporation, scraped_up, carried_by_gas, thrown_off; None where the oil on the "
+      "liner is not followed.");
   type.def("plot", &plot<PackObject>, py::arg("what") = "overview", py::arg("axes") = py::none(),
            py::arg("label") = py::none(),
            R"(Draws the rings with matplotlib, a line for each, in units of engineers over the crank angle.

@@ -189,15 +189,38 @@ std::string pack_oil_lines(const io::ResultDocument& pack) {
   if (!oil) return "";
   return wrapped(words(fmt::format(
       "oil on the liner above the first ring: {} after the power stroke, {} after the intake stroke; it leaves {} at "
-      "TDC per cycle; upper bound of oil to the chamber: {} per cycle (all oil that it leaves on the liner on "
-      "downstrokes)",
+      "TDC per cycle",
       text_in(oil->film_after_power_stroke, kMicrometre, 4), text_in(oil->film_after_intake_stroke, kMicrometre, 4),
-      text_in(oil->left_at_tdc, kMilligram, 3), text_in(oil->to_chamber_upper_bound, kMilligram, 3))));
+      text_in(oil->left_at_tdc, kMilligram, 3))));
+}
+
+/// The unit in which a loss is printed.
+const DisplayUnit& shown_unit(const cycle::OilLoss& loss) {
+  static constexpr DisplayUnit kPercent{"1", "%", {1, 100}}, kGramPerKwh{"kg/J", "g/kWh", kGramPerKilowattHour.scale};
+  return loss.unit == "1" ? kPercent : loss.unit == "kg/J" ? kGramPerKwh : kGramPerHour;
+}
+
+std::string oil_consumption_table(const std::vector<cycle::OilLoss>& losses) {
+  if (losses.empty()) return "";
+  std::string text = fmt::format("{:<30}{:>11}{:>11}{:>11}\n", "oil consumption, estimated", "low", "value", "high");
+  for (const cycle::OilLoss& loss : losses) {
+    const DisplayUnit& unit = shown_unit(loss);
+    const auto cell = [&unit](double value) { return fmt::format("{:>11.2g}", number_in(value, unit)); };
+    std::string name = loss.name == cycle::kEngineOilLoss    ? "engine, all cylinders"
+                       : loss.name == cycle::kTotalOilLoss   ? "total of one cylinder"
+                       : loss.name == cycle::kFuelShareOfOil ? "engine, share of fuel"
+                       : loss.name == cycle::kSpecificOilLoss ? "engine, over brake power"
+                                                              : loss.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("  {:<28}{}{}{}   {}\n", name, cell(loss.low), cell(loss.value), cell(loss.high), unit.name);
+  }
+  return text;
 }
 
 std::string pack_gas_lines(const io::ResultDocument& pack) {
   if (!pack.gas) return "";
-  std::string text = "blow-by per cylinder " + blow_by_text(pack.gas->sums) + "; peaks of pressure";
+  std::string text = "blow-by per cylinder " + blow_by_text(pack.gas->sums) + reverse_blow_by_text(pack.gas->sums) +
+                     "; peaks of pressure";
   for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
     const gas_path::RegionValues& region = pack.gas->regions[i];
     text += fmt::format("{} {} {}", i > 1 ? "," : "", region.name, text_in(region.peak_pressure, kBar, 3));
@@ -231,7 +254,8 @@ std::string pack_summary(const io::ResultDocument& pack) {
   return wrapped(
              words(fmt::format("all {} rings: friction mean effective pressure {}, mean power loss {}, {} per cycle",
                                rings.size(), shown("fmep"), shown("mean_power_loss"), shown("energy_per_cycle")))) +
-         ring_shares(rings, pack.result.values.mean_power_loss) + pack_oil_lines(pack) + pack_gas_lines(pack);
+         ring_shares(rings, pack.result.values.mean_power_loss) + pack_oil_lines(pack) +
+         oil_consumption_table(pack.oil_losses) + pack_gas_lines(pack);
 }
 
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
@@ -247,6 +271,7 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         result.effort.cycles_integrated, result.samples.size());
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
+  if (!document.oil_losses.empty()) text += oil_consumption_table(document.oil_losses) + "\n";
   if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);
   if (document.errors && study::has_values(*document.errors))
     text += error_lines(*document.errors, input.solver.crank_step_control);

@@ -7,6 +7,7 @@
 
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
+#include "ringfilm/cycle/pack/oil_consumption.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
@@ -57,6 +58,7 @@ struct RequestedRings {
   std::vector<std::size_t> rails;    ///< cycle::rail_number of each ring of the pack
   std::vector<std::string> labels;   ///< cycle::ring_label likewise
   std::optional<io::PackGas> gas{};  ///< where it is computed
+  std::vector<cycle::OilLoss> oil_losses{};  ///< of the pack, where the oil on the liner is followed
 };
 
 /// The rings of all requests, integrated.
@@ -104,6 +106,14 @@ void add_inquiries(Rings& rings, int threads, Observer* observer) {
   }
 }
 
+/// Of a pack or of one ring; empty where a ring stopped.
+std::vector<cycle::OilLoss> oil_losses_of(const cycle::CaseWithGas& found,
+                                          const std::vector<cycle::RingOutcome>& outcomes) {
+  std::vector<const cycle::CycleResult*> results;
+  for (const cycle::RingOutcome& outcome : outcomes) results.push_back(&outcome.result);
+  return cycle::oil_losses(found.input, results, found.gas);
+}
+
 /// Integrates a case: alone or in its pack its bits are the same whatever else is computed.
 void integrate(const Request& requested, Rings& rings, Observer* observer) {
   cycle::Case faces = cycle::with_rails(requested.input);
@@ -111,7 +121,9 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
   if (observer != nullptr) observer->begins(requested.name);
   cycle::CaseWithGas found = cycle::solve_gas_through_films(std::move(faces), observer);
   RequestedRings& of = rings.of_request.emplace_back();
-  if (found.gas) of.gas = io::pack_gas(*found.gas, found.input.gas_path.gas_constant);
+  if (found.gas) {
+    of.gas = io::pack_gas(*found.gas, found.input.gas_path.gas_constant, found.input.engine.cylinders);
+  }
   of.n_rings = found.input.rings.size();
   for (std::size_t i = 0; i < of.n_rings; ++i) {
     of.rails.push_back(cycle::rail_number(requested.input, i));
@@ -122,6 +134,7 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
   };
   std::vector<cycle::RingOutcome> outcomes =
       cycle::simulate_rings(found.input, observer, cycle::AtStop::kContinue, ring_begins);
+  of.oil_losses = oil_losses_of(found, outcomes);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     Request& ring = rings.requests.emplace_back(requested);
     ring.input = found.input.is_pack() ? std::move(found.input.rings[i]) : std::move(found.input);
@@ -135,6 +148,7 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
       done.document.provenance = io::this_run();
       done.input = ring.input;
     }
+    if (of.n_rings == 0) done.document.oil_losses = of.oil_losses;
   }
 }
 
@@ -150,6 +164,7 @@ CycleOutcome pack_of(const std::string& title, std::vector<CycleOutcome> rings, 
   }
   pack.document = io::pack_document(title, std::move(documents));
   pack.document.gas = std::move(of.gas);
+  pack.document.oil_losses = std::move(of.oil_losses);
   return pack;
 }
 

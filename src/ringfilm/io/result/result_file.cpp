@@ -115,6 +115,7 @@ ResultDocument read_pack(const std::string& path, ResultFileReader& file) {
   }
   ResultDocument whole = pack_document(pack.title, std::move(rings));
   whole.gas = std::move(pack.gas);
+  whole.oil_losses = std::move(pack.oil_losses);
   return whole;
 }
 
@@ -170,7 +171,9 @@ ResultDocument result_of_bytes(const std::string& path, const std::string& bytes
   ResultFileReader file(path, content_before_trailer(path, bytes));
   refuse_what_is_not_ours(path, file);
   if (file.n_rings() > 0) return read_pack(path, file);
-  return read_ring(path, file);
+  ResultDocument document = read_ring(path, file);
+  exchange_oil_losses(file, document);
+  return document;
 }
 
 }  // namespace ringfilm::io

@@ -7,6 +7,7 @@
 #include "ringfilm/base/members.hpp"
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/contact_curves.hpp"
+#include "ringfilm/cycle/pack/oil_consumption.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/case/case_entry.hpp"
 #include "ringfilm/io/result/pack_gas.hpp"
@@ -54,6 +55,8 @@ struct ResultDocument {
   /// Result of each ring of a ring pack, from the chamber down; `result` then has the friction of all rings
   /// (cycle::summed_quantities) and whether all are complete. Empty: a case of one ring.
   std::vector<ResultDocument> rings;
+  /// Oil consumption by its parts and their sums, of a pack or of a case of one ring; empty where it is not computed.
+  std::vector<cycle::OilLoss> oil_losses;
   std::optional<PackGas> gas;  ///< gas of a pack whose gas path is computed
   long rail = 0;               ///< number of the rail in an oil ring of several rails, from 1; 0: a ring as a whole
 

@@ -54,6 +54,7 @@ void put_document(File& file, const ResultDocument& document) {
   if (document.is_pack()) return put_pack(file, document);
   const VariantTable variants = variant_table(document.ledger);
   exchange(file, document, variants);
+  exchange_oil_losses(file, document);
 }
 
 }  // namespace ringfilm::io

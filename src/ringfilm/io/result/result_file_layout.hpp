@@ -164,6 +164,15 @@ void exchange_comparison(File& file, Document& document) {
   file.texts("comparison", text("comparison_unit", "unit of the values compared"), units);
 }
 
+/// The oil consumption of a pack, or of a case of one ring; nothing where it is not computed.
+template <class File, class Document>
+void exchange_oil_losses(File& file, Document& document) {
+  if constexpr (!File::kReads) {
+    if (document.oil_losses.empty()) return;
+  }
+  exchange_rows(file, "oil_loss", "oil_loss_", document.oil_losses);
+}
+
 /// What the rings of a pack have in common.
 template <class File, class Document>
 void exchange_pack(File& file, Document& document) {
@@ -172,6 +181,7 @@ void exchange_pack(File& file, Document& document) {
   file.scalar(text("pack_case", "a complete case file of the pack in SI that gives the same bits again"),
               document.resolved_case);
   exchange_pack_gas(file, document);
+  exchange_oil_losses(file, document);
 }
 
 /// Everything, in the order of the file.

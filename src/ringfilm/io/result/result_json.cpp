@@ -5,6 +5,7 @@
 
 #include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/io/result/gas_json.hpp"
+#include "ringfilm/io/result/oil_consumption_json.hpp"
 #include "ringfilm/io/result/pack_sums.hpp"
 #include "ringfilm/io/result/record_json.hpp"
 #include "ringfilm/io/result/result_document.hpp"
@@ -65,6 +66,7 @@ ordered_json result_object(const ResultDocument& document) {
     object["errors"] = cycle_object(document.errors->values);
     object["error_estimate"] = error_estimate_object(*document.errors);
   }
+  if (!document.oil_losses.empty()) object["oil_consumption"] = oil_consumption_object(document.oil_losses);
   object["notes"] = notes_array(document.input_notes, result.notes);
   object["assumed"] = assumed_object(document.inputs);
   if (document.ledger_computed) object["ledger"] = ledger_array(document);
@@ -103,6 +105,7 @@ ordered_json pack_object(const ResultDocument& document) {
   }
   put_units(cycle::summed_quantities(), object["units"]);
   if (const std::optional<PackOil> oil = pack_oil(document)) object["oil"] = oil_object(*oil);
+  if (!document.oil_losses.empty()) object["oil_consumption"] = oil_consumption_object(document.oil_losses);
   if (document.gas) object["gas"] = gas_object(*document.gas);
   put_provenance(document.provenance, object);
   object["complete"] = document.result.complete;

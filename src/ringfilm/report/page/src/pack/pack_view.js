@@ -106,6 +106,21 @@ export function gasTables(gas) {
   );
 }
 
+/** The oil consumption of a cylinder, its parts and its sums for the engine, each with its band. */
+function consumptionWords(losses) {
+  const units = {
+    'kg/s': { unit: 'g/h', factor: 3.6e6 },
+    'kg/J': { unit: 'g/kWh', factor: 3.6e9 },
+    1: { unit: '%', factor: 100 },
+  };
+  const shown = losses.map(({ name, unit, low, value, high }) => {
+    const { unit: shownUnit, factor } = units[unit];
+    const [from, at, to] = [low, value, high].map((one) => Number((factor * one).toPrecision(2)));
+    return `${name.replaceAll('_', ' ')} ${at} ${shownUnit} (${from} to ${to})`;
+  });
+  return `Oil consumption, estimated, of one cylinder: ${shown.join('; ')}.`;
+}
+
 /** What the gas and the oil of the pack come to: sentences, then tables. */
 export function packSentences({ pack }) {
   const { gas, oil } = pack;
@@ -120,5 +135,7 @@ export function packSentences({ pack }) {
       `Oil on the liner: ${shown.join('; ')}. The bound is all that the first ring leaves there on its downstrokes.`,
     );
   }
+  const losses = pack.oil_consumption ?? [];
+  if (losses.length > 0) sentences.push(consumptionWords(losses));
   return [...sentences.map((words) => element('p', { class: 'how' }, words)), gasTables(gas)];
 }
