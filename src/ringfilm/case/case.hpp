@@ -461,7 +461,7 @@ struct OilTransport {
   struct Band {
     double low, high;  ///< of a default
   };
-  static constexpr Band kGasLoad{0.0034, 0.0114}, kLandFilm{1e-6, 6e-6}, kScrapedShare{0, 1};
+  static constexpr Band kGasLoad{0.0034, 0.0114}, kLandFilm{1e-6, 5e-6}, kScrapedShare{0, 1};
 };
 
 /// The keys under `solver`.

@@ -46,6 +46,7 @@ io::ResultDocument pack_of_two_rings() {
   for (auto* films : {&stroke.film_ahead, &stroke.film_behind}) films->fill({1e-6, 2e-6});
   io::ResultDocument pack = io::pack_document("a pack", {ring, ring});
   pack.gas = io::pack_gas(gas_of_two_regions(), 287);
+  pack.oil_losses = {{"evaporation", "kg/s", 1e-7, 2e-7, 3e-7, "how much renews"}};
   return pack;
 }
 
@@ -158,6 +159,7 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
   expect_each(cycle::summed_quantities(), in_object(json["by_ring"][1]));
   expect_each(cycle::summed_quantities(), in_object(json["units"]));
   expect_each(io::pack_oil_quantities(), in_object(json["oil"]));
+  EXPECT_EQ(json["oil_consumption"]["evaporation"]["assumption"], "how much renews");
   expect_each(cycle::gas_sum_quantities(), in_object(json["gas"]));
   expect_each(cycle::gas_ring_quantities(), in_object(json["gas"]["ring_motion"][0]));
   expect_each(cycle::gas_path_quantities(), in_object(json["gas"]["paths"][0]));
@@ -166,6 +168,9 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
   const std::string file = io::result_bytes(pack);
   expect_each(cycle::summed_quantities(), in_text(file, "pack_"));
   expect_each(io::pack_oil_quantities(), in_text(file, ""));
+  for_each_member<cycle::OilLoss>([&](const auto& member) {
+    EXPECT_NE(file.find(std::string("oil_loss_") + member.name), std::string::npos) << member.name;
+  });
   expect_each(cycle::gas_sum_quantities(), in_text(file, ""));
   expect_each(cycle::gas_ring_quantities(), in_text(file, "gas_ring_"));
   expect_each(cycle::gas_path_quantities(), in_text(file, "gas_path_"));
@@ -173,6 +178,7 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
 
   const std::string page = report_page({pack}, {});
   expect_each(io::pack_oil_quantities(), on_page(page));
+  EXPECT_NE(page.find("how much renews"), std::string::npos);
   expect_each(cycle::gas_sum_quantities(), on_page(page));
   expect_each(cycle::gas_ring_quantities(), on_page(page));
   expect_each(cycle::gas_path_quantities(), on_page(page));
