@@ -14,7 +14,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 MODULES = {  # folder of the pictures: modules that draw them
-    "schematic": ("ring_drawings", "other_drawings"),
+    "schematic": ("ring_drawings", "other_drawings", "oil_drawings"),
     "cycle": ("cycle_charts",),
     "model": ("model_charts",),
     "film": ("film_charts",),

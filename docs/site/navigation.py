@@ -34,7 +34,16 @@ SECTIONS = [
         ],
     ),
     ("Many cases", ["study", "docs/manual/guide/life", "performance"]),
-    ("Other films", ["docs/manual/guide/ring-pack-gas", "unrolled", "pad", "docs/manual/guide/conformity"]),
+    (
+        "Other films",
+        [
+            "docs/manual/guide/ring-pack-gas",
+            "docs/manual/guide/oil-consumption",
+            "unrolled",
+            "pad",
+            "docs/manual/guide/conformity",
+        ],
+    ),
     ("Tutorials", ["docs/tutorials/README", "docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
     ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
     (

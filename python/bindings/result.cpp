@@ -393,7 +393,8 @@ void bind_pack(py::module_& module) {
       "ring_position.");
   type.def_property_readonly(
       "oil", [](const PackObject& self) { return part_of_json(self, "oil"); },
-      "Film on the liner above the pack and all oil that the first ring leaves there, a dict in SI; None where the oil on "
+      "Film on the liner above the pack and all oil that the first ring leaves there, a dict in SI; None where the oil "
+      "on "
       "the liner is not followed.");
   type.def_property_readonly(
       "oil_consumption", [](const PackObject& self) { return part_of_json(self, "oil_consumption"); },

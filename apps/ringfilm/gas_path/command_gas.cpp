@@ -38,8 +38,7 @@ std::string gas_summary(const io::GasPathDocument& document) {
   const gas_path::GasPathResult& result = document.result;
   std::string text =
       fmt::format("{}\ngas of the ring pack over one cycle, {} cycles integrated\n\n", document.title, result.cycles);
-  text += "blow-by per cylinder: " + blow_by_text(document.gas.sums) + reverse_blow_by_text(document.gas.sums) +
-          "\n";
+  text += "blow-by per cylinder: " + blow_by_text(document.gas.sums) + reverse_blow_by_text(document.gas.sums) + "\n";
   text += fmt::format("mass defect of the cycle: {:.1e}\n\n", result.mass_defect);
   for (const std::string& table : {regions_table(document.gas), paths_table(document.gas),
                                    ring_motion_table(document.gas), ring_events_table(document.gas)}) {

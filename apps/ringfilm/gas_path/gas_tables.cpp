@@ -33,10 +33,9 @@ std::string blow_by_text(const gas_path::GasSums& sums) {
 std::string reverse_blow_by_text(const gas_path::GasSums& sums) {
   if (!sums.reverse_blow_by_per_cycle) return "";
   const EngineeringText shown;
-  const std::string share =
-      sums.reverse_blow_by_charge_share && *sums.reverse_blow_by_charge_share > 0
-          ? fmt::format(" ({:.2g} % of the charge)", 100 * *sums.reverse_blow_by_charge_share)
-          : "";
+  const std::string share = sums.reverse_blow_by_charge_share && *sums.reverse_blow_by_charge_share > 0
+                                ? fmt::format(" ({:.2g} % of the charge)", 100 * *sums.reverse_blow_by_charge_share)
+                                : "";
   return "; back past the first ring " +
          shown(cycle::gas_sum_quantity("reverse_blow_by_per_cycle"), *sums.reverse_blow_by_per_cycle) + " per cycle" +
          share;

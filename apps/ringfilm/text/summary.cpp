@@ -206,9 +206,9 @@ std::string oil_consumption_table(const std::vector<cycle::OilLoss>& losses) {
   for (const cycle::OilLoss& loss : losses) {
     const DisplayUnit& unit = shown_unit(loss);
     const auto cell = [&unit](double value) { return fmt::format("{:>11.2g}", number_in(value, unit)); };
-    std::string name = loss.name == cycle::kEngineOilLoss    ? "engine, all cylinders"
-                       : loss.name == cycle::kTotalOilLoss   ? "total of one cylinder"
-                       : loss.name == cycle::kFuelShareOfOil ? "engine, share of fuel"
+    std::string name = loss.name == cycle::kEngineOilLoss     ? "engine, all cylinders"
+                       : loss.name == cycle::kTotalOilLoss    ? "total of one cylinder"
+                       : loss.name == cycle::kFuelShareOfOil  ? "engine, share of fuel"
                        : loss.name == cycle::kSpecificOilLoss ? "engine, over brake power"
                                                               : loss.name;
     std::replace(name.begin(), name.end(), '_', ' ');

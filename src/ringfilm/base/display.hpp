@@ -36,6 +36,7 @@ inline constexpr DisplayUnit kSquareMillimetre{"m2", "mm2", {1, 1e6}}, kWornArea
     kCubicMillimetre{"m3", "mm3", {1, 1e9}}, kPerSquareMicrometre{"m-2", "um-2", {1e12}};
 inline constexpr DisplayUnit kBar{"Pa", "bar", {1e5}}, kKilopascal{"Pa", "kPa", {1e3}}, kMegapascal{"Pa", "MPa", {1e6}},
     kGigapascal{"Pa", "GPa", {1e9}};
+inline constexpr DisplayUnit kGramPerKilogram{"1", "g/kg", {1, 1e3}};
 inline constexpr DisplayUnit kKilowatt{"W", "kW", {1e3}};
 inline constexpr DisplayUnit kNanonewton{"N", "nN", {1, 1e9}}, kNewtonPerMillimetre{"N/m", "N/mm", {1e3}};
 inline constexpr DisplayUnit kGram{"kg", "g", {1, 1e3}}, kMilligram{"kg", "mg", {1, 1e6}},

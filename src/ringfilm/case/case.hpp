@@ -8,6 +8,8 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/case/case_choices.hpp"
+#include "ringfilm/case/measured_contact.hpp"
+#include "ringfilm/case/oil_transport.hpp"
 #include "ringfilm/case/plateau.hpp"
 #include "ringfilm/case/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
@@ -275,37 +277,6 @@ struct Conform {
   std::optional<double> height;  ///< along the stroke, of a bore that changes with it [m]
 };
 
-/// How zeta was measured: standard deviations by origin. The last two are common to all samples of one calibration.
-struct MeasuredShearStrength {
-  std::optional<std::string> loops;             ///< file and sample
-  std::optional<std::string> method;            ///< "silicon", "geometry", "wedge"
-  std::optional<std::string> calibration;       ///< its name; cases that share it are correlated
-  std::optional<double> slope_deviation;        ///< standard deviation of zeta, by the sample's own line [-]
-  std::optional<double> calibration_deviation;  ///< standard deviation of zeta, by the calibration [-]
-  std::optional<double> reference_deviation;    ///< standard deviation of zeta, by the reference value [-]
-};
-
-/// How N, beta and sigma were measured, and their scatter between the regions. The models do not use it; the numbers of
-/// a study of uncertainty start here.
-struct MeasuredContact {
-  std::optional<std::string> ring_surface;           ///< file, channel, region
-  std::optional<std::string> liner_surface;          ///< file, channel, region
-  std::optional<std::string> filter;                 ///< what was removed before, as text
-  std::optional<double> long_cutoff;                 ///< longest wavelength that was kept [m]
-  std::optional<double> short_cutoff;                ///< shortest wavelength that was kept; N and beta depend on it [m]
-  std::optional<double> step;                        ///< distance of points; N and beta depend on it [m]
-  std::optional<std::string> roughness_rule;         ///< how sigma was made of both surfaces, in words
-  std::optional<std::string> difference_scheme;      ///< how slopes and curvatures were made of heights, in words
-  std::optional<double> regions;                     ///< how many were measured [-]
-  std::optional<double> asperity_density_deviation;  ///< standard deviation of N between regions [1/m2]
-  std::optional<double> asperity_radius_deviation;   ///< standard deviation of beta between regions [m]
-  std::optional<double> roughness_deviation;         ///< standard deviation of sigma between regions [m]
-  std::optional<double> density_radius_correlation;  ///< correlation of N and beta over the regions [-]
-  std::optional<double> density_roughness_correlation;  ///< correlation of N and sigma over the regions [-]
-  std::optional<double> radius_roughness_correlation;   ///< correlation of beta and sigma over the regions [-]
-  MeasuredShearStrength shear_strength;                 ///< where zeta comes from
-};
-
 /// The contact law of a measured pair (docs/theory/contact-of-measured-pair.md), as `ringfilm contact` writes it.
 struct ContactLawTable {
   models::ContactTable rows;             ///< separations that rise, with contact
@@ -443,27 +414,6 @@ struct Supply {
   Scraped scraped = Scraped::kBead;  ///< oil that an inlet does not take
 };
 
-/// The keys under `evaporation`: transfer of oil vapour from the liner to the gas. The defaults are typical and assumed.
-struct Evaporation {
-  std::optional<double> mass_transfer_coefficient;  ///< beta; absent: from the transfer of heat [m/s]
-  std::optional<double> heat_transfer_coefficient;  ///< alpha of gas and liner; absent: `heat_transfer` [W/(m2 K)]
-  HeatTransfer heat_transfer = HeatTransfer::kWoschni;  ///< correlation of the transfer of heat
-  double lewis_number = 8;                              ///< thermal diffusivity of the gas over that of the vapour [-]
-};
-
-/// The keys under `oil_transport`: what carries oil into the chamber. Where a case does not state a key, its default
-/// has a band. All are typical and assumed.
-struct OilTransport {
-  double gas_load = 0.006;         ///< oil that gas carries back through the first gap, over its mass [-]
-  double land_film = 2.5e-6;       ///< oil film on the top land of the piston [m]
-  double top_land_height = 6e-3;   ///< height of the top land, from the first ring to the crown [m]
-  double scraped_share = 0.1;      ///< share of the oil left above the ring at TDC that does not come back [-]
-  struct Band {
-    double low, high;  ///< of a default
-  };
-  static constexpr Band kGasLoad{0.0034, 0.0114}, kLandFilm{1e-6, 5e-6}, kScrapedShare{0, 1};
-};
-
 /// The keys under `solver`.
 struct Solver {
   std::optional<double> accuracy;  ///< to be reached: chooses cells, steps and scheme below (with_accuracy) [%]
@@ -585,9 +535,7 @@ struct Case {
   bool has_contact() const { return problem == Problem::kCycle || contact.composite_modulus.has_value(); }
   bool is_pack() const { return !rings.empty(); }  ///< several rings, or one written as [[ring]]
   /// Is the oil on the liner followed from stroke to stroke?
-  bool follows_oil() const {
-    return problem == Problem::kCycle && film.supply_at_inlet() == OilSupply::kFilmOnLiner;
-  }
+  bool follows_oil() const { return problem == Problem::kCycle && film.supply_at_inlet() == OilSupply::kFilmOnLiner; }
   /// Around the ring, too?
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
   /// Does its ring bend in the bore?

@@ -35,8 +35,7 @@ double mass_back(const GasPathResult& result, const Condition& holds) {
 }  // namespace
 
 double reverse_blow_by(const GasPathResult& result, std::size_t ring) {
-  return mass_back(result,
-                   [ring](const Path& path) { return path.ring == ring && path.kind != PathKind::kAboveRing; });
+  return mass_back(result, [ring](const Path& path) { return path.ring == ring && path.kind != PathKind::kAboveRing; });
 }
 
 GasSums gas_sums(const GasPathResult& result, double gas_constant) {

@@ -78,19 +78,19 @@ double volume_flow(const GasPathResult& result, double gas_constant);
 
 /// The gas of one cylinder as a whole. A file of an earlier version lacks what is optional.
 struct GasSums {
-  double blow_by_per_cycle = 0;           ///< GasPathResult::blow_by [kg]
-  double blow_by_flow = 0;                ///< volume_flow() [m3/s]
+  double blow_by_per_cycle = 0;  ///< GasPathResult::blow_by [kg]
+  double blow_by_flow = 0;       ///< volume_flow() [m3/s]
   /// Gas that passes the first ring towards the chamber, by all its paths from below it, eq-reverse-blow-by [kg].
   std::optional<double> reverse_blow_by_per_cycle;
-  std::optional<double> reverse_blow_by_charge_share;  ///< that mass over the trapped mass; 0: that is not known [-]
+  std::optional<double> reverse_blow_by_charge_share;   ///< that mass over the trapped mass; 0: that is not known [-]
   std::optional<double> returned_to_chamber_per_cycle;  ///< gas that enters the chamber out of the pack [kg]
   std::optional<double> returned_from_crankcase_per_cycle;  ///< gas that enters the pack out of the crankcase [kg]
-  std::optional<double> trapped_mass;                   ///< GasPathResult::trapped_mass [kg]
-  double mass_defect = 0;                 ///< GasPathResult::mass_defect [-]
-  double periodicity_error = 0;           ///< GasPathResult::periodicity [-]
-  std::optional<long> cycles_integrated;  ///< GasPathResult::cycles
-  std::optional<bool> periodic;           ///< GasPathResult::repeats
-  std::optional<long> period_in_cycles;   ///< GasPathResult::period
+  std::optional<double> trapped_mass;                       ///< GasPathResult::trapped_mass [kg]
+  double mass_defect = 0;                                   ///< GasPathResult::mass_defect [-]
+  double periodicity_error = 0;                             ///< GasPathResult::periodicity [-]
+  std::optional<long> cycles_integrated;                    ///< GasPathResult::cycles
+  std::optional<bool> periodic;                             ///< GasPathResult::repeats
+  std::optional<long> period_in_cycles;                     ///< GasPathResult::period
 };
 
 /// A path over the cycle. A file of an earlier version lacks what is optional.

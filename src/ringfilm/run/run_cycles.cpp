@@ -58,7 +58,7 @@ struct RequestedRings {
   std::vector<std::size_t> rails;    ///< cycle::rail_number of each ring of the pack
   std::vector<std::string> labels;   ///< cycle::ring_label likewise
   std::optional<io::PackGas> gas{};  ///< where it is computed
-  std::vector<cycle::OilLoss> oil_losses{};  ///< of the pack, where the oil on the liner is followed
+  std::vector<cycle::OilLoss> oil_losses{};  ///< losses of the pack, where the oil on the liner is followed
 };
 
 /// The rings of all requests, integrated.

@@ -38,9 +38,9 @@ class OilConsumptionTest(program.ProgramTest):
 
     def test_one_fraction_evaporates_as_the_closed_form(self):
         beta, molar_mass, boiling, wall = 0.02, 0.4, 793.15, 413.15
-        found = self.run_pack(
-            ONE_FRACTION, "evaporation.mass_transfer_coefficient=0.02 m/s", "thermal.liner=140 degC"
-        )["oil_consumption"]["evaporation"]
+        found = self.run_pack(ONE_FRACTION, "evaporation.mass_transfer_coefficient=0.02 m/s", "thermal.liner=140 degC")[
+            "oil_consumption"
+        ]["evaporation"]
         pressure = 101325 * math.exp((4.4 + math.log(boiling)) * (1 - boiling / wall))
         radius, rod, n = 0.0795 / 2, 0.1381, 3600
         mean = 0
@@ -72,7 +72,7 @@ class OilConsumptionTest(program.ProgramTest):
             (f"lubricant.distillation=[{light}]", "add up to 0.3, not 1"),
             (f"lubricant.distillation=[{heavy}, {light}]", "rising boiling points"),
             ('lubricant.distillation=[{share=1.0, boiling_point="150 degC"}]', "above the last boiling point"),
-            ('lubricant.distillation=[{share=1.0}]', "requires a share and a boiling point"),
+            ("lubricant.distillation=[{share=1.0}]", "requires a share and a boiling point"),
             ("operating.brake_power=25 kW", "engine.cylinders"),
             ("engine.cylinders=3.5", "is not whole"),
         ):

@@ -66,7 +66,7 @@ TEST(Evaporation, OfTwoFractionsFollowsTheirDifferentialEquations) {
   }
   evaporate(closed, concentration, kExposure);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(closed[i] / stepped[i], 1, 1e-9);  // what the steps leave
-  EXPECT_LT(closed[0] / closed[1], 4e-4 / 1.2e-3 / 2);  // the light one goes first
+  EXPECT_LT(closed[0] / closed[1], 4e-4 / 1.2e-3 / 2);                               // the light one goes first
 }
 
 TEST(Evaporation, InTwoPartsIsThatOfTheWhole) {

@@ -7,10 +7,9 @@ namespace {
 bool evaporates(const Case& c) { return c.follows_oil() && !c.lubricant.distillation.empty(); }
 
 constexpr When kEvaporation{evaporates, "lubricant.distillation is stated, with film.supply = \"film-on-liner\""};
-constexpr When kHeatTransfer{
-    [](const Case& c) { return evaporates(c) && !c.evaporation.mass_transfer_coefficient; },
-    "lubricant.distillation is stated, with film.supply = \"film-on-liner\" and without "
-    "evaporation.mass_transfer_coefficient"};
+constexpr When kHeatTransfer{[](const Case& c) { return evaporates(c) && !c.evaporation.mass_transfer_coefficient; },
+                             "lubricant.distillation is stated, with film.supply = \"film-on-liner\" and without "
+                             "evaporation.mass_transfer_coefficient"};
 constexpr When kCorrelation{
     [](const Case& c) { return kHeatTransfer.holds(c) && !c.evaporation.heat_transfer_coefficient; },
     "lubricant.distillation is stated, with film.supply = \"film-on-liner\" and without "
@@ -64,7 +63,7 @@ void append_oil_consumption_fields(std::vector<Field>& fields) {
                  .unit = kMicrometre,
                  .range = between(0, 1e-3),
                  .when = kOilFollowed,
-                 .help = "oil film on the top land of the piston, which inertia throws into the chamber; typical, "
+                 .help = "oil film on the top piston land, which inertia throws into the chamber; typical, "
                          "assumed",
                  .example = "\"2.5 um\""}),
           field({.key = "oil_transport.top_land_height",
@@ -72,7 +71,7 @@ void append_oil_consumption_fields(std::vector<Field>& fields) {
                  .unit = kMillimetre,
                  .range = above(0, 1),
                  .when = kOilFollowed,
-                 .help = "height of the top land, from the first ring to the piston crown; typical, assumed",
+                 .help = "height of the top piston land, from the first ring to the piston crown; typical, assumed",
                  .example = "\"6 mm\""}),
           field({.key = "oil_transport.scraped_share",
                  .kind = NumberKind{member<&Case::oil_transport, &OilTransport::scraped_share>},

@@ -12,7 +12,7 @@ namespace ringfilm::cycle {
 namespace {
 
 const std::string kDistillation = "lubricant.distillation";
-constexpr double kRounding = 1e-6;  ///< of shares that are typed [-]
+constexpr double kRounding = 1e-6;  ///< rounding of shares that are typed [-]
 
 /// Hottest place of the liner, or the one temperature of the oil; 0 where neither is stated [K].
 double hottest_wall(const Case& c) {
@@ -34,7 +34,8 @@ void append_oil_consumption_breaches(const Case& c, std::vector<RuleBreach>& bre
   for (const auto& [key, value] : {std::pair{"operating.brake_power", c.operating.brake_power},
                                    std::pair{"operating.fuel_rate", c.operating.fuel_rate}}) {
     if (!value || c.engine.cylinders) continue;
-    breaches.push_back({"engine.cylinders", std::string(key) + " is that of the engine, and engine.cylinders is missing",
+    breaches.push_back({"engine.cylinders",
+                        std::string(key) + " is that of the engine, and engine.cylinders is missing",
                         "write, for example, cylinders = 4 in [engine]", RuleBreach::By::kMissingKey});
   }
   const std::vector<models::OilFraction>& fractions = c.lubricant.distillation;

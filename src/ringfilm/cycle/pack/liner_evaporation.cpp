@@ -80,7 +80,7 @@ class CompositionOnLiner {
   void expose(std::size_t half) {
     std::vector<double>& exposure = exposure_[half];
     exposure.assign(n_cells_ + 1, 0.0);
-    std::vector<double> whole(n_cells_ + 1, 0.0);  // of all cells before that one
+    std::vector<double> whole(n_cells_ + 1, 0.0);  // passed over all cells before that one
     const double step_deg = kHalfDeg / kSteps, step_time = radians(step_deg) / liner_.speed;
     for (int k = 0; k < kSteps; ++k) {
       const double angle = static_cast<double>(half) * kHalfDeg + (k + 0.5) * step_deg;
@@ -97,7 +97,7 @@ class CompositionOnLiner {
     }
   }
 
-  /// Of oil that does not change, per length of circumference and cycle, eq-fresh-rate [kg/m].
+  /// Rate of oil that does not change, per length of circumference and cycle, eq-fresh-rate [kg/m].
   double fresh_rate() const {
     double all = 0, sum = 0;
     for (const double one : fresh_) all += one;
@@ -150,13 +150,13 @@ class CompositionOnLiner {
 
   const EvaporatingLiner& liner_;
   std::size_t n_cells_, n_fractions_;
-  double cell_;                        ///< [m]
-  std::vector<double> molar_mass_;     ///< of each fraction [kg/mol]
-  std::vector<double> fresh_;          ///< moles of each fraction in fresh oil [mol/kg]
-  std::vector<double> concentration_;  ///< vapour of each fraction at each cell [mol/m3]
-  std::vector<double> on_liner_;       ///< fractions at each cell [mol/m2]
-  std::vector<double> under_rings_;    ///< fractions that the rings carry [mol/m]
-  std::array<std::vector<double>, kHalves> exposure_;  ///< of each cell [m]
+  double cell_;                                        ///< [m]
+  std::vector<double> molar_mass_;                     ///< molar mass of each fraction [kg/mol]
+  std::vector<double> fresh_;                          ///< moles of each fraction in fresh oil [mol/kg]
+  std::vector<double> concentration_;                  ///< vapour of each fraction at each cell [mol/m3]
+  std::vector<double> on_liner_;                       ///< fractions at each cell [mol/m2]
+  std::vector<double> under_rings_;                    ///< fractions that the rings carry [mol/m]
+  std::array<std::vector<double>, kHalves> exposure_;  ///< exposure of each cell [m]
   double replenished_ = 0, evaporated_ = 0;            ///< in the last cycle [kg/m]
 };
 

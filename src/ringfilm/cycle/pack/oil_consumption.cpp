@@ -22,7 +22,7 @@ constexpr const char* kRate = "kg/s";
 struct Cylinder {
   const Case& first;         ///< case of the first ring
   const CycleResult& top;    ///< its result
-  double density;            ///< of the oil [kg/m3]
+  double density;            ///< density of the oil [kg/m3]
   double cycles_per_second;  ///< [1/s]
 };
 
@@ -85,7 +85,11 @@ OilLoss evaporation(const Case& c, std::span<const CycleResult* const> rings, co
   liner.carried = carried_oil(c, rings, cylinder.density);
   liner.reach = first.supply.reach.value_or(0);
   const EvaporatedOil oil = evaporated_oil(liner);
-  return {"evaporation", kRate, std::min(oil.within_reach, oil.rate), oil.rate, std::max(oil.of_fresh_oil, oil.rate),
+  return {"evaporation",
+          kRate,
+          std::min(oil.within_reach, oil.rate),
+          oil.rate,
+          std::max(oil.of_fresh_oil, oil.rate),
           "low: only the liner that gets fresh oil in each cycle, below supply.reach; value: light fractions are used "
           "up between the passes of the rings, which carry fresh oil upwards; high: the film has the composition of "
           "fresh oil at all times"};
@@ -96,7 +100,11 @@ OilLoss scraped_up(const Cylinder& cylinder) {
   const OilTransport& transport = cylinder.first.oil_transport;
   const auto [low, high] = band(cylinder.first, key, transport.scraped_share, OilTransport::kScrapedShare);
   const double left = cylinder.top.values.oil_scraped_up * cylinder.cycles_per_second;
-  return {"scraped_up", kRate, low * left, transport.scraped_share * left, high * left,
+  return {"scraped_up",
+          kRate,
+          low * left,
+          transport.scraped_share * left,
+          high * left,
           "share " + number_text(low) + ", " + number_text(transport.scraped_share) + " and " + number_text(high) +
               " of the oil that the first ring leaves above it at TDC does not come back; " +
               origin(cylinder.first, key)};
@@ -108,10 +116,15 @@ OilLoss carried_by_gas(const Cylinder& cylinder, const std::optional<gas_path::G
   const OilTransport& transport = cylinder.first.oil_transport;
   const auto [low, high] = band(cylinder.first, key, transport.gas_load, OilTransport::kGasLoad);
   const double back = gas_path::reverse_blow_by(*gas, 0) * cylinder.cycles_per_second;
-  return {"carried_by_gas", kRate, low * back, transport.gas_load * back, high * back,
-          "gas that passes the first ring towards the chamber carries " + number_text(1e3 * low) + ", " +
-              number_text(1e3 * transport.gas_load) + " and " + number_text(1e3 * high) + " g of oil per kg; " +
-              origin(cylinder.first, key)};
+  return {"carried_by_gas",
+          kRate,
+          low * back,
+          transport.gas_load * back,
+          high * back,
+          "gas that passes the first ring towards the chamber carries " +
+              number_text(number_in(low, kGramPerKilogram)) + ", " +
+              number_text(number_in(transport.gas_load, kGramPerKilogram)) + " and " + text_in(high, kGramPerKilogram) +
+              " of oil; " + origin(cylinder.first, key)};
 }
 
 OilLoss thrown_off(const Cylinder& cylinder) {
@@ -123,15 +136,18 @@ OilLoss thrown_off(const Cylinder& cylinder) {
       viscosity_without_shear(c.lubricant, T).value_or(cylinder.top.derived.find("oil_viscosity")->second);
   const auto rate = [&](double film) {
     if (!(film > 0)) return 0.0;
-    const double moved =
-        thrown_distance(crank_slider(c), c.operating.speed, film, viscosity / cylinder.density);
+    const double moved = thrown_distance(crank_slider(c), c.operating.speed, film, viscosity / cylinder.density);
     constexpr double kTdcs = 2;
     return kTdcs * cylinder.cycles_per_second * cylinder.density * std::numbers::pi * c.engine.bore * film *
            std::min(moved, transport.top_land_height);
   };
   const auto [low, high] = band(c, key, transport.land_film, OilTransport::kLandFilm);
-  return {"thrown_off", kRate, rate(low), rate(transport.land_film), rate(high),
-          "oil film on the top land of " + number_text(number_in(low, kMicrometre)) + ", " +
+  return {"thrown_off",
+          kRate,
+          rate(low),
+          rate(transport.land_film),
+          rate(high),
+          "oil film on the top piston land of " + number_text(number_in(low, kMicrometre)) + ", " +
               number_text(number_in(transport.land_film, kMicrometre)) + " and " + text_in(high, kMicrometre) + ", " +
               origin(c, key) + "; it is renewed from below as fast as it is thrown"};
 }
@@ -142,7 +158,11 @@ OilLoss scaled(const OilLoss& loss, const char* name, const char* unit, double f
 
 /// All parts added up, and what that is for the engine.
 void append_sums(const Case& c, std::vector<OilLoss>& losses) {
-  OilLoss total{kTotalOilLoss, kRate, 0, 0, 0,
+  OilLoss total{kTotalOilLoss,
+                kRate,
+                0,
+                0,
+                0,
                 "sums of the lower ends, of the values and of the upper ends: each end with all of its assumptions at "
                 "once"};
   for (const OilLoss& part : losses) {

@@ -40,7 +40,8 @@ inline constexpr const char* kTotalOilLoss = "total";
 inline constexpr const char *kEngineOilLoss = "engine", *kSpecificOilLoss = "brake_specific",
                             *kFuelShareOfOil = "fuel_share";
 
-/// Distance that a film on the top land moves towards the crown at each TDC by its inertia, eq-thrown-distance [m].
+/// Distance that a film on the top piston land moves towards the crown at each TDC by its inertia, eq-thrown-distance
+/// [m].
 /// @param speed of the crankshaft [rad/s] @param film its thickness [m] @param kinematic_viscosity [m2/s]
 double thrown_distance(const models::CrankSlider& crank, double speed, double film, double kinematic_viscosity);
 

@@ -12,23 +12,23 @@ class Charge {
   /// Throws InputError where the cylinder pressure of the case cannot be used.
   explicit Charge(const Case& c);
 
-  double mass() const { return mass_; }                                  ///< trapped when the intake valve closes [kg]
+  double mass() const { return mass_; }  ///< trapped when the intake valve closes [kg]
   double pressure(double angle_deg) const { return pressure_.pressure(angle_deg); }  ///< [Pa]
-  double temperature(double angle_deg) const;                            ///< mean over the cylinder [K]
+  double temperature(double angle_deg) const;                                        ///< mean over the cylinder [K]
   /// Between gas and liner, after evaporation.heat_transfer [W/(m2 K)].
   double heat_transfer_coefficient(double angle_deg) const;
 
  private:
-  double volume(double angle_deg) const;  ///< of the cylinder [m3]
+  double volume(double angle_deg) const;   ///< volume of the cylinder [m3]
   bool is_closed(double angle_deg) const;  ///< are both valves closed?
 
   models::CrankSlider crank_;
   models::CyclePressure pressure_;
-  double bore_, clearance_volume_;      ///< [m], [m3]
-  double mean_piston_speed_;            ///< [m/s]
+  double bore_, clearance_volume_;  ///< [m], [m3]
+  double mean_piston_speed_;        ///< [m/s]
   double gas_constant_, heat_capacity_ratio_;
   double intake_closes_deg_, exhaust_opens_deg_;
-  double charge_temperature_;           ///< when the intake valve closes [K]
+  double charge_temperature_;  ///< when the intake valve closes [K]
   double mass_;
 };
 

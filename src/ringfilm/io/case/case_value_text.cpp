@@ -85,10 +85,10 @@ class Writer {
   std::string operator()(const cycle::DistillationKind& kind) {
     std::vector<std::string> parts;
     for (const models::OilFraction& fraction : kind.ref(case_)) {
-      parts.push_back(fmt::format(
-          "{{ share = {}, boiling_point = {}{} }}", exact_text(fraction.share),
-          write_(fraction.boiling_point, "K", "degC"),
-          fraction.molar_mass ? ", molar_mass = " + write_(*fraction.molar_mass, "kg/mol", "g/mol") : ""));
+      parts.push_back(
+          fmt::format("{{ share = {}, boiling_point = {}{} }}", exact_text(fraction.share),
+                      write_(fraction.boiling_point, "K", "degC"),
+                      fraction.molar_mass ? ", molar_mass = " + write_(*fraction.molar_mass, "kg/mol", "g/mol") : ""));
     }
     return parts.empty() ? "" : bracketed(parts);
   }

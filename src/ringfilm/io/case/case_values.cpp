@@ -316,7 +316,7 @@ class Setter {
       fraction.share = *x;
     }
     if (const auto T = plain_quantity(*boiling_point, "K", "\"440 degC\"")) {
-      if (!(*T > 300 && *T < models::kHighestBoilingPoint)) {
+      if (!(*T > 300 && *T < models::kMaxBoilingPoint)) {
         refuse(*boiling_point, "is out of range", "allowed is above 26.85 degC to below 806.85 degC");
       }
       fraction.boiling_point = *T;

@@ -13,7 +13,7 @@ double OilFraction::molar_mass_or_correlated() const {
 
 double molar_mass_of_boiling_point(double boiling_point) {
   constexpr double kA = 6.97996, kB = 0.01964, kGram = 1e-3;
-  return kGram * std::pow((kA - std::log(kHighestBoilingPoint - boiling_point)) / kB, 1.5);
+  return kGram * std::pow((kA - std::log(kMaxBoilingPoint - boiling_point)) / kB, 1.5);
 }
 
 double vapour_pressure(double boiling_point, double T) {

@@ -7,18 +7,18 @@ namespace ringfilm::models {
 
 /// A fraction of an oil by its boiling point.
 struct OilFraction {
-  double share = 0;                 ///< share of the mass of the fresh oil [-]
-  double boiling_point = 0;         ///< T_b, at 1.01325 bar [K]
+  double share = 0;                  ///< share of the mass of the fresh oil [-]
+  double boiling_point = 0;          ///< T_b, at 1.01325 bar [K]
   std::optional<double> molar_mass;  ///< M; absent: molar_mass_of_boiling_point() [kg/mol]
 
   double molar_mass_or_correlated() const;  ///< M, stated or from the boiling point [kg/mol]
 };
 
 /// The boiling point at which molar_mass_of_boiling_point() ends [K].
-inline constexpr double kHighestBoilingPoint = 1080;
+inline constexpr double kMaxBoilingPoint = 1080;
 
 /// Molar mass of a petroleum fraction, eq-molar-mass, after @cite riazi1996 [kg/mol].
-/// @param boiling_point below kHighestBoilingPoint [K]
+/// @param boiling_point below kMaxBoilingPoint [K]
 double molar_mass_of_boiling_point(double boiling_point);
 
 /// Vapour pressure of a fraction, eq-vapour-pressure [Pa]. @param boiling_point at 1.01325 bar [K] @param T [K]

@@ -1,0 +1,50 @@
+"""Drawing of the ways on which oil leaves the liner for the chamber. Nothing in it is computed."""
+
+from svg import BLACK, BLUE, GAS, GREY, LINER, METAL, OIL, RED, Picture
+
+
+def oil_consumption():
+    """Top piston land, first ring and liner, cut along the axis of the bore, with the four parts."""
+    title = "Oil that leaves the liner for the chamber: evaporated, scraped up, carried by gas, thrown off"
+    picture = Picture(title, 430)
+    liner, top, bottom, crown = 470, 40, 410, 150
+    piston, ring_top, ring_low = 410, 258, 300
+    picture.rect(110, top, liner - 110, bottom - top, fill=GAS, stroke="none")
+    picture.rect(liner, top, 40, bottom - top, fill=LINER, stroke="none")
+    picture.hatch(liner, top, 40, bottom - top, step=10)
+    picture.line(liner, top, liner, bottom)
+    picture.rect(110, crown, piston - 110, bottom - crown, fill=METAL)
+    picture.rect(340, ring_top - 5, piston - 340, ring_low - ring_top + 10, fill=GAS)
+    picture.rect(352, ring_top, liner - 6 - 352, ring_low - ring_top, fill="#b9c4d2")
+    picture.text(372, 284, "ring 1", bold=True)
+    # Oil: film on the liner, bead ahead of the ring, film on the top piston land.
+    picture.rect(liner - 6, top, 6, ring_low - top, fill=OIL, stroke="none")
+    picture.rect(liner - 10, ring_low, 10, bottom - ring_low, fill=OIL, stroke="none")
+    picture.path(
+        f"M{liner - 6} {ring_top - 16}L{liner - 26} {ring_top}L{liner - 6} {ring_top}Z", fill=OIL, stroke="none"
+    )
+    picture.rect(piston, crown, 5, ring_top - 5 - crown, fill=OIL, stroke="none")
+    picture.text(130, 70, "chamber", colour=GREY)
+    picture.text(130, 180, "piston", colour=BLACK)
+    picture.text(522, 390, "liner", colour=GREY)
+    picture.text(262, 392, "second piston land", colour=GREY)
+    for y in (62, 92, 122):
+        picture.arrow(liner - 8, y, liner - 48, y - 8, colour=RED, width=1.6)
+    picture.text(300, 82, "evaporation", colour=RED, bold=True)
+    picture.arrow(piston + 3, crown + 34, piston + 3, crown - 20, colour=BLUE, width=2)
+    picture.text(290, 136, "thrown off", colour=BLUE, bold=True)
+    picture.arrow(liner - 18, ring_top - 8, liner - 18, ring_top - 66, colour=BLUE, width=2)
+    picture.text(528, 236, "scraped up", colour=BLUE, bold=True)
+    picture.line(524, 232, liner - 14, ring_top - 10, stroke=BLUE, width=0.9)
+    picture.path(f"M{piston + 22} 372V330L{piston + 26} 312V232", stroke=RED, width=1.6, dashes="6 4")
+    picture.arrow(piston + 26, 240, piston + 26, 196, colour=RED)
+    picture.text(528, 324, "carried by gas", colour=RED, bold=True)
+    picture.text(528, 342, "through the end gap", colour=RED)
+    picture.line(524, 324, piston + 28, 316, stroke=RED, width=0.9)
+    picture.line(330, crown, 396, crown, stroke=GREY, width=0.8)
+    picture.arrow(392, crown, 392, ring_top - 5, colour=GREY, both=True, width=1)
+    picture.text(384, 212, "top piston land", anchor="end", colour=GREY)
+    return picture
+
+
+PICTURES = {"oil-consumption": oil_consumption}
