@@ -44,7 +44,7 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs)
   end_ = static_cast<int>(height.rend() - std::find_if(height.rbegin(), height.rend(), is_narrow)) - 1;
   // An edge that is the lowest place keeps the gas of the other one out of it.
   const bool is_inside = begin_ > 0 && end_ < n_cells_;
-  throat_length_ = throat_length(lowest);
+  throat_length_ = throat_length(grid, inputs.h_m_before, lowest);
   if (is_inside && grid.x[end_] - grid.x[begin_] <= kShort * throat_length_) {
     set_place();
   } else {
@@ -52,16 +52,22 @@ GasReach::GasReach(const FilmGrid& grid, const FilmInputs& inputs)
   }
 }
 
-/// int (h_t/h)^3 dx, by which a parabola of radius R has sqrt(2 R h_t) [m].
-double GasReach::throat_length(double lowest) const {
+double throat_length(const FilmGrid& grid, double h_m, double lowest) {
   constexpr double kOfParabola = 3 * std::numbers::pi / 8;
-  const std::vector<double>& height = grid_->node_height;
-  const double narrowest = std::max(inputs_->h_m_before + lowest, kAtom);
+  const std::vector<double>& height = grid.node_height;
+  const double narrowest = std::max(h_m + lowest, kAtom);
   double length = 0;
   for (std::size_t i = 0; i < height.size(); ++i) {
-    length += grid_->share[i] * cube(narrowest / (narrowest + (height[i] - lowest)));
+    length += grid.share[i] * cube(narrowest / (narrowest + (height[i] - lowest)));
   }
   return length / kOfParabola;
+}
+
+double throat_reach(BrokenFilm broken, double viscosity, double U, double length) {
+  if (broken == BrokenFilm::kHalfPasses) return kAnyFilm;
+  // 2/3 U f* passes: the wall carries as much with twice that in a full gap.
+  const double reach = 4.0 / 3 * std::sqrt(viscosity * std::abs(U) * length);
+  return broken == BrokenFilm::kNothingPasses ? kHardlyAny * reach : reach;
 }
 
 /// The gases meet where the slope of the face, which is linear along a parabola, is 0.
@@ -152,10 +158,7 @@ Throat GasReach::throat() const {
     throat.first_face = std::max(U >= 0 ? begin_ : begin_ - 1, 0);
     throat.last_face = std::min(U >= 0 ? end_ : end_ - 1, n_cells_ - 1);
   }
-  // 2/3 U f* passes: the wall carries as much with twice that in a full gap.
-  throat.reach = 4.0 / 3 * std::sqrt(inputs_->oil->viscosity(behind.pressure) * std::abs(U) * throat_length_);
-  if (inputs_->broken == BrokenFilm::kHalfPasses) throat.reach = kAnyFilm;
-  if (inputs_->broken == BrokenFilm::kNothingPasses) throat.reach *= kHardlyAny;
+  throat.reach = throat_reach(inputs_->broken, inputs_->oil->viscosity(behind.pressure), U, throat_length_);
   return throat;
 }
 

@@ -16,6 +16,13 @@ struct Throat {
                      ///< over the length of the cell, 0 to 1 [-]
 };
 
+/// Length of a throat, int (h_t/h)^3 dx with h_t the gap at its lowest place, by which a parabola of radius R has
+/// sqrt(2 R h_t), eq-broken-film [m]. @param lowest height of that place [m]
+double throat_length(const FilmGrid& grid, double h_m, double lowest);
+
+/// `reach` of the Throat of this length. @param viscosity at the pressure behind it [Pa s]
+double throat_reach(BrokenFilm broken, double viscosity, double U, double length);
+
 /// The two nodes about a place between them where gases meet. Where gas fills one of them, its pressure acts up to the
 /// place itself, and not halfway to the other node.
 struct MeetingPlace {
@@ -69,7 +76,6 @@ class GasReach {
   double beside(const EdgeState& edge) const {
     return edge.fluid == EdgeFluid::kGas ? edge.pressure : inputs_->p_cavitation;
   }
-  double throat_length(double lowest) const;
   void share_fall(double narrowest, double widest);
   void set_place();
 
