@@ -22,14 +22,6 @@ constexpr double kStartAngleDeg = 270, kStartOfOilDeg = 540;
 constexpr double kCheckSpacingDeg = 15;
 constexpr double kCheckedDeg = 180;
 constexpr int kCompression = 3;  ///< stroke_at
-/// A film forgets its start within half a stroke, as a rule. Very cold oil on a nearly flat face is squeezed out so
-/// slowly that a film of millimetres at the start loses some percent per cycle, and then each cycle leaves up to
-/// 0.96 of the difference from the one before. The state is followed as long as that difference halves in so many
-/// cycles, and so reaches any tolerance. One that does not is held up by something else: the rounding of the iteration,
-/// or steps that differ from cycle to cycle.
-constexpr std::size_t kCyclesToHalve = 50;
-/// Films next to oil that moves on and on may differ by so much from cycle to cycle, with a note [-].
-constexpr double kMaxUnsettled = 0.05;
 constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 
 /// A ring that is not part of a pack has a liner of its own.
@@ -53,7 +45,8 @@ CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
       recorder_(setup_),
       k_(static_cast<int>(std::lround((place_.film ? kStartOfOilDeg : kStartAngleDeg) / step_deg_)) % n_steps_),
       distance_{kNotKnown, kNotKnown},
-      oil_ahead_(place_.film != nullptr ? kNotKnown : 0) {
+      oil_ahead_(place_.film != nullptr ? kNotKnown : 0),
+      approach_(setup_.input) {
   attempt([this] { integration_.start(k_); });
   if (place_.film && !shares_liner_) settling_.begin(*place_.film);
 }
@@ -88,7 +81,9 @@ void CycleRun::arrived() {
   } else if (k_ % check_every_ == 0 && is_checked) {
     compare_with_last_cycle();
   }
-  if (!repeats_ && !moves_on_ && since_start == 0) check_approach();
+  if (!repeats_ && !approach_.moves_on() && since_start == 0) {
+    approach_.add(distance_ahead(), distance_.film, allowed_distance(), crank_angle_deg());
+  }
 }
 
 bool CycleRun::begins_compression() const {
@@ -111,46 +106,13 @@ void CycleRun::forget_last_cycle() {
 }
 
 bool CycleRun::oil_repeats() const {
-  const double moves = takes_unsettled_ ? distance_.on_liner : std::max(distance_.on_liner, oil_ahead_);
+  const double moves = approach_.takes_unsettled() ? distance_.on_liner : std::max(distance_.on_liner, oil_ahead_);
   return moves <= setup_.input.solver.step_error;
 }
 
 double CycleRun::distance_ahead() const { return std::max(distance_.largest(), oil_ahead_); }
 
-double CycleRun::allowed_distance() const {
-  const Solver& solver = setup_.input.solver;
-  const double iterated = kPeriodicityFactor * solver.tolerance;
-  // What the iteration leaves of the forces moves a ring that bends much farther than a rigid one.
-  constexpr double kSofterRing = 100;
-  if (setup_.input.bends()) return kSofterRing * iterated;
-  // The film follows from the oil on the liner, which is not known better.
-  const bool follows_liner = setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner;
-  return follows_liner ? std::max(iterated, solver.step_error) : iterated;
-}
-
-void CycleRun::check_approach() {
-  const double distance = distance_ahead();
-  distances_.push_back(distance);
-  const std::size_t n = distances_.size();
-  if (n <= kCyclesToHalve || distance <= distances_[n - 1 - kCyclesToHalve] / 2) return;
-  if (!takes_unsettled_ && place_.film) {
-    takes_unsettled_ = true;
-    distances_.clear();
-    return;
-  }
-  if (takes_unsettled_ && distance_.film <= kMaxUnsettled) {
-    moves_on_ = true;
-    return;
-  }
-  throw ConvergenceError(
-      formatted("the cycle does not repeat itself: after %zu cycles its state differs by %.2g from that of one cycle "
-                "before, %.2g is allowed, and the difference did not halve in the last %zu cycles; take a larger %s",
-                n, distance, allowed_distance(), kCyclesToHalve,
-                setup_.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner
-                    ? "solver.step_error, or supply.reach that leaves the ring more oil"
-                    : "solver.tolerance or a smaller solver.crank_step"),
-      crank_angle_deg());
-}
+double CycleRun::allowed_distance() const { return cycle::allowed_distance(setup_.input); }
 
 void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failure> failure) {
   stop_ = Stop{error.what(), error.crank_angle_deg(), failure};
@@ -187,7 +149,7 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
 CycleResult CycleRun::result(Completeness others) const {
   CycleResult result = recorder_.result(integration_, distance_ahead(), steps_integrated_,
                                         stop_ || !done() ? Completeness::kStopped : others);
-  if (result.complete && takes_unsettled_ && distance_ahead() > setup_.input.solver.step_error) {
+  if (result.complete && approach_.takes_unsettled() && distance_ahead() > setup_.input.solver.step_error) {
     result.notes.push_back(settling_note(result.effort.cycles_integrated, distance_ahead()));
     sort_notes(result.notes);
   }

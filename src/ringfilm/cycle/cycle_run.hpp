@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/cycle/approach.hpp"
 #include "ringfilm/cycle/integration/side_by_side.hpp"
 #include "ringfilm/cycle/integration/time_integration.hpp"
 #include "ringfilm/cycle/oil_settling.hpp"
@@ -38,7 +39,7 @@ class CycleRun final : public BatchMember {
 
   TimeIntegration& integration() override { return integration_; }
   void conclude(const film::FilmReport& report) override;
-  bool done() const override { return stop_ || repeats_ || moves_on_; }
+  bool done() const override { return stop_ || repeats_ || approach_.moves_on(); }
 
   const Setup& setup() const { return setup_; }
   int steps_integrated() const { return steps_integrated_; }
@@ -66,8 +67,6 @@ class CycleRun final : public BatchMember {
   double allowed_distance() const;
   /// From the state that repeats itself, as far as it is known.
   double distance_ahead() const;
-  /// At the end of a cycle. Throws ConvergenceError where its state approaches that of the one before no longer.
-  void check_approach();
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);
   /// Does a part of the integration; what it throws stops it.
   template <class Part>
@@ -86,11 +85,9 @@ class CycleRun final : public BatchMember {
   int k_ = 0;                                               ///< base angle
   int steps_integrated_ = 0;
   TimeIntegration::Distance distance_;
-  double oil_ahead_;               ///< what all cycles to come are expected to move on the liner, as a share
-  bool takes_unsettled_ = false;   ///< cycles that differ little, though what they add up to is not known to be small
-  std::vector<double> distances_;  ///< at the end of each cycle
+  double oil_ahead_;  ///< what all cycles to come are expected to move on the liner, as a share
+  Approach approach_;
   bool repeats_ = false;
-  bool moves_on_ = false;  ///< the oil on the liner settles no further, and the film as little as it does
   std::optional<Stop> stop_;
 };
 

@@ -245,20 +245,27 @@ StrokeProfile stroke_profile(const Setup& setup, const std::vector<Sample>& base
   return profile;
 }
 
-void add_liner_oil(const Setup& setup, const LinerOil& oil, CycleValues& values, StrokeProfile& profile) {
+OilOfCycle oil_of_cycle(const LinerOil& oil) {
+  const auto goes_down = [](std::size_t stroke) { return stroke % 2 == 0; };
+  return {oil.of_last_cycle(),
+          [&oil, goes_down](std::size_t stroke, double begin, double end) {
+            return oil.mean(oil.passes()[stroke].before, begin, end, goes_down(stroke));
+          },
+          [&oil, goes_down](std::size_t stroke, double begin, double end) {
+            return oil.mean(oil.passes()[stroke].after, begin, end, !goes_down(stroke));
+          }};
+}
+
+void add_liner_oil(const Setup& setup, const OilOfCycle& oil, CycleValues& values, StrokeProfile& profile) {
   const double length = setup.input.ring_length(), rho = setup.ring.oil.density;
-  const LinerOil::Account account = oil.of_last_cycle();
-  values.oil_scraped_up = account.scraped_up * length;
-  values.oil_scraped_down = account.scraped_down * length;
-  values.oil_replenished = account.replenished * length;
+  values.oil_scraped_up = oil.account.scraped_up * length;
+  values.oil_scraped_down = oil.account.scraped_down * length;
+  values.oil_replenished = oil.account.replenished * length;
   const double bin = setup.engine.crank.stroke() / kStrokeBins;
   for (std::size_t stroke = 0; stroke < kStrokes; ++stroke) {
-    const LinerOil::Pass& pass = oil.passes()[stroke];
-    const bool down = stroke % 2 == 0;
     for (int b = 0; b < kStrokeBins; ++b) {
-      const double begin = b * bin, end = (b + 1) * bin;
-      profile.film_ahead[stroke].push_back(oil.mean(pass.before, begin, end, down) / rho);
-      profile.film_behind[stroke].push_back(oil.mean(pass.after, begin, end, !down) / rho);
+      profile.film_ahead[stroke].push_back(oil.ahead(stroke, b * bin, (b + 1) * bin) / rho);
+      profile.film_behind[stroke].push_back(oil.behind(stroke, b * bin, (b + 1) * bin) / rho);
     }
   }
 }

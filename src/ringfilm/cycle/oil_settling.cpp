@@ -82,21 +82,30 @@ double AndersonMixing::cycles_ahead() const {
   return cycles;
 }
 
+void OilSettling::end_cycle(const std::vector<double>& oil) {
+  moved_before_ = mixing_.moved();
+  mixing_.add(begin_, oil);
+}
+
+std::optional<std::vector<double>> OilSettling::mixture() const {
+  const bool is_slow = mixing_.can_mix() && mixing_.moved() > kFast * moved_before_;
+  if (iteration_ != OilIteration::kMixed || !is_slow) return std::nullopt;
+  return mixing_.mixture();
+}
+
 void OilSettling::begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings) {
-  const std::vector<double> end = liner.mass_per_area();
-  const double moved_before = mixing_.moved();
-  mixing_.add(begin_, end);
+  end_cycle(liner.mass_per_area());
   for (CycleRun* ring : rings) {
-    ring->expect_oil_to_move(mixing_.ahead());
+    ring->expect_oil_to_move(ahead());
     ring->compare_with_last_cycle();
   }
-  if (iteration_ == OilIteration::kMixed && !rings.front()->oil_repeats()) {
-    if (mixing_.can_mix() && mixing_.moved() > kFast * moved_before) {
-      liner.replace(mixing_.mixture());
+  if (!rings.front()->oil_repeats()) {
+    if (std::optional<std::vector<double>> mixed = mixture()) {
+      liner.replace(*std::move(mixed));
       for (CycleRun* ring : rings) ring->forget_last_cycle();
     }
   }
-  begin_ = liner.mass_per_area();
+  begin(liner);
 }
 
 }  // namespace ringfilm::cycle

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/cycle/integration/liner_oil.hpp"
@@ -30,6 +32,8 @@ class AndersonMixing {
   double ahead() const { return history_.empty() ? 0 : cycles_ahead() * history_.back().share; }
   /// The multiple of what the last image moved that all to come are expected to move [-].
   double cycles_ahead() const;
+  /// What the last image moved, as a share of all [-].
+  double moved_share() const { return history_.empty() ? 0 : history_.back().share; }
   /// How much the map still moves, as a norm.
   double moved() const { return history_.empty() ? 0 : history_.back().norm; }
 
@@ -49,15 +53,25 @@ class OilSettling {
   explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
 
   /// The first cycle begins.
-  void begin(const LinerFilm& liner) { begin_ = liner.mass_per_area(); }
+  void begin(const LinerFilm& liner) { begin(liner.mass_per_area()); }
+  void begin(std::vector<double> oil) { begin_ = std::move(oil); }
   /// All rings on the liner have ended a cycle of the oil: compares it with the one before and, where the oil lies
   /// elsewhere, lays that with which the next cycle begins. The oil repeats where neither this cycle moved much nor
   /// all cycles to come are expected to, eq-oil-ahead.
   void begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings);
+  /// A cycle has ended with this oil, as of begin().
+  void end_cycle(const std::vector<double>& oil);
+  /// What all cycles to come are expected to move, as a share of the oil on the liner [-].
+  double ahead() const { return mixing_.ahead(); }
+  /// What the last cycle moved, as such a share [-].
+  double moved() const { return mixing_.moved_share(); }
+  /// The oil with which the next cycle is to begin where that is not what the last one has left.
+  std::optional<std::vector<double>> mixture() const;
 
  private:
   OilIteration iteration_;
   AndersonMixing mixing_;
+  double moved_before_ = 0;    ///< by the cycle before the last one, as a norm
   std::vector<double> begin_;  ///< oil at the begin of the cycle [kg/m2]
 };
 

@@ -17,6 +17,10 @@ namespace {
 /// Angles closer than this are the same [degree].
 constexpr double kSameSample = 1e-9;
 
+bool is_multiple(double angle, double step) { return std::abs(std::remainder(angle, step)) < kSameSample; }
+
+}  // namespace
+
 std::vector<double> requested_angles(const Output& output) {
   if (!output.crank_angles_deg.empty()) return output.crank_angles_deg;
   std::vector<double> angles;
@@ -24,10 +28,6 @@ std::vector<double> requested_angles(const Output& output) {
   for (int i = 0; i < n; ++i) angles.push_back(kCycleDeg * i / n);
   return angles;
 }
-
-bool is_multiple(double angle, double step) { return std::abs(std::remainder(angle, step)) < kSameSample; }
-
-}  // namespace
 
 Recorder::Recorder(const Setup& setup)
     : setup_(setup),
@@ -63,7 +63,7 @@ double Recorder::keep(const TimeIntegration& integration, const Instant& instant
   } else {
     integrals = film::film_integrals(integration.problem(), instant.at.inputs, *instant.previous, *instant.state);
   }
-  slot = sample(setup_, integration, instant, integrals);
+  slot = sample(setup_, integration.problem(), instant, integrals);
   if (setup_.input.bends()) {
     slot.load_residual = ring_imbalance(*integration.film2d(), acting, *instant.state, of_film2d.strips);
   }
@@ -135,7 +135,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
       throw std::logic_error("an angle asked for was never passed");
     }
   }
-  result.fields = empty_fields(setup_, integration);
+  result.fields = empty_fields(setup_, integration.unloaded_grid());
   for (const auto& [angle, f] : fields_) {
     const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
       to.insert(to.end(), from.begin(), from.end());
@@ -167,7 +167,7 @@ CycleResult Recorder::result(const TimeIntegration& integration, double periodic
     result.stroke = stroke_profile(setup_, all, result.values.archard_wear_load);
   }
   if (result.complete && integration.liner_oil() != nullptr) {
-    add_liner_oil(setup_, *integration.liner_oil(), result.values, result.stroke);
+    add_liner_oil(setup_, oil_of_cycle(*integration.liner_oil()), result.values, result.stroke);
   }
   if (unrolled_) unrolled_->add_to(result, integration, base);
   result.derived = derived_values(setup_, integration.unloaded_grid());

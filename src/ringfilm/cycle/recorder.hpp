@@ -11,6 +11,9 @@ namespace ringfilm::cycle {
 
 enum class Completeness { kComplete, kStopped };
 
+/// The crank angles of the result, increasing, within [0, 720).
+std::vector<double> requested_angles(const Output& output);
+
 /// Keeps what the integration passes: all base angles for the cycle values, the angles asked for, the fields asked for.
 /// An angle that is passed again replaces what was kept.
 class Recorder : public StepObserver {

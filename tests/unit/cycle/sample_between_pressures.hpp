@@ -18,7 +18,7 @@ inline Sample sample_between_pressures(const Case& c, double h_m, double above, 
   instant.at.inputs.left.pressure = above;
   instant.at.inputs.right.pressure = below;
   instant.state = &state;
-  return sample(setup, integration, instant, integrals);
+  return sample(setup, integration.problem(), instant, integrals);
 }
 
 }  // namespace ringfilm::cycle::testing

@@ -50,10 +50,6 @@ void LinerFilm::lay(double begin, double end, double mass, bool open_below) {
   }
 }
 
-/// Above the reach of the oil ring oil comes and goes slowly, over some tens of cycles. This share of what the oil ring
-/// leaves is near the end of it in the cases of docs/theory/oil-supply.md [-].
-constexpr double kFirstAboveReach = 0.1;
-
 namespace {
 
 /// What the oil ring leaves, all along the liner.

@@ -46,6 +46,10 @@ double share_elsewhere(const std::vector<double>& mass_per_area, const std::vect
 /// Strokes from firing TDC on: power, exhaust, intake, compression.
 inline constexpr std::size_t kStrokes = 4;
 
+/// Above the reach of the oil ring oil comes and goes slowly, over some tens of cycles. This share of what the oil ring
+/// leaves is near the end of it in the cases of docs/theory/oil-supply.md [-].
+inline constexpr double kFirstAboveReach = 0.1;
+
 /// A liner down to the BDC position of its last ring, with the film that the oil ring leaves.
 /// @param below_first_ring distance of that ring's chamber edge from that of the first ring [m]
 LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring);

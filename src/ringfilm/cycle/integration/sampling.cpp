@@ -90,15 +90,15 @@ double boundary_friction(const Contact& contact, double load, double area) {
   return contact.eyring_shear_stress * area + contact.boundary_shear_strength_coefficient * load;
 }
 
-Sample sample(const Setup& setup, const TimeIntegration& integration, const Instant& instant,
+Sample sample(const Setup& setup, const film::FilmProblem& problem, const Instant& instant,
               const film::FilmIntegrals& integrals) {
   const double length = setup.input.ring_length();
   const double angle = instant.crank_angle_deg;
   const film::FilmInputs& in = instant.at.inputs;
-  const FromChamber f = from_chamber(integrals, instant.at.axis, integration.problem().grid.width);
+  const FromChamber f = from_chamber(integrals, instant.at.axis, problem.grid.width);
   const Motion sense = motion(angle);
   const double sign = sense == Motion::kTowardsTdc ? 1 : -1;
-  const double mean_pressure = in.mean_pressure(integration.problem().grid);
+  const double mean_pressure = in.mean_pressure(problem.grid);
 
   Sample s;
   s.crank_angle_deg = angle;
@@ -111,7 +111,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   s.applied_load = in.load * length;
   s.hydrodynamic_load = integrals.hydrodynamic_load * length;
   s.asperity_load = integrals.asperity_load * length;
-  s.asperity_load_share = asperity_load_share(integration.problem(), instant, integrals);
+  s.asperity_load_share = asperity_load_share(problem, instant, integrals);
   s.min_film_thickness = instant.state->h_m;
   s.lambda_ratio = instant.state->h_m / setup.ring.sigma;
   s.asperity_contact_area = integrals.asperity_area * length;
@@ -139,7 +139,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
       integrals.heating.rise(setup.input.lubricant.thermal_conductivity, setup.input.lubricant.specific_heat);
   s.flash_temperature = flash_temperature(setup.input, s.boundary_friction, speed);
   const bool leaves_at_x_b = (sense == Motion::kTowardsTdc) == from_chamber_edge;
-  s.gas_holding_margin = gas_holding_margin(integration.problem().grid, in, instant.state->h_m,
+  s.gas_holding_margin = gas_holding_margin(problem.grid, in, instant.state->h_m,
                                             leaves_at_x_b ? film::FilmEdge::kRight : film::FilmEdge::kLeft);
   s.peak_shear_rate = integrals.peak_shear_rate;
   for (const double delta : instant.state->deformation) {
@@ -170,8 +170,7 @@ Sample sample(const Setup& setup, const TimeIntegration& integration, const Inst
   return s;
 }
 
-FaceFields empty_fields(const Setup& setup, const TimeIntegration& integration) {
-  const film::FilmGrid& grid = integration.unloaded_grid();
+FaceFields empty_fields(const Setup& setup, const film::FilmGrid& grid) {
   FaceFields fields;
   fields.x = grid.x;
   fields.face_height = grid.node_height;
