@@ -234,8 +234,9 @@ enum class CellLengths {
 
 /// `solver.method`: how film and load balance are solved.
 enum class Method {
-  kCoupledNewton,   ///< both at once by Newton's method
-  kPointRelaxation  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
+  kCoupledNewton,    ///< both at once by Newton's method
+  kPointRelaxation,  ///< pressures one by one, in a relaxed correction of h_m, as in styles2014
+  kMenisci  ///< differential equations of a film between two menisci; on cells, as the first, where there is none
 };
 
 /// `solver.properties`: what the iteration asks for oil and contact.

@@ -9,6 +9,7 @@
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/advice/validity.hpp"
+#include "ringfilm/cycle/menisci_cycle.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
@@ -34,7 +35,9 @@ PlaceOnLiner& with_liner(const Setup& setup, PlaceOnLiner& place) {
 }  // namespace
 
 CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
-    : setup_(std::move(setup)),
+    : setup_(setup.input.solver.method == Method::kMenisci
+                 ? without_menisci(setup, "rings of a pack share the oil on the liner")
+                 : std::move(setup)),
       shares_liner_(place.film != nullptr),
       place_(std::move(place)),
       settling_(of_own_liner),
@@ -134,7 +137,7 @@ std::optional<Setup> second_attempt(const Setup& setup, const Stop& stop) {
     return flat;
   }
   const bool can_help = stop.failure && stop.failure != film::Failure::kLiftedOff && !c.is_unrolled() &&
-                        c.solver.method == Method::kCoupledNewton;
+                        c.solver.method != Method::kPointRelaxation;
   if (!can_help || setup.cells == CellsOfFace::kGraded) return std::nullopt;
   Setup graded = setup;
   graded.cells = CellsOfFace::kGraded;

@@ -1,10 +1,16 @@
 #include "ringfilm/cycle/simulate.hpp"
 
 #include "ringfilm/cycle/cycle_run.hpp"
+#include "ringfilm/cycle/menisci_cycle.hpp"
 
 namespace ringfilm::cycle {
 
 CycleResult simulate(const Setup& setup, Observer* observer) {
+  if (setup.input.solver.method == Method::kMenisci) {
+    std::optional<Setup> on_cells;
+    std::optional<CycleResult> result = simulate_menisci(setup, on_cells);
+    return result ? *std::move(result) : simulate(*on_cells, observer);
+  }
   CycleRun run(setup);
   const int n_steps = steps_per_cycle(setup.input.solver);
   int before = 0;

@@ -83,6 +83,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"oil-ring-missing", kFull, kCase},
       {"own-oil", kFull, kCase},
       {"cells-graded", kFull, kCase},
+      {"menisci-not-used", kFull, kCase},
       {"accuracy-asked-for", kFull, kCase},
       {"accuracy-reached", kFull, kCase},
       {"conform-not-used", kFull, kCase},

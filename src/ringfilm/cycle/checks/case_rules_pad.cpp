@@ -410,7 +410,7 @@ void append_gas_edge_breaches(const Case& c, std::vector<RuleBreach>& breaches) 
     breaches.push_back({key, gas + " is for a pad without pad.width",
                         "a film in two dimensions has oil at its edges; omit the width, or state oil"});
   }
-  if (c.solver.method != Method::kCoupledNewton) {
+  if (c.solver.method == Method::kPointRelaxation) {
     breaches.push_back({key, gas + " requires solver.method = \"coupled-newton\"",
                         "the other methods are those of the paper, for edges of oil"});
   }
@@ -429,7 +429,7 @@ void append_flow_factor_breaches(const Case& c, std::vector<RuleBreach>& breache
     breaches.push_back({key, key + " is for a pad without pad.width",
                         "a pad with a width has smooth walls and a Newtonian oil; omit the width, or this key"});
   }
-  if (c.solver.method != Method::kCoupledNewton) {
+  if (c.solver.method == Method::kPointRelaxation) {
     breaches.push_back({key, key + " requires solver.method = \"coupled-newton\"",
                         "the other methods are those of the paper, for a Newtonian oil between smooth walls"});
   }

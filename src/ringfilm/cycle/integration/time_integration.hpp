@@ -92,7 +92,7 @@ class TimeIntegration {
   /// Can its films be sought in the lane of a block: films across the face, by the coupled Newton method, without
   /// factors or a gap that follow from the film?
   bool fits_a_lane() const {
-    return !setup_.input.is_unrolled() && setup_.input.solver.method == Method::kCoupledNewton &&
+    return !setup_.input.is_unrolled() && setup_.input.solver.method != Method::kPointRelaxation &&
            setup_.ring.factors.are_of_plain_film() && setup_.input.ring.local_deformation == LocalDeformation::kNone;
   }
 

@@ -11,6 +11,7 @@
 
 #include "ringfilm/case/accuracy.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
+#include "ringfilm/cycle/menisci_cycle.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 
@@ -233,11 +234,14 @@ bool has_note(const CycleResult& result, const char* topic) {
 }
 
 /// Why the difference of a result to that of another grid does not measure its error; empty where it does.
-std::string not_comparable(const CycleResult& result, const Ending& other) {
+std::string not_comparable(const Case& c, const CycleResult& result, const Ending& other) {
   if (has_note(result, cycle::kCellsGraded) || has_note(other.result, cycle::kCellsGraded)) {
     return "cells were graded, so that their number does not measure the error";
   }
   if (!other.is_solved()) return other.reason();
+  if (c.solver.method == cycle::Method::kMenisci && !has_note(result, cycle::kMenisciNotUsed)) {
+    return "the film between two menisci has no cells whose number measures the error";
+  }
   if (has_note(result, cycle::kSurfacesFlattened) != has_note(other.result, cycle::kSurfacesFlattened)) {
     return "one of the two was computed with surfaces that flatten, the other with rigid ones";
   }
@@ -269,7 +273,7 @@ ErrorEstimate error_estimate(const Case& stated, const CycleResult& result, std:
   errors.runs.push_back({c.solver.cells, c.solver.crank_step_deg, c.solver.step_error, true, "", cells_y(c.solver)});
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const cycle::Solver& solver = grids[i].solver;
-    const std::string reason = not_comparable(result, others[i]);
+    const std::string reason = not_comparable(c, result, others[i]);
     const bool is_usable = reason.empty();
     errors.runs.push_back({solver.cells, solver.crank_step_deg, solver.step_error, is_usable, reason, cells_y(solver)});
   }
