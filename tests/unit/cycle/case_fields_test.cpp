@@ -22,7 +22,7 @@ std::vector<std::string> keys_at_fault(const Case& c) {
 /// A case that keeps all rules.
 Case sound_case() {
   Case c;
-  c.engine = {0.089, 0.0795, 0.1381};
+  c.engine = {0.089, 0.0795, 0.1381, {}};
   c.gas.model = GasModel::kWiebe;
   c.ring.face_width = 1.2e-3;
   c.ring.elastic_pressure = 2e5;

@@ -36,8 +36,8 @@ inline Columns read_columns(const std::string& path) {
 inline Case styles_new_ring() {
   Case c;
   c.title = "new ring";
-  c.engine = {0.089, 0.0795, 0.1381};
-  c.operating = {1500 * 2 * std::numbers::pi / 60, 393.15};
+  c.engine = {0.089, 0.0795, 0.1381, {}};
+  c.operating = {1500 * 2 * std::numbers::pi / 60, 393.15, {}, {}};
   Columns trace = read_columns("cases/styles2014/cylinder_pressure_1500rpm_synthetic.csv");
   c.gas.cylinder_pressure =
       SampledTrace{trace.begin()->second, trace.rbegin()->second};  // "crank_angle ...", "cylinder_pressure ..."

@@ -44,11 +44,18 @@ ordered_json gas_object(const PackGas& gas) {
                    object["ring_motion"].emplace_back(ordered_json{{"ring", gas.rings[i].number}}));
   }
   object["paths"] = named_rows(cycle::gas_path_quantities(), gas.paths);
+  for (ordered_json& path : object["paths"]) {
+    for (const char* flow : {"mass_forward", "mass_back"}) {  // short names of the same masses per cycle
+      const std::string long_name = std::string(flow) + "_per_cycle";
+      if (path.contains(long_name)) path[flow] = path[long_name];
+    }
+  }
   put_units(cycle::gas_sum_quantities(), units);
   put_units(cycle::gas_region_quantities(), units);
   units["crank_angle"] = "degree";
   put_units(cycle::gas_ring_quantities(), units);
   put_units(cycle::gas_path_quantities(), units);
+  units["mass_forward"] = units["mass_back"] = "kg";
   object["units"] = std::move(units);
   return object;
 }
