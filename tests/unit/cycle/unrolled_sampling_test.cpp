@@ -65,7 +65,7 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   EXPECT_DOUBLE_EQ(whole.applied_load, 980 * L);  // of what there is of the ring
   EXPECT_DOUBLE_EQ(whole.oil_flow_middle, 1.9e-4 * L);
 
-  const UnrolledSample ends = unrolled_sample(setup, integration.problem(), instant, integrals, whole);
+  const UnrolledSample ends = unrolled_sample(setup, integration, instant, integrals, whole);
   EXPECT_DOUBLE_EQ(ends.gap_leakage, 2e-7);
   EXPECT_EQ(ends.gap_leakage_low_end, 3e-7);
   EXPECT_EQ(ends.gap_leakage_high_end, -1e-7);
@@ -79,7 +79,7 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   instant.at.axis = Axis::kFromCrankcase;
   const Sample turned = sample(setup, integration.problem(), instant, integrals.mean);
   EXPECT_DOUBLE_EQ(turned.oil_flow_middle, -1.9e-4 * L);
-  EXPECT_DOUBLE_EQ(unrolled_sample(setup, integration.problem(), instant, integrals, turned).oil_flow_without_ends,
+  EXPECT_DOUBLE_EQ(unrolled_sample(setup, integration, instant, integrals, turned).oil_flow_without_ends,
                    -2e-4 * L);
 }
 
@@ -94,7 +94,7 @@ TEST(UnrolledSampling, AShareOfNoFlowIsNone) {
   film::Film2dIntegrals integrals = made_up();
   integrals.mean.flow_middle = 0;
   const Sample whole = sample(setup, integration.problem(), instant, integrals.mean);
-  EXPECT_TRUE(std::isnan(unrolled_sample(setup, integration.problem(), instant, integrals, whole).ends_share_flow));
+  EXPECT_TRUE(std::isnan(unrolled_sample(setup, integration, instant, integrals, whole).ends_share_flow));
 }
 
 // An odd number of cells has no strip at its middle, and rounding decides which is next to it: both the fields along
@@ -116,7 +116,7 @@ TEST(UnrolledSampling, TheStripHalfwayIsThatOfTheFilm2d) {
   integrals.strips.push_back(integrals.strips.front());  // nine cells have ten strips
   integrals.strips[halfway].flow_middle = 3e-4;
   const Sample whole = sample(setup, integration.problem(), instant, integrals.mean);
-  const UnrolledSample ends = unrolled_sample(setup, integration.problem(), instant, integrals, whole);
+  const UnrolledSample ends = unrolled_sample(setup, integration, instant, integrals, whole);
   EXPECT_DOUBLE_EQ(ends.oil_flow_without_ends, 3e-4 * setup.input.ring_length());
   FaceFields fields = empty_fields(setup, integration.unloaded_grid());
   append_fields(setup, integration, instant, fields);
