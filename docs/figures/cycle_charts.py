@@ -201,7 +201,7 @@ def two_speeds():
     legend(picture, LEFT, 20, [(style, words) for _, style, words in styles], step=130)
     picture.text(WIDTH - RIGHT, 20, "COMPUTED cylinder pressure (Wiebe)", anchor="end", size=12, colour="#a00")
     shown = (
-        ("min_film_thickness", 1e6, "minimum film thickness h_{m} [µm]", 6, range(0, 7, 2)),
+        ("min_film_thickness", 1e6, "minimum film thickness h_{m} [µm]", 2, [0, 0.5, 1, 1.5, 2]),
         ("total_friction", 1, "total friction [N]", 150, range(0, 151, 50)),
     )
     for k, (name, factor, title, highest, ticks) in enumerate(shown):
