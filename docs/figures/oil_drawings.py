@@ -1,4 +1,4 @@
-"""Drawing of the ways on which oil leaves the liner for the chamber. Nothing in it is computed."""
+"""Drawings of oil on the liner: between menisci, and as it leaves for the chamber. Nothing in them is computed."""
 
 from svg import BLACK, BLUE, GAS, GREY, LINER, METAL, OIL, RED, Picture
 
@@ -47,4 +47,41 @@ def oil_consumption():
     return picture
 
 
-PICTURES = {"oil-consumption": oil_consumption}
+def menisci():
+    """The film between two menisci under the face of a ring, with the liner film, the bead and gas at both edges."""
+    picture = Picture("A film between two menisci under the face of a ring, with what lies on the liner", 300)
+    liner, lowest, middle, half = 230, 214, 360, 230
+
+    def face(x):
+        return lowest - 110 * ((x - middle) / half) ** 2
+
+    def curve(begin, end):
+        return "L".join(f"{x:.1f} {face(x):.1f}" for x in range(begin, end + 1, 10))
+
+    left, right = middle - half, middle + half
+    picture.rect(60, 40, 600, liner - 40, fill=GAS, stroke="none")
+    picture.path(f"M{left} 40L{curve(left, right)}L{right} 40Z", fill=METAL)
+    picture.text(middle, 90, "ring", anchor="middle", bold=True)
+    film_left, film_right = middle - 130, middle + 90
+    picture.rect(60, liner - 4, film_left - 60, 4, fill=OIL, stroke="none")
+    left_behind = (liner - face(film_right)) / 2
+    picture.rect(film_right, liner - left_behind, 660 - film_right, left_behind, fill=OIL, stroke="none")
+    picture.path(f"M{film_left} {liner}L{curve(film_left, film_right)}L{film_right} {liner}Z", fill=OIL, stroke="none")
+    picture.path(
+        f"M{film_left} {liner}L{film_left - 26} {liner - 4}L{film_left} {liner - 18}Z", fill=OIL, stroke="none"
+    )
+    picture.rect(60, liner, 600, 34, fill=LINER, stroke="none")
+    picture.hatch(60, liner, 600, 34, step=10)
+    picture.line(60, liner, 660, liner)
+    picture.arrow(260, liner + 18, 340, liner + 18, colour=BLUE, width=2)
+    picture.text(350, liner + 23, "liner, U", colour=BLUE, bold=True)
+    for x, name in ((film_left, "x_L"), (film_right, "x_R")):
+        picture.line(x, face(x) - 34, x, liner, stroke=RED, width=1.2)
+        picture.text(x, face(x) - 40, name, anchor="middle", colour=RED, bold=True)
+    picture.text(film_left - 34, liner - 26, "bead", anchor="end", colour=GREY)
+    picture.text(70, 62, "gas", colour=GREY)
+    picture.text(650, 62, "gas", anchor="end", colour=GREY)
+    return picture
+
+
+PICTURES = {"oil-consumption": oil_consumption, "menisci": menisci}

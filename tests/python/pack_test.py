@@ -193,7 +193,7 @@ def test_a_pack_is_drawn_with_a_line_for_each_ring(pack, what):
 
 
 def test_the_oil_of_a_pack_settles_before_its_cycles():
-    """What the oil ring scrapes off does not matter: the friction of a pack is the same within 0.2 % (the requirement)."""
+    """What the oil ring scrapes off does not matter: the friction of a pack is the same within 0.2 %, as required."""
     case = ringfilm.Case.read(SOURCES / "cases" / "ring-pack" / "three_rings.toml")
     found = []
     for film in ["2 um", "10 um"]:

@@ -38,7 +38,7 @@ class MenisciCycles {
   void add_change_of_gas(const MenisciStep& step, double from_deg, double to_deg, std::vector<MenisciSample>& samples);
 
   MenisciIntegration integration_;
-  LinerOil::Account account_;  ///< of the last cycle
+  LinerOil::Account account_;  ///< account of the last cycle
   int cycles_ = 0;
   bool repeats_ = false;
   double film_moved_ = 0, oil_moved_ = 0;

@@ -79,8 +79,7 @@ TEST(UnrolledSampling, SharesOfTheEndsCompareTheRingWithItsStripHalfway) {
   instant.at.axis = Axis::kFromCrankcase;
   const Sample turned = sample(setup, integration.problem(), instant, integrals.mean);
   EXPECT_DOUBLE_EQ(turned.oil_flow_middle, -1.9e-4 * L);
-  EXPECT_DOUBLE_EQ(unrolled_sample(setup, integration, instant, integrals, turned).oil_flow_without_ends,
-                   -2e-4 * L);
+  EXPECT_DOUBLE_EQ(unrolled_sample(setup, integration, instant, integrals, turned).oil_flow_without_ends, -2e-4 * L);
 }
 
 TEST(UnrolledSampling, AShareOfNoFlowIsNone) {

@@ -14,8 +14,9 @@ namespace ringfilm::cycle {
 /// What an integration has spent.
 struct MenisciEffort {
   long steps = 0, rejected = 0;  ///< steps that were accepted, and that were not
-  long changes_of_places = 0;    ///< of menisci that came to an edge or the throat or left it, of films that formed
-  long balances = 0;             ///< films whose pressure was found
+  long changes_of_places =
+      0;              ///< changes of menisci that came to an edge or the throat or left it, of films that formed
+  long balances = 0;  ///< films whose pressure was found
 };
 
 /// Integrates film, menisci, bead and the oil on the liner over the crank angle (docs/theory/menisci.md).
@@ -31,7 +32,7 @@ class MenisciIntegration {
   /// no step is found.
   void integrate_cycle();
 
-  /// Steps of the last cycle; their angles go on beyond 720 degree.
+  /// Steps of the last cycle; their angles continue beyond 720 degree.
   const std::vector<MenisciStep>& steps() const { return steps_; }
   /// Film, pressure and flows at a crank angle within a step of the last cycle.
   MenisciSample sample(const MenisciStep& step, double crank_angle_deg);
@@ -95,7 +96,7 @@ class MenisciIntegration {
   film::FilmProblem contact_;
   film::MenisciFilm film_;
   double degrees_per_second_;
-  double direction_ = 1;         ///< of the liner in the present stroke
+  double direction_ = 1;         ///< direction of the liner in the present stroke
   double highest_pressure_ = 0;  ///< that oils serve [Pa]
   HeatBefore heat_;
   film::MenisciState state_;

@@ -50,7 +50,7 @@ void MenisciLiner::pass(const OilOfStep& step) {
   double left_over = owed_ + (film_mass_ - step.film_mass) + (bead_ - step.bead);
   struct Side {
     LinerSide* oil;
-    double place;       ///< of its meniscus at the end of the step
+    double place;       ///< place of its meniscus at the end of the step
     double begin, end;  ///< mass per area that it leaves
     double length() const { return oil->end() - place; }
     double expected() const { return 0.5 * (begin + end) * length(); }

@@ -35,11 +35,11 @@ struct MenisciStep {
   double from_deg = 0, to_deg = 0;
   double direction = 0;                ///< 1 in upstrokes
   film::MenisciState from, to;         ///< with the places that held during the step
-  Eigen::Vector4d rate_from, rate_to;  ///< of the unknowns, per degree
-  double lift_rate = 0;                ///< of the film at its begin [m/s]
+  Eigen::Vector4d rate_from, rate_to;  ///< rates of the unknowns, per degree
+  double lift_rate = 0;                ///< speed of the film at its begin [m/s]
   double highest_pressure = 0;         ///< that its oil serves [Pa]
   OilBeyond beyond_from, beyond_to;
-  HeatBefore heat;  ///< of the film that the step began with
+  HeatBefore heat;  ///< heat of the film that the step began with
 
   double length_deg() const { return to_deg - from_deg; }
   /// Were the menisci of both steps free, at the edges or at the throat?

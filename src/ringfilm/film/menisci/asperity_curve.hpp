@@ -16,7 +16,7 @@ class AsperityCurve {
   double film_under(double load) const;
 
  private:
-  double spacing_ = 0;                ///< of the ends of the cubics [m]
+  double spacing_ = 0;                ///< distance of the ends of the cubics [m]
   std::vector<double> root_, slope_;  ///< eighth root of the load, and its slope times the spacing [(N/m)^(1/8)]
 };
 

@@ -38,7 +38,7 @@ LowestPlace lowest_place(const FilmGrid& grid) {
     const double bend = first - 2 * middle + last;
     if (bend > 0) look_at(i, std::clamp(0.5 + 0.25 * (first - last) / bend, 0.0, 1.0));
   }
-  constexpr double kAtEdge = 1e-3;  // of a cell
+  constexpr double kAtEdge = 1e-3;  // share of a cell
   if (lowest.x < kAtEdge * grid.spacing.front()) return {0, grid.node_height.front()};
   if (lowest.x > grid.width - kAtEdge * grid.spacing.back()) return {grid.width, grid.node_height.back()};
   return lowest;

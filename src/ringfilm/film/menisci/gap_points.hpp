@@ -30,7 +30,7 @@ class GapPoints {
   std::size_t at_place() const { return at_place_; }             ///< the point at the place
   const std::vector<double>& x() const { return x_; }            ///< places of the points [m]
   const std::vector<double>& h() const { return h_; }            ///< gap at the points [m]
-  const std::vector<double>& weight() const { return weight_; }  ///< of Simpson's rule [m]
+  const std::vector<double>& weight() const { return weight_; }  ///< weights of Simpson's rule [m]
 
   static std::size_t most(const FilmGrid& grid) { return 2 * grid.face_height.size() + 5; }  ///< points at the most
 

@@ -59,7 +59,7 @@ class MenisciFilm {
   MenisciState film_at_throat(const MenisciInputs& inputs, const MenisciState& dry) const;
 
   /// Integrals of the film for which `balance` was called last. Flows beyond the menisci are those of the films on the
-  /// liner that the caller knows.
+  /// liner that the caller states.
   FilmIntegrals integrals(const MenisciInputs& inputs, const MenisciState& state, const MenisciBalance& balance) const;
 
  private:

@@ -116,7 +116,7 @@ FilmIntegrals MenisciFilm::integrals(const MenisciInputs& inputs, const MenisciS
     if (is_beyond) continue;  // oil that hangs there bears no shear
     const double eta = slope_[j] * rho_[j], m = entering - balance.lift_rate * mass_[j];
     const double rise =
-        12 * eta * (0.5 * U * h[j] - m / rho_[j]) * inverse_cube_[j];  // of p in the direction of the liner
+        12 * eta * (0.5 * U * h[j] - m / rho_[j]) * inverse_cube_[j];  // slope of p in the direction of the liner
     const double of_sliding = U / h[j], of_pressure = h[j] * rise / (2 * std::sqrt(3.0) * eta);
     sums.shear_couette += inputs.direction * weight * eta * of_sliding;
     sums.shear_poiseuille += inputs.direction * weight * 0.5 * h[j] * rise;

@@ -19,7 +19,7 @@ constexpr double kFirstDistance = 2e-8;
 struct End {
   double outward;  ///< 1: the right one
   double edge, throat;
-  double velocity;  ///< of a free meniscus there [m/s]
+  double velocity;  ///< velocity of a free meniscus there [m/s]
 
   double inside_edge(double x) const { return outward * (edge - x) / kPlace; }
   double outside_throat(double x) const { return outward * (x - throat) / kPlace; }

@@ -66,12 +66,12 @@ struct OnLiner {
   double left = 0, right = 0;
 };
 
-/// A film that is shorter is none, and one that forms is twice as long [m].
+/// A shorter film does not exist, and one that forms is twice as long [m].
 inline constexpr double kMinFilmLength = 4e-6;
 
 /// How a meniscus moves and what passes it.
 struct MeniscusMotion {
-  double velocity = 0;  ///< of a free meniscus in its place [m/s]
+  double velocity = 0;  ///< velocity of a free meniscus in its place [m/s]
   double film = 0;      ///< film on the liner that enters or that it leaves [m]
   bool leaves = false;  ///< does the liner carry oil out of the film?
 };

@@ -46,9 +46,9 @@ class ReducedPressure {
  private:
   static constexpr std::size_t kNodes = 9, kDensityNodes = 5;
 
-  double high_, reduced_high_;                 ///< of the range of p and of Phi
+  double high_, reduced_high_;                 ///< ends of the range of p and of Phi
   double curvature_ = 0;                       ///< c; 0: the polynomials are those of Phi itself
-  double centre_, inverse_half_width_;         ///< of the range of the variable of the polynomials
+  double centre_, inverse_half_width_;         ///< middle and width of the range of the variable of the polynomials
   std::array<double, kNodes> pressure_;        ///< coefficients, lowest power first [Pa]
   std::array<double, kDensityNodes> density_;  ///< coefficients, lowest power first [kg/m3]
 };

@@ -21,7 +21,7 @@ const std::vector<KnownKind>& kinds() {
        "a case",
        "compute it with ringfilm run {}",
        {"engine", "operating", "gas", "gas_path", "thermal", "ring", "liner", "contact", "lubricant", "film", "supply",
-        "solver", "output", "pad", "conform", "conditions", "include"}},
+        "evaporation", "oil_transport", "solver", "output", "pad", "conform", "conditions", "include"}},
       {DocumentKind::kStudy,
        "a study",
        "compute it with ringfilm study {} --output FOLDER",
