@@ -27,8 +27,6 @@ constexpr int kMaxChanges = 8;
 /// its stretch.
 constexpr double kMinHanging = 50e-6, kDrainedAfter = 1.5;
 constexpr long kMaxStepsPerStroke = 100000;
-/// Pressure that the oil of the next step serves, over the highest of the film [-].
-constexpr double kServedOverPeak = 1.5;
 
 /// Smallest film of a dry ring, whose asperities carry what the gas does not [m].
 double dry_film(const film::MenisciFilm& film, const film::MenisciInputs& inputs) {

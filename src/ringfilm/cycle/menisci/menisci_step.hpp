@@ -9,6 +9,9 @@
 
 namespace ringfilm::cycle {
 
+/// Pressure that the oil of a film serves at most, over the highest that was found [-].
+inline constexpr double kServedOverPeak = 1.5;
+
 /// The face of a ring on the cells on which the pressure of a film between menisci is integrated.
 film::FilmGrid menisci_grid(const Setup& setup);
 /// The asperities of a ring on the cells on which their load is summed.

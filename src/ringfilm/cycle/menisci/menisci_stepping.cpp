@@ -20,8 +20,8 @@ constexpr double kAimedError = 0.7, kMinGrowth = 0.2, kMaxGrowth = 4, kAfterFail
 /// Order of the error that is estimated.
 constexpr double kOrder = 3;
 constexpr int kMaxTries = 100, kMaxSearch = 12;
-/// Pressure that the oil of a film serves at most, over the highest that was found [-].
-constexpr double kServedOverPeak = 1.5, kMaxRise = 4;
+/// Pressure of a stage at most, over the highest that the oil serves [-].
+constexpr double kMaxRise = 4;
 /// Within a step a film changes by less [-], and no film is shorter [m].
 constexpr double kMaxChangeOfFilm = 3, kMinLengthOfStage = 1e-6;
 /// Shifts by which slopes are taken: of ln h_m, of a meniscus [m], of the film on the liner and the bead as a share of

@@ -22,7 +22,7 @@ struct Coarse {
 constexpr std::array kCoarse = {Coarse{50, 2}, Coarse{100, 2}, Coarse{100, 1}};
 /// The oil has settled where a cycle moves less than this share of what the cycles of the case may move [-].
 constexpr double kSettled = 0.03;
-constexpr int kMaxCycles = 60;
+constexpr int kMaxCoarseCycles = 60;
 
 /// Oil that cycle after cycle is taken from a stretch of the liner, or laid there, as what rings have pushed together
 /// at TDC and take away again over hundreds of cycles.
@@ -95,7 +95,7 @@ std::optional<LinerFilm> settled(const std::vector<Setup>& rings, const std::vec
                                  const LinerFilm& fresh) {
   PackRuns pack(rings, below, fresh);
   SlowStretches slow;
-  for (int cycle = 0; cycle < kMaxCycles; ++cycle) {
+  for (int cycle = 0; cycle < kMaxCoarseCycles; ++cycle) {
     const std::vector<double> begin = pack.liner().mass_per_area();
     if (!finish_cycle(pack)) return std::nullopt;
     const double moved = share_elsewhere(pack.liner().mass_per_area(), begin);

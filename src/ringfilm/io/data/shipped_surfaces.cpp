@@ -17,7 +17,7 @@ namespace {
 using models::PlateauCurve;
 using Keys = std::vector<std::string>;
 
-const Keys kStates = {"new", "run-in", "worn"};
+const Keys kSurfaceStates = {"new", "run-in", "worn"};
 const Keys kLines = {"Rpq", "Rvq", "Rmq"}, kCore = {"Rk", "Rpk", "Rvk", "Mr2"};
 
 /// A quantity that is above 0; nothing where it is absent or refused.
@@ -95,8 +95,8 @@ std::vector<Surface> read_list(TomlTable& whole, const std::string& key, const K
     surface.name = table.needed_text("name", key == "ring" ? "\"nitrided\"" : "\"plateau-honed-grey-iron\"");
     surface.state = table.needed_text("state", "\"run-in\"");
     surface.source = table.needed_text("source", "\"typical, assumed\"");
-    if (!surface.state.empty() && std::ranges::find(kStates, surface.state) == kStates.end()) {
-      table.refuse_word("state", surface.state, kStates);
+    if (!surface.state.empty() && std::ranges::find(kSurfaceStates, surface.state) == kSurfaceStates.end()) {
+      table.refuse_word("state", surface.state, kSurfaceStates);
     }
     read_values(table, units, surface);
     if (!surface.name.empty() && !found.insert({surface.name, surface.state}).second) {
