@@ -7,6 +7,8 @@ import re
 import subprocess
 import sys
 
+import printed_table
+
 program, path = sys.argv[1:]
 NUMBER = re.compile(r"(?<![\w.-])\d+(?:\.\d+)?(?:e[+-]?\d+)?(?![\w-])")
 CHANGE = re.compile(r" \([+-][\d.]+ %\)$")  # follows from the numbers before it
@@ -27,10 +29,5 @@ printed = done.stdout.splitlines()
 with open(path, encoding="utf-8") as table:
     shown = table.read().splitlines()
 print(done.stdout[-200:], done.stderr)
-for i in range(max(len(shown), len(printed))):
-    if i >= min(len(shown), len(printed)) or not same(shown[i], printed[i]):
-        print("in the manual:", shown[i] if i < len(shown) else "nothing")
-        print("printed now:  ", printed[i] if i < len(printed) else "nothing")
-        print("the manual is not up to date: ringfilm verify --trends > docs/manual/trends-table.txt renews it")
-        sys.exit(1)
+printed_table.check(shown, printed, same, "ringfilm verify --trends", "trends-table.txt")
 sys.exit(done.returncode)

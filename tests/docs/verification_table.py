@@ -7,6 +7,8 @@ import re
 import subprocess
 import sys
 
+import printed_table
+
 program, path = sys.argv[1:]
 
 
@@ -27,9 +29,4 @@ def same(shown, printed):
 printed = rows(subprocess.run([program, "verify"], capture_output=True, text=True, check=True).stdout)
 with open(path, encoding="utf-8") as table:
     shown = rows(table.read())
-for i in range(max(len(shown), len(printed))):
-    if i >= min(len(shown), len(printed)) or not same(shown[i], printed[i]):
-        print("in the manual:", shown[i] if i < len(shown) else "nothing")
-        print("printed now:  ", printed[i] if i < len(printed) else "nothing")
-        print("the manual is not up to date: ringfilm verify > docs/manual/verification-table.txt renews it")
-        sys.exit(1)
+printed_table.check(shown, printed, same, "ringfilm verify", "verification-table.txt")

@@ -85,7 +85,7 @@ void CycleRun::arrived() {
     compare_with_last_cycle();
   }
   if (!repeats_ && !approach_.moves_on() && since_start == 0) {
-    approach_.add(distance_ahead(), distance_.film, allowed_distance(), crank_angle_deg());
+    approach_.add(distance_ahead(), distance_.film, allowed_distance(setup_.input), crank_angle_deg());
   }
 }
 
@@ -97,7 +97,7 @@ void CycleRun::compare_with_last_cycle() {
   const auto before = one_cycle_ago_.find(k_);
   if (before != one_cycle_ago_.end()) {
     distance_ = integration_.distance(before->second);
-    repeats_ = distance_.film <= allowed_distance() && oil_repeats();
+    repeats_ = distance_.film <= allowed_distance(setup_.input) && oil_repeats();
   }
   const bool goes_on = !repeats_ || shares_liner_;  // until all rings of the pack repeat themselves
   if (goes_on) one_cycle_ago_[k_] = integration_.snapshot();
@@ -114,8 +114,6 @@ bool CycleRun::oil_repeats() const {
 }
 
 double CycleRun::distance_ahead() const { return std::max(distance_.largest(), oil_ahead_); }
-
-double CycleRun::allowed_distance() const { return cycle::allowed_distance(setup_.input); }
 
 void CycleRun::stopped(const ConvergenceError& error, std::optional<film::Failure> failure) {
   stop_ = Stop{error.what(), error.crank_angle_deg(), failure};

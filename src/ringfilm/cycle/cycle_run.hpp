@@ -63,8 +63,6 @@ class CycleRun final : public BatchMember {
 
  private:
   void arrived();
-  /// From the state of one cycle before, where the cycle counts as the same.
-  double allowed_distance() const;
   /// From the state that repeats itself, as far as it is known.
   double distance_ahead() const;
   void stopped(const ConvergenceError& error, std::optional<film::Failure> failure);

@@ -114,4 +114,12 @@ inline FilmInputs mirrored(FilmInputs inputs) {
   return inputs;
 }
 
+/// The film as the solver has it, on cells.
+inline SmoothFilm film_of(const GasFilm& form, int n_cells) {
+  SmoothFilm film(
+      n_cells, form.width, [&](double x) { return form.height(x) - form.h_m; }, form.eta, Cavitation::kMassConserving);
+  film.problem.terms = Terms::kAll;
+  return film;
+}
+
 }  // namespace ringfilm::film::testing

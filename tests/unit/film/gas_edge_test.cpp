@@ -12,13 +12,6 @@
 namespace ringfilm::film::testing {
 namespace {
 
-SmoothFilm film_of(const GasFilm& form, int n_cells) {
-  SmoothFilm film(
-      n_cells, form.width, [&](double x) { return form.height(x) - form.h_m; }, form.eta, Cavitation::kMassConserving);
-  film.problem.terms = Terms::kAll;
-  return film;
-}
-
 /// Error of h_m under the load of the quadrature, and of the place where the film ends, in cells.
 struct Errors {
   double h_m, exit;

@@ -14,13 +14,6 @@ namespace {
 
 using Rosenbrock = RosenbrockStep<3>;
 
-SmoothFilm film_of(const GasFilm& form, int n_cells) {
-  SmoothFilm film(
-      n_cells, form.width, [&](double x) { return form.height(x) - form.h_m; }, form.eta, Cavitation::kMassConserving);
-  film.problem.terms = Terms::kAll;
-  return film;
-}
-
 /// A film that a liner with oil of density 1 feeds from the left, under a load of time: h_m and both menisci.
 class FedFilm {
  public:

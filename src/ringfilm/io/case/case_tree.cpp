@@ -391,6 +391,15 @@ class Gatherer {
     }
   }
 
+  /// The conditions of a name; of one that the key does not have, which is refused elsewhere, those of the case.
+  static cycle::Conditions conditions_of(const std::string& name) {
+    const auto& choice = std::get<cycle::ChoiceKind>(cycle::find_field("conditions")->kind);
+    const auto found = std::find(choice.names.begin(), choice.names.end(), name);
+    cycle::Case c;
+    if (found != choice.names.end()) choice.choose(c, static_cast<int>(found - choice.names.begin()));
+    return c.conditions;
+  }
+
   /// Conditions of the command line replace those that files state.
   void drop_other_conditions(const std::vector<TomlEntry>& stated) {
     const auto are_conditions = [](const TomlEntry& entry) { return entry.key == "conditions"; };
@@ -398,8 +407,7 @@ class Gatherer {
     if (dropped_ == nullptr || asked == stated.end()) return;
     const auto own = entries_.find("conditions");
     if (own != entries_.end() && own->second.value.text == asked->value.text) return;
-    const auto conditions =
-        asked->value.text.ends_with("engine") ? cycle::Conditions::kEngine : cycle::Conditions::kAsInPaper;
+    const cycle::Conditions conditions = conditions_of(asked->value.text);
     std::vector<std::string> keys;
     for (const auto& [key, entry] : entries_) {
       if (cycle::is_replaced_by(conditions, key)) keys.push_back(key);

@@ -1,7 +1,5 @@
 #include "ringfilm/io/start/start_values.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "ringfilm/base/display.hpp"
@@ -135,10 +133,10 @@ std::vector<StartValue> start_walls(const StartPoint& point) {
   set_conditions(cycle::Conditions::kEngine, measured);
   std::vector<std::string> liner;
   for (const auto& [distance, temperature] : measured.thermal.liner) {
-    liner.push_back(
-        fmt::format("[\"{}\", \"{}\"]", text_in(distance, kMillimetre, 3), text_in(temperature, kCelsius, 3)));
+    liner.push_back("[" + quoted(text_in(distance, kMillimetre, 3)) + ", " + quoted(text_in(temperature, kCelsius, 3)) +
+                    "]");
   }
-  return {{"thermal.ring", "\"" + text_in(*measured.thermal.ring, kCelsius, 3) + "\"", ""},
+  return {{"thermal.ring", quoted(text_in(*measured.thermal.ring, kCelsius, 3)), ""},
           {"thermal.liner", "[" + joined(liner, ", ") + "]",
            "mean around the bore of a car engine, measured (docs/manual/guide/typical-inputs.md)"}};
 }

@@ -30,6 +30,7 @@ struct StartEngine {
 };
 
 const std::vector<StartEngine>& start_engine_table();
+
 /// A pair of the shipped classes of surfaces in oil: a plateau-honed liner of grey iron and a nitrided ring.
 /// N beta sigma = 0.05, the upper end of its range (greenwood1971). Throws InputError where the shipped folder is not
 /// found.
