@@ -30,13 +30,15 @@ double interval(const std::vector<Sample>& samples, std::size_t k) {
   return to - samples[k].crank_angle_deg;
 }
 
-/// Masses of gas through a broken film. Straight lines lie between the samples: the flow begins and ends with a jump.
+/// Masses of gas through a broken film, and how long gas holds the ring off the liner. Straight lines lie between the
+/// samples: the flow begins and ends with a jump.
 void put_gas_through_film(const std::vector<Sample>& samples, double duration, CycleValues& values) {
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const std::size_t before = (k == 0 ? samples.size() : k) - 1;
     const double share = 0.5 * (interval(samples, before) + interval(samples, k)) / kCycleDeg;
     const double mass = samples[k].gas_flow_through_film * share * duration;
     (mass > 0 ? values.gas_through_film_forward : values.gas_through_film_back) += std::abs(mass);
+    if (samples[k].distance_off_liner > 0) values.off_liner_share += share;
   }
 }
 

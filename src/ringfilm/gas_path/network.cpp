@@ -113,7 +113,7 @@ void Network::add_ring(std::size_t ring, std::size_t above, std::size_t below) {
   borders_[ring].below = below;
   if (above != below) paths_.push_back({PathKind::kEndGap, ring, above, below});
   faces_.push_back(face_channel(pack_, pack_.rings[ring], regions_[above].temperature));
-  if (above != below && !pack_.rings[ring].face_opening.empty()) {
+  if (above != below && (pack_.rings[ring].leaves_liner || !pack_.rings[ring].face_opening.empty())) {
     paths_.push_back({PathKind::kFace, ring, above, below});
   }
   if (!has_groove(ring)) return;
@@ -136,7 +136,29 @@ double Network::flow(const Path& path, double p_from, double p_to, double positi
   return channel.limited_flow(law_, clearance, p_from, p_to);
 }
 
-double Network::face_opening(std::size_t ring, double angle) const {
+double Network::pressure_off_liner(std::size_t index, std::span<const double> pressure) const {
+  const Ring& ring = pack_.rings[index];
+  const RingBorders& at = borders_[index];
+  return ring.collapse.excess(pressure[at.above], pressure[at.below], ring.elastic_pressure + pressure[at.groove]);
+}
+
+Network::CollapseSlopes Network::collapse_slopes(std::size_t index, std::span<const double> pressure) const {
+  const models::RadialCollapse& collapse = pack_.rings[index].collapse;
+  if (!pack_.rings[index].leaves_liner) return {};
+  const double distance = collapse.distance(pressure_off_liner(index, pressure));
+  if (distance <= 0 || distance >= collapse.farthest) return {};
+  return {collapse.share_above / collapse.stiffness, (1 - collapse.share_above) / collapse.stiffness,
+          -1 / collapse.stiffness};
+}
+
+double Network::face_opening(std::size_t index, double angle, std::span<const double> pressure) const {
+  const Ring& ring = pack_.rings[index];
+  const double stated = ring.face_opening.empty() ? 0 : stated_opening(index, angle);
+  if (!ring.leaves_liner) return stated;
+  return stated + ring.collapse.distance(pressure_off_liner(index, pressure));
+}
+
+double Network::stated_opening(std::size_t ring, double angle) const {
   const std::vector<double>& opening = pack_.rings[ring].face_opening;
   const std::size_t n = opening.size();
   const double at = std::fmod(angle, static_cast<double>(n));

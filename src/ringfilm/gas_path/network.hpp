@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -70,7 +71,17 @@ class Network {
   double flow(const Path& path, double p_from, double p_to, double position) const;
 
   /// Gap over the face of a ring that gas passes at a crank angle, 0 where it is sealed [m]. @param angle [degree]
-  double face_opening(std::size_t ring, double angle) const;
+  /// @param pressure of all regions [Pa]
+  double face_opening(std::size_t ring, double angle, std::span<const double> pressure) const;
+
+  /// Pressure that presses a ring off the liner, negative while it is pressed on, eq-radial-collapse [Pa].
+  double pressure_off_liner(std::size_t ring, std::span<const double> pressure) const;
+  /// Slopes of the distance from the liner over the pressures above, below and behind a ring; 0 where it is on the bore
+  /// or its ends meet [m/Pa].
+  struct CollapseSlopes {
+    double above = 0, below = 0, behind = 0;
+  };
+  CollapseSlopes collapse_slopes(std::size_t ring, std::span<const double> pressure) const;
 
   /// Force of gas, friction on the bore and inertia on a ring towards the chamber, eq-seating-force [N]. Without a
   /// stated mass or friction that of the gas alone. @param as of acceleration()
@@ -88,6 +99,7 @@ class Network {
                       double p_crankcase) const;
 
  private:
+  double stated_opening(std::size_t ring, double angle) const;
   /// Force of the gas and friction on a ring, without inertia [N].
   double gas_and_friction(std::size_t ring, double crank_angle, double p_above, double p_groove, double p_below,
                           double p_crankcase) const;

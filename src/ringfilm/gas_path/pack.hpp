@@ -3,6 +3,7 @@
 
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas/gas.hpp"
+#include "ringfilm/models/radial_collapse.hpp"
 
 /// The gas path of a ring pack (docs/theory/gas-path.md): volumes at stated temperatures between the rings, end gaps
 /// and side clearances between them, and the axial motion of the rings in their grooves.
@@ -41,6 +42,8 @@ struct Ring {
   /// Gap over the face that gas passes all around, at each degree of crank angle; empty: none. Counts of oil rings,
   /// too, as does face_width [m].
   std::vector<double> face_opening;
+  models::RadialCollapse collapse;  ///< of a compression ring that gas presses off the liner
+  bool leaves_liner = false;        ///< does it do so? solve_gas_path() finds it out
 };
 
 /// The gas and how it flows.

@@ -69,8 +69,9 @@ double PackSystem::flow(const Path& path, double p_from, double p_to, double at)
   return network_.flow(path, p_from, p_to, at * unit);
 }
 
-double PackSystem::place_of(const Path& path, double angle, std::span<const double> y) const {
-  return path.kind == PathKind::kFace ? network_.face_opening(path.ring, angle) : position(path.ring, y);
+double PackSystem::place_of(const Path& path, double angle, std::span<const double> y,
+                            std::span<const double> pressure) const {
+  return path.kind == PathKind::kFace ? network_.face_opening(path.ring, angle, pressure) : position(path.ring, y);
 }
 
 void PackSystem::flows(double angle, std::span<const double> y, std::span<double> pressure,
@@ -78,7 +79,7 @@ void PackSystem::flows(double angle, std::span<const double> y, std::span<double
   fill_pressures(angle, y, pressure);
   const auto& paths = network_.paths();
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], place_of(paths[k], angle, y));
+    flow_of[k] = flow(paths[k], pressure[paths[k].from], pressure[paths[k].to], place_of(paths[k], angle, y, pressure));
   }
 }
 
@@ -86,7 +87,7 @@ void PackSystem::conductances(double angle, std::span<const double> y, std::span
   fill_pressures(angle, y, pressure_);
   const auto& paths = network_.paths();
   for (std::size_t k = 0; k < paths.size(); ++k) {
-    const FlowSlopes slope = slopes(paths[k], place_of(paths[k], angle, y));
+    const FlowSlopes slope = slopes(paths[k], place_of(paths[k], angle, y, pressure_));
     conductance[k] = std::max({slope.from, -slope.to, 0.0});
   }
 }
@@ -107,7 +108,7 @@ void PackSystem::rates(double angle, std::span<const double> y, std::span<double
   fill_pressures(angle, y, pressure_);
   std::fill(f.begin(), f.end(), 0.0);
   for (const Path& path : network_.paths()) {
-    const double m = flow(path, pressure_[path.from], pressure_[path.to], place_of(path, angle, y));
+    const double m = flow(path, pressure_[path.from], pressure_[path.to], place_of(path, angle, y, pressure_));
     if (is_inner(path.from)) f[network_.unknown(path.from)] -= m;
     if (is_inner(path.to)) f[network_.unknown(path.to)] += m;
   }
@@ -130,6 +131,13 @@ PackSystem::FlowSlopes PackSystem::slopes(const Path& path, double at) const {
   const bool is_at_flank = path.kind == PathKind::kAboveRing || path.kind == PathKind::kBelowRing;
   const bool moves = is_at_flank && place_[path.ring] != kNotFree;
   if (moves) slope.position = (flow(path, p_from, p_to, at + kProbe) - m) / kProbe;
+  if (path.kind != PathKind::kFace || !network_.pack().rings[path.ring].leaves_liner) return slope;
+  const Network::CollapseSlopes opens = network_.collapse_slopes(path.ring, pressure_);
+  const double probe = kProbe * at;
+  const double by_opening = probe > 0 ? (flow(path, p_from, p_to, at + probe) - m) / probe : 0;
+  slope.from += by_opening * opens.above;
+  slope.to += by_opening * opens.below;
+  slope.groove = by_opening * opens.behind;
   return slope;
 }
 
@@ -141,6 +149,7 @@ void PackSystem::add_to_jacobian(const Path& path, const FlowSlopes& slope, std:
     double* const row = J.data() + network_.unknown(region) * n;
     if (is_inner(path.from)) row[network_.unknown(path.from)] += unit * slope.from;
     if (is_inner(path.to)) row[network_.unknown(path.to)] += unit * slope.to;
+    if (slope.groove != 0) row[network_.unknown(network_.borders(path.ring).groove)] += unit * slope.groove;
     if (slope.position != 0) row[place_[path.ring]] += unit * slope.position / kPressureUnit;
   }
 }
@@ -165,7 +174,7 @@ void PackSystem::limit(std::span<const double> y, std::span<double> change) cons
 
 void PackSystem::jacobian(double angle, std::span<const double> y, std::span<double> J) {
   fill_pressures(angle, y, pressure_);
-  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, place_of(path, angle, y)), J);
+  for (const Path& path : network_.paths()) add_to_jacobian(path, slopes(path, place_of(path, angle, y, pressure_)), J);
   for (const std::size_t ring : free_) add_ring_to_jacobian(ring, angle, J);
 }
 

@@ -62,12 +62,13 @@ class PackSystem : public OdeSystem {
   /// Derivatives of a flow by the pressures at its ends [kg/(s Pa)] and the position of its ring [kg/s].
   struct FlowSlopes {
     double from, to, position;
+    double groove = 0;  ///< of kFace by the pressure behind its ring
   };
 
   double position(std::size_t ring, std::span<const double> y) const;
   void fill_pressures(double angle, std::span<const double> y, std::span<double> pressure) const;
   /// Where the ring of a path is [side clearance], or how far its face is open [m].
-  double place_of(const Path& path, double angle, std::span<const double> y) const;
+  double place_of(const Path& path, double angle, std::span<const double> y, std::span<const double> pressure) const;
   double flow(const Path& path, double p_from, double p_to, double at) const;
   FlowSlopes slopes(const Path& path, double position) const;
   void add_to_jacobian(const Path& path, const FlowSlopes& slope, std::span<double> J) const;

@@ -42,6 +42,8 @@ struct RingMotionValues {
   std::optional<double> largest_static_twist;
   std::optional<double> largest_static_twist_angle_deg;  ///< crank angle of it [degree]
   std::optional<double> twisted_share;  ///< share of the cycle in which the flank does not hold the ring flat [-]
+  double off_liner_share = 0;     ///< share of the cycle in which gas presses it off the liner, eq-radial-collapse [-]
+  double farthest_off_liner = 0;  ///< [m]
 };
 
 /// The gas over one cycle that repeats itself.

@@ -138,6 +138,23 @@ void add_seating_forces(const Network& network, GasPathResult& result) {
   }
 }
 
+/// Where gas presses rings off the liner, from degree to degree.
+void add_collapse(const Network& network, GasPathResult& result) {
+  for (std::size_t i = 0; i < result.motion.size(); ++i) {
+    const Ring& ring = network.pack().rings[i];
+    if (!ring.collapse.is_possible() || network.borders(i).above == network.borders(i).below) continue;
+    RingMotionValues& values = result.motion[i];
+    std::size_t n_off = 0;
+    for (const std::vector<double>& pressure : result.pressure) {
+      const double excess = network.pressure_off_liner(i, pressure);
+      if (excess <= 0) continue;
+      ++n_off;
+      values.farthest_off_liner = std::max(values.farthest_off_liner, ring.collapse.distance(excess));
+    }
+    values.off_liner_share = static_cast<double>(n_off) / static_cast<double>(result.pressure.size());
+  }
+}
+
 /// Is gas and rings one as the other?
 bool is_alike(const PackState& a, const PackState& b) {
   if (a.contact != b.contact || largest_change(a.pressure, b.pressure) > kRepeatsInMotion) return false;
@@ -186,8 +203,9 @@ Followed follow_to_period(CycleIntegration& cycle, long n_steps, double of_last_
 
 }  // namespace
 
-GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
-  const Network network(pack, below);
+namespace {
+
+GasPathResult solve_with_these_faces(const Pack& pack, const Network& network) {
   CycleIntegration cycle(network, first_state(network));
   const double unit = PackSystem::kPressureUnit;
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
@@ -231,7 +249,26 @@ GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
   result.cycles = n + followed.cycles;
   result.motion = motion_values(result.events, pack.rings);
   add_seating_forces(network, result);
+  add_collapse(network, result);
   return result;
+}
+
+}  // namespace
+
+/// The faces are sealed at first. Rings that gas presses off the liner then are free to leave it, and so on.
+GasPathResult solve_gas_path(const Pack& pack, const GivenPressures& below) {
+  Pack opened = pack;
+  for (;;) {
+    const Network network(opened, below);
+    GasPathResult result = solve_with_these_faces(opened, network);
+    bool is_new = false;
+    for (std::size_t i = 0; i < opened.rings.size(); ++i) {
+      const bool leaves = result.motion[i].off_liner_share > 0 && !opened.rings[i].leaves_liner;
+      is_new = is_new || leaves;
+      opened.rings[i].leaves_liner = opened.rings[i].leaves_liner || leaves;
+    }
+    if (!is_new) return result;
+  }
 }
 
 }  // namespace ringfilm::gas_path

@@ -83,7 +83,52 @@ TEST(GasPath, TheFaceIsAChannelAroundTheBore) {
   const double closed_form = (p_a * p_a - p_b * p_b) * c * c * c * std::numbers::pi * pack.bore /
                              (24 * pack.gas.viscosity * pack.gas.gas_constant * pack.chamber_temperature * 1.2e-3);
   EXPECT_NEAR(network.flow(path, p_a, p_b, c), closed_form, 1e-3 * closed_form);
-  EXPECT_DOUBLE_EQ(network.face_opening(0, 719.5), 0.5e-6);
+  const std::vector<double> pressure(network.n_regions(), 1e5);
+  EXPECT_DOUBLE_EQ(network.face_opening(0, 719.5, pressure), 0.5e-6);
+}
+
+// A weak second ring whose land above fills slowly: sealed, the gas below would press it off by bars.
+TEST(GasPath, ARingThatGasPressesOffTheLinerOpensLikeAValve) {
+  Pack pack = two_ring_pack();
+  pack.rings[0].gap_area = 2e-8;
+  pack.rings[1].gap_area = 1e-8;
+  pack.rings[1].elastic_pressure = 1e4;
+  pack.chamber = models::CyclePressure(101325.0);
+  std::vector<double> angle, pressure;
+  for (int k = 0; k < 720; ++k) {
+    angle.push_back(k);
+    pressure.push_back(k < 360 ? 4e5 : 101325.0);
+  }
+  pack.crankcase = {angle, pressure};
+  const GasPathResult sealed = solve_gas_path(pack);
+  EXPECT_EQ(sealed.motion[1].off_liner_share, 0) << "no stiffness is stated";
+  pack.rings[1].collapse = {0.25, models::radial_stiffness(3.5e-3, 1.2e11, pack.bore), 5e-5};
+  const GasPathResult open = solve_gas_path(pack);
+  const Network network(pack);
+  double before = 0, now = 0;  // largest pressures off the liner
+  for (int k = 0; k < 720; ++k) {
+    before = std::max(before, network.pressure_off_liner(1, sealed.pressure[k]));
+    now = std::max(now, network.pressure_off_liner(1, open.pressure[k]));
+  }
+  EXPECT_GT(before, 1e5);
+  EXPECT_LT(now, 0.1 * before);
+  EXPECT_GT(open.motion[1].off_liner_share, 0.01);
+  EXPECT_LE(open.motion[1].farthest_off_liner, 5e-5);
+  EXPECT_LT(open.mass_defect, 1e-12);
+  EXPECT_NE(std::ranges::find_if(open.paths, [](const Path& p) { return path_name(p) == "face of ring 2"; }),
+            open.paths.end());
+  EXPECT_EQ(open.motion[0].off_liner_share, 0);
+}
+
+// Its ends meet at 2 pi a = g; the stiffness is that of the free gap, eq-elastic-pressure-gap.
+TEST(GasPath, ACollapsingRingIsAsStiffAsItsFreeGap) {
+  const double t = 3.5e-3, E = 1.2e11, bore = 0.089, a = 1e-5, r = bore / 2;
+  const double closed = E * t * t * t * (2 * std::numbers::pi * a) / (36 * std::numbers::pi * r * r * r * r);
+  EXPECT_NEAR(models::radial_stiffness(t, E, bore) * a, closed, 1e-12 * closed);
+  const models::RadialCollapse ring{0.5, models::radial_stiffness(t, E, bore), 5e-5};
+  EXPECT_NEAR(ring.distance(closed), a, 1e-12);
+  EXPECT_EQ(ring.distance(-1e5), 0);
+  EXPECT_EQ(ring.distance(1e6), 5e-5);
 }
 
 // The same force decides on the flank and makes the criterion: where it turns negative the ring leaves.

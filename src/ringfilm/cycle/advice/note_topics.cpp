@@ -67,6 +67,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"shear-rate-high", kLimited, kCrankAngles},
       {"gas-path-not-periodic", kLimited, kCase},
       {"ring-unseated", kLimited, kCase},
+      {"radial-collapse", kLimited, kCrankAngles},
       {"coating-thin", kLimited, kCase},
       {"gap-leakage-grows", kLimited, kCase},
       {"edge-flow-grows", kLimited, kCase},

@@ -197,6 +197,21 @@ void append_breakthrough_note(const std::vector<Sample>& base, const CycleValues
        count(base, broken)});
 }
 
+void append_off_liner_note(const std::vector<Sample>& base, std::vector<Note>& notes) {
+  const auto off = [](const Sample& s) { return s.distance_off_liner > 0; };
+  const auto span = span_of(base, off);
+  if (!span) return;
+  double farthest = 0;
+  for (const Sample& s : base) farthest = std::max(farthest, s.distance_off_liner);
+  notes.push_back(
+      {"radial-collapse",
+       formatted("gas holds the ring off the liner, first at %.0f and last at %.0f degree, by up to %s: its "
+                 "pressures on the face exceed tension and gas behind the ring, and what closes the ring "
+                 "is its own stiffness and the end gap (eq-radial-collapse)",
+                 span->first, span->second, text_in(farthest, kMicrometre, 3).c_str()),
+       count(base, off)});
+}
+
 /// Above this rise viscosity, which falls by 2 to 4 % a kelvin in a warm engine and by 10 % in a cold one, is off by
 /// more than other inputs [K].
 constexpr double kWarmFilm = 5;
@@ -453,6 +468,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
   append_measured_flow_notes(setup, base, notes);
   append_breakthrough_note(base, values, notes);
+  append_off_liner_note(base, notes);
   append_heating_note(setup, base, notes);
   append_cell_note(grid, *lowest, setup.cells, notes);
   append_grid_note(setup, notes);

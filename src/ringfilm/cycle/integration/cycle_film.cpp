@@ -140,6 +140,19 @@ film::FilmReport CycleFilm::solve(const RingConditions& at, const film::FilmStat
       });
 }
 
+bool CycleFilm::has_simple_gap() const {
+  if (film2d_ || elastic_) return false;
+  return std::holds_alternative<film::FilmWorkspace>(std::get<film::MethodWorkspace>(workspace_));
+}
+
+film::FilmReport CycleFilm::solve_off_liner(const RingConditions& at, const film::FilmState& previous,
+                                            film::FilmState& state) {
+  auto& workspace = std::get<film::FilmWorkspace>(std::get<film::MethodWorkspace>(workspace_));
+  return factors_.solve(at.inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+    return film::solve_film_at_separation(across_, held, previous, found, workspace);
+  });
+}
+
 film::FilmReport CycleFilm::solve_steady(const RingConditions& at, film::FilmState& before, film::FilmState& state) {
   const film::FilmInputs& inputs = at.inputs;
   state = film::first_guess(across(), inputs);

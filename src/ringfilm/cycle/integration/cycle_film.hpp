@@ -36,6 +36,11 @@ class CycleFilm {
   /// By the method of the case; parameters as of film::solve_film.
   film::FilmReport solve(const RingConditions& at, const film::FilmState& previous, film::FilmState& state);
 
+  /// The film under a ring that is held off the liner at this separation, state.h_m; only where has_simple_gap().
+  film::FilmReport solve_off_liner(const RingConditions& at, const film::FilmState& previous, film::FilmState& state);
+  /// A film across the face of rigid surfaces, by the coupled Newton method?
+  bool has_simple_gap() const;
+
   /// What acts on an unrolled film, and on its ring.
   film::Film2dInputs film2d_inputs(const RingConditions& at) const;
 

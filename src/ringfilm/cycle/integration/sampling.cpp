@@ -167,6 +167,10 @@ Sample sample(const Setup& setup, const film::FilmProblem& problem, const Instan
   s.crank_sub_steps = instant.effort.steps;
   s.fallbacks = instant.effort.fallbacks;
   s.load_residual = std::abs(integrals.hydrodynamic_load + integrals.asperity_load - in.load) / in.load;
+  if (instant.at.off_liner) {  // the ring holds itself
+    s.distance_off_liner = s.min_film_thickness;
+    s.load_residual = 0;
+  }
   return s;
 }
 

@@ -90,6 +90,10 @@ class Block {
     TimeIntegration& integration = integrations_[lane]->integration();
     const film::FilmProblem& problem = integration.problem();
     const film::FilmInputs& inputs = integration.proposed();
+    if (integration.is_off_liner()) {  // the lane seeks films that carry
+      ++effort.single_solves;
+      return integration.solve();
+    }
     film::FilmReport report;
     report.iterations = newton_.iterations(lane);
     report.last_step = newton_.last_step(lane);

@@ -283,7 +283,14 @@ void TimeIntegration::start(int k) {
   heat_ = {};
   RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
   std::optional<film::FilmState> dry;
-  if (liner_oil_) dry = film::dry_film(problem(), at.inputs, liner_oil_->mean_on_liner());
+  if (liner_oil_) at.off_liner = off_liner(at);
+  if (at.off_liner) {
+    on_liner_ = 0;
+    on_liner_ = separation_off_liner(0);
+    dry = film::film_on_wall(problem(), at.inputs, on_liner_ + *at.off_liner, liner_oil_->mean_on_liner());
+  } else if (liner_oil_) {
+    dry = film::dry_film(problem(), at.inputs, liner_oil_->mean_on_liner());
+  }
   if (dry) {
     before_ = state_ = std::move(*dry);
   } else {
@@ -318,6 +325,35 @@ void TimeIntegration::lay_out_step() {
   step_.at = conditions(angle_deg_, step_.to_deg, step_.time_step);
 }
 
+void TimeIntegration::forget_past() {
+  time_step_before_ = time_step_older_ = 0;
+  // Without a past its error is not known.
+  longest_ticks_ = adaptive() ? std::min(longest_ticks_, double{kTicksWithoutPast}) : longest_ticks_;
+  lay_out_step();
+}
+
+std::optional<double> TimeIntegration::off_liner(const RingConditions& at) const {
+  const film::FilmInputs& inputs = at.inputs;
+  if (!inputs.has_gas() || !film_.has_simple_gap()) return std::nullopt;
+  const double width = problem().grid.width, pressing = inputs.mean_pressure(problem().grid);
+  if (std::max(inputs.left.pressure, inputs.right.pressure) < pressing) return std::nullopt;
+  film::FilmInputs now = inputs;
+  now.h_m_before = state_.h_m;
+  const double excess = film::least_hydrodynamic_load(problem(), now) / width - pressing;
+  if (excess < 0) return std::nullopt;
+  return setup_.ring.collapse.distance(excess);
+}
+
+/// As far beyond the reach of asperities.
+double TimeIntegration::separation_off_liner(double distance) const {
+  constexpr double kNothingTouches = 10;  // of a Gaussian surface, over its roughness [-]
+  constexpr double kSmoothRing = 1e-6;    // [m]
+  const models::AsperityContact* contact = problem().contact;
+  const double reach =
+      contact == nullptr ? kSmoothRing : std::min(contact->reach(), kNothingTouches * contact->length_scale());
+  return std::max(on_liner_, reach) + distance;
+}
+
 void TimeIntegration::propose() {
   if (tick_ == kTicks) {
     tick_ = 0;
@@ -328,10 +364,13 @@ void TimeIntegration::propose() {
   // The film does not follow its past across a step where oil takes the place of gas at an edge.
   if (fluids(step_.at) != fluids_) {
     fluids_ = fluids(step_.at);
-    time_step_before_ = time_step_older_ = 0;
-    // Without a past its error is not known.
-    longest_ticks_ = adaptive() ? std::min(longest_ticks_, double{kTicksWithoutPast}) : longest_ticks_;
-    lay_out_step();
+    forget_past();
+  }
+  // Nor where the ring comes down on the liner, or is off it.
+  step_.at.off_liner = off_liner(step_.at);
+  if (is_off_liner() || instant_.at.off_liner) {
+    forget_past();
+    step_.at.off_liner = off_liner(step_.at);
   }
   // A step that can be shortened is not searched for: most films that Newton's method misses change fast.
   if (adaptive() && step_.ticks > kSearchedTicks) step_.at.inputs.fallback = film::Fallback::kNone;
@@ -349,6 +388,9 @@ void TimeIntegration::propose() {
     const double growth = std::log(state_.h_m / before_.h_m) * step_.time_step / time_step_before_;
     step_.h_m *= std::exp(std::clamp(growth, -0.5, 0.5));
   }
+  if (!instant_.at.off_liner) on_liner_ = state_.h_m;
+  if (instant_.at.off_liner) step_.h_m = on_liner_;
+  if (is_off_liner()) step_.h_m = separation_off_liner(*step_.at.off_liner);
   step_.at.inputs.h_m_before = step_.h_m;
 }
 
@@ -385,9 +427,14 @@ const film::FilmState& TimeIntegration::guess() {
   return candidate_;
 }
 
+film::FilmReport TimeIntegration::solve_film(const RingConditions& at, const film::FilmState& previous,
+                                             film::FilmState& state) {
+  return at.off_liner ? film_.solve_off_liner(at, previous, state) : film_.solve(at, previous, state);
+}
+
 film::FilmReport TimeIntegration::solve() {
   guess();
-  return film_.solve(step_.at, remembered(), candidate_);
+  return solve_film(step_.at, remembered(), candidate_);
 }
 
 void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& waypoints) {
@@ -458,7 +505,9 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;
-      report = film_.solve(at, side_before_, to);
+      at.off_liner = off_liner(at);
+      if (at.off_liner) to.h_m = separation_off_liner(*at.off_liner);
+      report = solve_film(at, side_before_, to);
       if (!report.converged) break;
     }
   }

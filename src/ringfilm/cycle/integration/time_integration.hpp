@@ -82,6 +82,8 @@ class TimeIntegration {
   const film::FilmState& guess();
   /// The film of the proposed step goes here.
   film::FilmState& candidate() { return candidate_; }
+  /// Does gas hold the ring off the liner in it? Then its film carries no load.
+  bool is_off_liner() const { return step_.at.off_liner.has_value(); }
   /// Finds the film of the proposed step, in `candidate()`, by the method of the case.
   film::FilmReport solve();
   /// Takes the candidate as the next state, or shortens the step. Throws ConvergenceError if it cannot be shortened.
@@ -189,6 +191,13 @@ class TimeIntegration {
   };
   static Fluids fluids(const RingConditions& at);
   void count(const film::FilmReport& report);
+  /// Does gas hold the ring off the liner under these conditions, and by how far? eq-radial-collapse
+  std::optional<double> off_liner(const RingConditions& at) const;
+  /// A film that carries, or that under a ring off the liner.
+  film::FilmReport solve_film(const RingConditions& at, const film::FilmState& previous, film::FilmState& state);
+  /// h_m of a ring that gas holds off the liner there [m].
+  double separation_off_liner(double distance) const;
+  void forget_past();
   /// What acts on the ring at the end of a step from the current state.
   RingConditions conditions(double from_deg, double to_deg, double time_step) const;
   void account_of_oil();
@@ -201,6 +210,7 @@ class TimeIntegration {
   film::FilmState history_;         ///< what a step of second order remembers
   Axis axis_ = Axis::kFromChamber;  ///< orientation of `state_` and `before_`
   Fluids fluids_;                   ///< at the edges of `state_`
+  double on_liner_ = 0;             ///< h_m of the last film that carried [m]
   double time_step_before_ = 0;     ///< that led to `state_`; 0: no history
   double time_step_older_ = 0;      ///< that led to `before_`; 0: there is no `older_`
   double thinnest_ = 0;             ///< h_m of all films so far [m]

@@ -62,6 +62,7 @@ gas_path::Ring gas_ring(const Case& c) {
   if (moves || has_tension(ring)) {
     of.elastic_pressure = elastic_pressure(c);
     of.bore_friction_coefficient = gas.bore_friction_coefficient;
+    of.collapse = radial_collapse(c);
   }
   return of;
 }

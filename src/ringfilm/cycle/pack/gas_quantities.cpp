@@ -91,7 +91,13 @@ const std::vector<GasRingQuantity>& gas_ring_quantities() {
         "eq-static-twist"},
        &RingMotionValues::largest_static_twist_angle_deg},
       {{"twisted_share", "1", "%", "share of the cycle with a static twist", "", "eq-static-twist"},
-       &RingMotionValues::twisted_share}};
+       &RingMotionValues::twisted_share},
+      {{"off_liner_share", "1", "%", "share of the cycle in which gas holds the ring off the liner", "",
+        "eq-radial-collapse"},
+       &RingMotionValues::off_liner_share},
+      {{"farthest_off_liner", "m", "um", "largest distance at which gas holds the ring off the liner", "a",
+        "eq-radial-collapse"},
+       &RingMotionValues::farthest_off_liner}};
   return table;
 }
 

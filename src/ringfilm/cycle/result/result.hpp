@@ -52,6 +52,7 @@ struct Sample {
   double wetted_end = 0;               ///< crankcase-side end of it; between them lies no gas of an edge [m]
   double gas_breakthrough = 0;         ///< 1 where gas of an edge reaches the lowest place of the face, else 0 [-]
   double gas_flow_through_film = 0;    ///< gas through the film where it breaks through, else 0 [kg/s]
+  double distance_off_liner = 0;       ///< at which gas holds the ring off the liner; 0: film and asperities carry [m]
   double rupture_position = 0;      ///< where the cavity begins, from the chamber edge [m]; NaN where the film is full
   double reformation_position = 0;  ///< where the cavity ends, from the chamber edge [m]; NaN where the film is full
   double film_temperature = 0;      ///< temperature of the oil film [K]
@@ -145,6 +146,7 @@ struct CycleValues {
   double oil_replenished = 0;
   double gas_through_film_forward = 0;         ///< gas through a broken film towards the crankcase, per cycle [kg]
   double gas_through_film_back = 0;            ///< gas through it back towards the chamber, per cycle, positive [kg]
+  double off_liner_share = 0;                  ///< share of the cycle in which gas holds the ring off the liner [-]
   double peak_viscous_heating_rise = 0;        ///< largest rise of the film's temperature by shear [K]
   double peak_viscous_heating_rise_angle = 0;  ///< crank angle of it [degree]
   double peak_flash_temperature = 0;           ///< largest rise of the liner's surface under the face [K]

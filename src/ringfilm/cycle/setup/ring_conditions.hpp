@@ -23,6 +23,9 @@ struct RingConditions {
   double below_tdc = 0;         ///< where the ring is on its stroke [m]
   double film_temperature = 0;  ///< [K]
   double oil_ahead = 0;         ///< on the liner ahead of an inlet that is not flooded; 0: flooded [kg/m2]
+  /// By how far gas holds the ring off the liner beyond the reach of asperities; nothing: film and asperities carry
+  /// [m].
+  std::optional<double> off_liner = std::nullopt;
 };
 
 /// How the film of the step before heated itself; zero where the case does not heat its film (`Thermal::is_heated`).

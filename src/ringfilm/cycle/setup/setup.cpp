@@ -69,7 +69,7 @@ Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
   return {c,
           {crank_slider(c), c.operating.speed},
           {ring_face(c), elastic_pressure(c), composite_modulus(c), roughness(c), asperity_contact(c), asperities(c),
-           std::move(lands), std::move(oil.setup), std::move(factors)},
+           std::move(lands), std::move(oil.setup), std::move(factors), radial_collapse(c)},
           std::move(oil.notes)};
 }
 
@@ -122,6 +122,30 @@ double elastic_pressure(const Case& c) {
   }
   return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
                                                 c.engine.bore);
+}
+
+namespace {
+
+/// Radial thickness and end gap over the bore, where they are not stated (assumed: the middle of usual rings).
+constexpr double kUsualThickness = 1.0 / 25, kUsualGap = 0.0035;
+
+/// Share of the face above its lowest place; half of one that turns over, or whose face is not stated.
+double share_above_lowest(const Case& c) {
+  const RingFace& face = c.ring.face;
+  const bool is_known = face.form == FaceForm::kPoints ? !face.x.empty() : c.ring.face_width > 0;
+  if (!is_known || face.orientation == Orientation::kLeadingEdge) return 0.5;
+  const double share = ring_face(c).minimum().x / c.ring.face_width;
+  return face.orientation == Orientation::kX0Crankcase ? 1 - share : share;
+}
+
+}  // namespace
+
+models::RadialCollapse radial_collapse(const Case& c) {
+  const Ring& ring = c.ring;
+  const double thickness = ring.radial_thickness.value_or(kUsualThickness * c.engine.bore);
+  const double gap = ring.end_gap.value_or(kUsualGap * c.engine.bore);
+  return {share_above_lowest(c), models::radial_stiffness(thickness, ring.youngs_modulus, c.engine.bore),
+          gap / (2 * std::numbers::pi)};
 }
 
 namespace {

@@ -12,6 +12,7 @@
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/oil/oil_over_temperature.hpp"
+#include "ringfilm/models/radial_collapse.hpp"
 #include "ringfilm/models/ring.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
@@ -64,9 +65,10 @@ struct RingSetup {
   std::shared_ptr<const models::AsperityContact> contact;  ///< law of the pair
   /// Asperities of the pair; nothing: the law is a table
   std::optional<models::GreenwoodTripp::Parameters> asperities;
-  LandPressures lands;       ///< gas above and below
-  OilSetup oil;              ///< oil of the ring's film
-  film::FactorLaws factors;  ///< flow factors of the ring's film
+  LandPressures lands;              ///< gas above and below
+  OilSetup oil;                     ///< oil of the ring's film
+  film::FactorLaws factors;         ///< flow factors of the ring's film
+  models::RadialCollapse collapse;  ///< of the ring, where gas presses it off the liner
 };
 
 /// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several
@@ -87,6 +89,9 @@ std::string usual_tension();
 
 /// p_e of the one way in which the case states the tension of the ring, eq-elastic-pressure [Pa].
 double elastic_pressure(const Case& c);
+
+/// What a ring does that gas presses off the bore. Where the case leaves thickness or gap open, those of a typical one.
+models::RadialCollapse radial_collapse(const Case& c);
 
 /// Crank of the case.
 models::CrankSlider crank_slider(const Case& c);

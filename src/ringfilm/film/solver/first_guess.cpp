@@ -59,11 +59,6 @@ FilmProblem coarsened(const FilmProblem& problem) {
 std::optional<FilmState> dry_film(const FilmProblem& problem, const FilmInputs& inputs, double on_wall) {
   const bool between_gases = inputs.left.fluid == EdgeFluid::kGas && inputs.right.fluid == EdgeFluid::kGas;
   if (!between_gases || problem.contact == nullptr) return std::nullopt;
-  const FilmGrid& grid = problem.grid;
-  const int n = grid.n_cells();
-  FilmState state;
-  const GasReach reach(grid, inputs);
-  for (int i = 0; i <= n; ++i) state.p.push_back(reach.pressure_bound(i));
   const double carried = inputs.load - least_hydrodynamic_load(problem, inputs);
   const auto excess = [&](double ln_h) { return asperity_load(problem, std::exp(ln_h)) / carried - 1; };
   const double thin = std::log(kMolecules), thick = std::log(problem.contact->reach());
@@ -71,7 +66,16 @@ std::optional<FilmState> dry_film(const FilmProblem& problem, const FilmInputs& 
   boost::uintmax_t evaluations = 200;
   const auto [low, high] = boost::math::tools::toms748_solve(
       excess, thin, thick, [&](double a, double b) { return b - a < problem.tolerance; }, evaluations);
-  state.h_m = std::exp(0.5 * (low + high));
+  return film_on_wall(problem, inputs, std::exp(0.5 * (low + high)), on_wall);
+}
+
+FilmState film_on_wall(const FilmProblem& problem, const FilmInputs& inputs, double h_m, double on_wall) {
+  const FilmGrid& grid = problem.grid;
+  const int n = grid.n_cells();
+  FilmState state;
+  const GasReach reach(grid, inputs);
+  for (int i = 0; i <= n; ++i) state.p.push_back(reach.pressure_bound(i));
+  state.h_m = h_m;
   for (int i = 0; i <= n; ++i) {
     const double full = inputs.oil->density(state.p[i]) * (state.h_m + grid.node_height[i]);
     state.mass_per_area.push_back(std::min(on_wall, kAtMostFull * full));

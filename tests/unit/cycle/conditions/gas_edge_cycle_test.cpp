@@ -221,6 +221,37 @@ TEST(GasEdge, ATiltOfPicometresOnALandChangesNothing) {
   EXPECT_NEAR(simulated(with_land(0, 1e-11)).values.fmep, flat, 0.001 * flat);
 }
 
+// With 8 bar below it the ring is off the liner but around firing, and comes down again.
+TEST(GasEdge, HoldsARingOffTheLinerWhereItPressesHarder) {
+  for (const StepControl control : {StepControl::kAdaptive, StepControl::kFixed}) {
+    Case c = with_gas(styles_new_ring(), 1500);
+    c.ring.pressure_below.constant = 8e5;
+    c.film.supply = OilSupply::kFilmOnLiner;
+    c.supply.film = {{0, 2e-6}};
+    c.supply.reach = 10e-3;
+    c.solver.crank_step_control = control;
+    const CycleResult result = simulated(c);
+    ASSERT_TRUE(result.complete);
+    const models::RadialCollapse ring = prepare(c).ring.collapse;
+    long off = 0;
+    for (const Sample& s : result.samples) {
+      const double p_e = elastic_pressure(c), excess = ring.excess(s.gas_pressure, 8e5, p_e + s.gas_pressure);
+      if (std::abs(excess) < 0.02e5) continue;  // asperities and the face's cells
+      EXPECT_EQ(s.distance_off_liner > 0, excess > 0) << s.crank_angle_deg;
+      if (s.distance_off_liner == 0) continue;
+      ++off;
+      EXPECT_GE(s.min_film_thickness, ring.distance(excess)) << s.crank_angle_deg;
+      EXPECT_LT(s.asperity_load, 1e-9) << s.crank_angle_deg;
+      EXPECT_EQ(s.gas_breakthrough, 1) << s.crank_angle_deg;
+    }
+    EXPECT_GT(off, 100);
+    EXPECT_NEAR(result.values.off_liner_share, static_cast<double>(off) / 720, 0.01);
+    EXPECT_LT(result.effort.max_mass_residual, 1e-5);
+    EXPECT_EQ(std::ranges::count(result.notes, "radial-collapse", &Note::topic), 1);
+    EXPECT_EQ(at(result, 15).distance_off_liner, 0);
+  }
+}
+
 TEST(GasEdge, RequiresTheBalanceOfMassAndNewtonsMethod) {
   Case c = with_gas(styles_new_ring(), 1500);
   EXPECT_TRUE(broken_rules(c).empty());
