@@ -12,25 +12,39 @@
 #include <utility>
 #include <vector>
 
+#include "../tests/scenarios/engine_scenario.hpp"
 #include "../tests/scenarios/usual_engine.hpp"
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/simulate_batch.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 
-// usage: scenario_accuracy [--quick] [--json FILE] [scenarios] [first seed]
+// usage: scenario_accuracy [--quick] [--oil-on-liner] [--json FILE] [scenarios] [first seed]
 // How near the values of a cycle come to those of much finer cells and steps, and what it costs: a work-precision table
 // over random engines, of one thread of the batched engine. The file has what docs/figures/performance_charts.py draws.
 namespace {
 
 using namespace ringfilm;
 
-constexpr int kFinestCells = 1600;
-constexpr double kFinestStepDeg = 0.125;
+/// With oil on the liner: eight times the cells by gap and steps that are as good as 1 %.
+struct Finest {
+  int cells;
+  double step_deg;
+};
+constexpr Finest kFinest{1600, 0.125}, kFinestOnLiner{800, 0.25};
 constexpr std::array kLimits = {0.05, 0.01, 0.005, 0.001};
 
-cycle::Case engine(std::uint64_t seed) {
+/// What the film enters from.
+enum class Supply { kFlooded, kOilOnLiner };
+
+cycle::Case engine(std::uint64_t seed, Supply supply) {
   scenarios::RepeatableNumbers draw(seed);
-  cycle::Case c = scenarios::usual_engine(draw, 300, 9000);
+  cycle::Case c =
+      supply == Supply::kFlooded ? scenarios::usual_engine(draw, 300, 9000) : scenarios::usual_engine(draw, 500, 8000);
+  if (supply == Supply::kOilOnLiner) {
+    cycle::testing::put_gas_at_edges(c);
+    cycle::testing::lay_oil_on_liner(static_cast<int>(seed), c);
+    if (draw.one_of(2) == 1) c.ring.face.orientation = cycle::Orientation::kX0Crankcase;
+  }
   c.output.crank_angles_deg = {0};
   return c;
 }
@@ -120,6 +134,38 @@ std::string text(const char* format, Numbers... numbers) {
   return buffer;
 }
 
+/// Cells, fixed steps and films between menisci, for oil on the liner.
+std::vector<Way> ways_on_liner() {
+  const auto bdf2 = cycle::TimeScheme::kBdf2;
+  std::vector<Way> list = {{"200 cells, adaptive, BDF2", "adaptive", {}}};
+  for (const auto& [cells, step] : {std::pair{48, 2.0},
+                                    {72, 2.0},
+                                    {72, 1.0},
+                                    {100, 1.0},
+                                    {150, 1.0},
+                                    {150, 0.5},
+                                    {200, 0.5},
+                                    {300, 0.5},
+                                    {300, 0.25},
+                                    {400, 0.25}}) {
+    cycle::Solver solver = fixed_steps(cells, step, bdf2);
+    solver.cell_lengths = cycle::CellLengths::kByGap;
+    list.push_back({text("%d by gap, fixed %g degree", cells, step), "fixed", solver});
+  }
+  for (const double step_error : {1e-2, 3e-3, 1e-3, 3e-4}) {
+    cycle::Solver solver;
+    solver.method = cycle::Method::kMenisci;
+    solver.step_error = step_error;
+    list.push_back({text("menisci, step_error %g", step_error), "menisci", solver});
+  }
+  for (const double accuracy : kLimits) {
+    cycle::Solver solver;
+    solver.accuracy = 100 * accuracy;
+    list.push_back({text("accuracy %.3g %%", 100 * accuracy), "accuracy", solver});
+  }
+  return list;
+}
+
 std::vector<Way> ways() {
   const auto euler = cycle::TimeScheme::kBackwardEuler;
   cycle::Solver first;
@@ -207,12 +253,13 @@ nlohmann::ordered_json as_json(const Way& way, const Outcome& finest) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  bool quick = false;
+  bool quick = false, oil_on_liner = false;
   std::string json;
   std::optional<int> scenarios;
   int seed = 1;
   CLI::App app("Accuracy and cost of the values of a cycle over random engines");
   app.add_flag("--quick", quick, "16 scenarios where their number is not stated, in place of 96");
+  app.add_flag("--oil-on-liner", oil_on_liner, "films between gases, with 0.3 to 20 um on the liner");
   app.add_option("--json", json, "integrates the ways of the work-precision diagram, too, and writes all to this file");
   app.add_option("scenarios", scenarios, "their number")->check(CLI::Range(1, 100'000));
   app.add_option("seed", seed, "of the first scenario")->check(CLI::NonNegativeNumber)->capture_default_str();
@@ -227,15 +274,17 @@ int main(int argc, char** argv) {
     }
   }
 
+  const Supply supply = oil_on_liner ? Supply::kOilOnLiner : Supply::kFlooded;
+  const Finest& fine = oil_on_liner ? kFinestOnLiner : kFinest;
   std::vector<cycle::Case> engines;
-  for (int i = 0; i < n; ++i) engines.push_back(engine(static_cast<std::uint64_t>(seed + i)));
-  const Outcome finest = integrate(engines, fixed_steps(kFinestCells, kFinestStepDeg, cycle::TimeScheme::kBdf2));
+  for (int i = 0; i < n; ++i) engines.push_back(engine(static_cast<std::uint64_t>(seed + i), supply));
+  const Outcome finest = integrate(engines, fixed_steps(fine.cells, fine.step_deg, cycle::TimeScheme::kBdf2));
   std::printf(
       "Accuracy and cost of %d random engines, values of the cycle without angles against %d cells and %g degree\n", n,
-      kFinestCells, kFinestStepDeg);
+      fine.cells, fine.step_deg);
   std::printf("(%.0f ms); share of the values within 5, 1, 0.5 and 0.1 %%; processor time of one thread\n\n",
               finest.ms);
-  std::vector<Way> list = ways();
+  std::vector<Way> list = oil_on_liner ? ways_on_liner() : ways();
   if (json.empty()) std::erase_if(list, [](const Way& way) { return way.use == Use::kDiagram; });
   for (Way& way : list) way.outcome = integrate(engines, way.solver);
   print_shares(list, finest);
@@ -245,8 +294,8 @@ int main(int argc, char** argv) {
   nlohmann::ordered_json document{{"scenarios", n},
                                   {"first_seed", seed},
                                   {"kernels", std::string(film::kernels().name)},
-                                  {"reference_cells", kFinestCells},
-                                  {"reference_crank_step_deg", kFinestStepDeg},
+                                  {"reference_cells", fine.cells},
+                                  {"reference_crank_step_deg", fine.step_deg},
                                   {"reference_ms_per_scenario", finest.ms}};
   for (const Way& way : list) document["ways"].push_back(as_json(way, finest));
   file << document.dump(2) << '\n';
