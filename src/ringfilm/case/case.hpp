@@ -351,6 +351,7 @@ struct Lubricant {
   double dh_b = models::DowsonHigginson{}.b;  ///< b of the same law [1/Pa]
   double thermal_conductivity = 0.14;         ///< thermal conductivity of a mineral oil, k [W/(m K)]
   double specific_heat = 2100;                ///< specific heat of a mineral oil, c_p [J/(kg K)]
+  double surface_tension = 0.03;              ///< surface tension of a mineral oil against gas [N/m]
   double viscosity = 0;                       ///< viscosity of the oil of a pad, at the zero of its pressures [Pa s]
   ShearThinning shear_thinning = ShearThinning::kNone;    ///< law of viscosity against the shear rate
   double second_newtonian_ratio = 0.7;                    ///< R: viscosity at the highest shear rates over that at none
@@ -376,6 +377,7 @@ struct Film {
 
   OilSupply supply = OilSupply::kFlooded;        ///< what enters at an edge of gas; see supply_at_inlet
   BrokenFilm broken = BrokenFilm::kFreeSurface;  ///< what passes where gas of an edge blows through the film
+  Outlet outlet = Outlet::kHalfGap;              ///< what a film leaves where oil hangs on the face behind it
 
   Roughness flow_factors = Roughness::kNone;      ///< factors of the flow by pressure
   Roughness shear_flow = Roughness::kNone;        ///< factors of the flow by sliding

@@ -208,6 +208,12 @@ enum class HeatTransfer {
   kWoschni  ///< eq-woschni
 };
 
+/// `film.outlet`: what the liner takes along where oil hangs on the face behind the film.
+enum class Outlet {
+  kHalfGap,   ///< half of the gap
+  kCapillary  ///< what a meniscus leaves at the capillary number of the liner, eq-outlet
+};
+
 using film::AverageGap;                          ///< `film.average_gap`
 using film::Roughness;                           ///< `film.flow_factors`, `film.shear_flow`, `film.stress_factors`
 using ShearThinning = models::ShearThinningLaw;  ///< `lubricant.shear_thinning`

@@ -43,6 +43,7 @@ std::optional<std::string> no_menisci_since(const Setup& setup) {
       Obstacle{c.film.chamber_edge != EdgeFluid::kGas || c.film.crankcase_edge != EdgeFluid::kGas,
                "an edge of the face meets oil"},
       Obstacle{c.film.supply_at_inlet() != OilSupply::kFilmOnLiner, "film.supply is not \"film-on-liner\""},
+      Obstacle{c.film.outlet != Outlet::kHalfGap, "film.outlet is not \"half-gap\""},
       Obstacle{c.ring.face.orientation == Orientation::kLeadingEdge, "the face turns over with the stroke"},
       Obstacle{c.ring.local_deformation != LocalDeformation::kNone, "the face deforms under its film"},
       Obstacle{!setup.ring.factors.are_of_plain_film(),

@@ -70,6 +70,12 @@ double throat_reach(BrokenFilm broken, double viscosity, double U, double length
   return broken == BrokenFilm::kNothingPasses ? kHardlyAny * reach : reach;
 }
 
+double left_by_meniscus(double capillary_number) {
+  // A meniscus of the radius of half the gap leaves 1.34 Ca^(2/3) of that radius.
+  const double thin = 1.34 * std::cbrt(capillary_number * capillary_number);
+  return thin / (1 + thin);
+}
+
 /// The gases meet where the slope of the face, which is linear along a parabola, is 0.
 void GasReach::set_place() {
   const std::vector<double>&height = grid_->node_height, &x = grid_->x;
@@ -121,6 +127,12 @@ double GasReach::carry(int i) const {
   const bool follows_wall =
       !inputs_->is_steady() && (std::isfinite(inputs_->left.supply) || std::isfinite(inputs_->right.supply));
   return follows_wall && gas_at(i) != nullptr ? kOnWall : kBetweenWalls;
+}
+
+double GasReach::outlet() const {
+  if (!(inputs_->surface_tension > 0)) return 1;
+  const double eta = inputs_->oil->viscosity(behind().pressure);
+  return left_by_meniscus(eta * std::abs(inputs_->U) / inputs_->surface_tension);
 }
 
 MeetingPlace GasReach::meeting_place() const {

@@ -23,6 +23,10 @@ double throat_length(const FilmGrid& grid, double h_m, double lowest);
 /// `reach` of the Throat of this length. @param viscosity at the pressure behind it [Pa s]
 double throat_reach(BrokenFilm broken, double viscosity, double U, double length);
 
+/// Twice the share of the gap that a retreating meniscus leaves on the wall (eq-outlet) [-]. @param capillary_number of
+/// the wall
+double left_by_meniscus(double capillary_number);
+
 /// The two nodes about a place between them where gases meet. Where gas fills one of them, its pressure acts up to the
 /// place itself, and not halfway to the other node.
 struct MeetingPlace {
@@ -55,6 +59,10 @@ class GasReach {
   /// Argument `carry` of carried_share() at node `i`. Steady films store nothing. Films with a full inlet pass nothing
   /// on to a wall that is followed: there theta is the share that flows.
   double carry(int i) const;
+  /// Twice the share of the gap that the meniscus behind the film leaves on the wall, 1 for half of the gap (eq-outlet).
+  double outlet() const;
+  /// Is node `i` where that meniscus may be?
+  bool is_outlet(int i) const { return gas_at(i) == &behind() && carry(i) > kBetweenWalls; }
 
   /// The first and the last node of the narrowest stretch; of a place between two nodes the one after it and the one
   /// before it.
@@ -72,6 +80,8 @@ class GasReach {
 
  private:
   bool is_within(int i) const { return i >= begin_ && i <= end_ && i > 0 && i < n_cells_; }
+  /// The edge at which the film leaves.
+  const EdgeState& behind() const { return inputs_->U >= 0 ? inputs_->right : inputs_->left; }
   /// Pressure of the gas at an edge; next to oil that of a cavity [Pa].
   double beside(const EdgeState& edge) const {
     return edge.fluid == EdgeFluid::kGas ? edge.pressure : inputs_->p_cavitation;

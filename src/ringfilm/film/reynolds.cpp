@@ -164,6 +164,7 @@ FilmView film_view(const FilmProblem& problem, const FilmInputs& inputs, const F
           throat.pressure,
           throat.reach,
           throat.place,
+          reach.outlet(),
           given(&FlowFactors::mobility),
           given(&FlowFactors::carried),
           given(&FlowFactors::thinning),

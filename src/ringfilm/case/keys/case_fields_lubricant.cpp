@@ -42,6 +42,8 @@ constexpr When kHths{
     [](const Case& c) { return kThinning.holds(c) && has_temperature(c) && !c.lubricant.critical_shear_rate; },
     "lubricant.shear_thinning = \"cross\" or \"carreau\", without lubricant.critical_shear_rate; in "
     "a pad with thermal.ring or thermal.liner"};
+constexpr When kMeniscus{[](const Case& c) { return c.film.outlet == Outlet::kCapillary; },
+                         "film.outlet = \"capillary\""};
 constexpr When kReferenceTemperature{
     [](const Case& c) { return kHoupert.holds(c) || kThermalExpansivity.holds(c); },
     "lubricant.viscosity_temperature = \"houpert\" or lubricant.density_temperature = \"thermal-expansivity\""};
@@ -234,6 +236,13 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                  .help = "specific heat of the oil, c_p; typical of mineral oils, assumed",
                  .example = "\"2100 J/(kg K)\"",
                  .uses = {.pad = true}}),
+          field({.key = "lubricant.surface_tension",
+                 .kind = NumberKind{member<&Case::lubricant, &Lubricant::surface_tension>},
+                 .unit = si_unit("N/m"),
+                 .range = between(0.001, 1),
+                 .when = kMeniscus,
+                 .help = "surface tension of the oil against gas; typical of mineral oils, assumed",
+                 .example = "\"0.03 N/m\""}),
           field({.key = "lubricant.shear_thinning",
                  .kind = choice<&Case::lubricant, &Lubricant::shear_thinning>({{"none", ShearThinning::kNone},
                                                                                {"cross", ShearThinning::kCross},

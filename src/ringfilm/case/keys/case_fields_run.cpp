@@ -94,6 +94,13 @@ void append_run_fields(std::vector<Field>& fields) {
                          "gas, or none; assumed",
                  .example = "\"free-surface\"",
                  .uses = {.pad = true}}),
+          field({.key = "film.outlet",
+                 .kind = choice<&Case::film, &Film::outlet>(
+                     {{"half-gap", Outlet::kHalfGap}, {"capillary", Outlet::kCapillary}}),
+                 .when = kNotFlooded,
+                 .help = "what lies on the liner where it drains oil that hangs on the face behind the film: half of "
+                         "the gap, or less as the capillary number falls; assumed",
+                 .example = "\"half-gap\""}),
           field({.key = "film.left_edge",
                  .kind = choice<&Case::film, &Film::left_edge>({{"oil", EdgeFluid::kOil}, {"gas", EdgeFluid::kGas}}),
                  .help = "what the film meets at x = 0: oil, which floods it, or gas at pad.left_pressure",

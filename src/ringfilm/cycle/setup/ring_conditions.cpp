@@ -65,6 +65,7 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
   at.inputs.left = turned ? crankcase : chamber;
   at.inputs.right = turned ? chamber : crankcase;
   at.inputs.broken = c.film.broken;
+  if (c.film.outlet == Outlet::kCapillary) at.inputs.surface_tension = c.lubricant.surface_tension;
   at.inputs.p_cavitation = std::min({c.film.cavitation_pressure, above, below});
   const double behind =
       ring.lands.behind ? ring.lands.behind->pressure(angle) : pressure_behind_ring(c.gas, above, below);

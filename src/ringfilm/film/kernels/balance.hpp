@@ -240,6 +240,25 @@ RINGFILM_INLINE Real pressing_share(Real filled, Real least) {
 /// Where it begins, by `carry` of carried_share().
 inline constexpr double kPressingOnWall = 0.5, kPressingBetweenWalls = 0.9;
 
+/// Share of the gap up to which oil hangs at rest.
+inline constexpr double kHanging = 0.9;
+
+
+/// Where oil hangs on the face behind the film, the wall takes along what a meniscus leaves on it until the gap is all
+/// but full (eq-outlet). @param left twice the share of the gap that a meniscus leaves, up to 1
+/// @returns the most that carried_share() may be
+template <class Real>
+RINGFILM_INLINE Real hanging_share(Real filled, Real left) {
+  return left + (Real(1) - left) * pressing_share(filled, Real(kHanging));
+}
+template <class Real>
+RINGFILM_INLINE void let_hang(Real left, Node<Real>& node) {
+  const Real most = hanging_share(node.filled, left);
+  const Real rise = select(node.filled > Real(kHanging), (Real(1) - left) * Real(1 / (1 - kHanging)), Real(0));
+  node.gain = select(most < node.theta, rise, node.gain);
+  node.theta = min(node.theta, most);
+}
+
 /// Through a face at which gas blows against the motion the film before it passes on what eq-broken-film lets through.
 /// @param flux that of a film, at a face whose oil the pressure drives  @param held mask of such faces
 /// @param place,pressure,reach of Throat  @param behind share of the gap behind that holds oil, 0 at an edge, and the

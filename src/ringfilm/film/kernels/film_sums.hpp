@@ -20,6 +20,7 @@ struct FilmView {
   bool is_steady = false;                                      ///< no storage: the inlet is limited as a whole
   int first_held = 0, last_held = -1;                          ///< faces of a Throat, the rest as there
   double throat_pressure = 0, throat_reach = 0, throat_place = 0;
+  double outlet = 1;  ///< GasReach::outlet [-]
   /// FlowFactors; nullptr: none.
   const double *mobility = nullptr, *carried = nullptr, *thinning = nullptr, *sliding_stress = nullptr,
                *inverse_gap = nullptr;
@@ -135,7 +136,10 @@ RINGFILM_INLINE double flux_through(const FilmView& film, double U, const double
     if (is_limited && from_left == (i == 0)) return 1.0;  // the edge, see limit_inlet
     const int node = from_left ? i : i + 1;
     const bool on_wall = node < film.left_gas_end || node >= film.right_gas_begin;
-    return carried_share(1 - film.deficit_share * film.deficit[node], on_wall ? kOnWall : kBetweenWalls);
+    const bool is_behind = U >= 0 ? node >= film.right_gas_begin : node < film.left_gas_end;
+    const double filled = 1 - film.deficit_share * film.deficit[node];
+    return min(carried_share(filled, on_wall ? kOnWall : kBetweenWalls),
+               hanging_share(filled, is_behind ? film.outlet : 1.0));
   };
   const double content = film_content(U >= 0);
   const double upstream = film.h_m + film.node_height[U >= 0 ? i : i + 1] + (stream - h);

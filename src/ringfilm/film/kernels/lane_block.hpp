@@ -65,6 +65,7 @@ struct LaneBlock {
   double* bound;                      ///< lowest pressure over p_c [Pa]
   double *mobility, *stored;          ///< FlowFactors [-], [m]
   double* carry;                      ///< argument `carry` of carried_share() [-]
+  double* outlet;                     ///< GasReach::outlet [-]
   double* inflow;                     ///< what the step before left and what sources add [kg/(m s)]
   double* node_height;                ///< h_s [m]
   double* share;                      ///< [m]
@@ -94,6 +95,8 @@ struct LaneBlock {
   alignas(64) Lanes cavity_K;       ///< K at the cavitation pressure [s/m2]
   alignas(64) Lanes contact_load;   ///< W_a where no fit gives it [N/m]
   alignas(64) Lanes contact_slope;  ///< dW_a/dh_m of it [N/m2]
+
+  bool has_outlets;                 ///< has any lane had an `outlet` other than 1?
 
   // Fits
   alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]

@@ -200,6 +200,7 @@ class NewtonSweep {
       const Real carry = at(b_.carry, i);
       node.theta = carried_share(filled, carry);
       node.gain = select(carry * filled < Real(1), carry, select(carry > Real(kBetweenWalls), Real(0), Real(1)));
+      if (b_.has_outlets) let_hang(at(b_.outlet, i), node);
     }
     return node;
   }

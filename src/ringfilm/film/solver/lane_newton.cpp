@@ -16,7 +16,7 @@ constexpr int kMaxIterations = 40;  // limit for the coupled Newton iteration
 constexpr int kMaxOfStep = 12;      // limit for a step that is shortened where no film is found
 constexpr double kNowhere = -1;     // a reach of contact that no gap is within
 
-constexpr int kNodalArrays = 19;
+constexpr int kNodalArrays = 20;
 /// A face that no film has.
 constexpr double kNoFace = -2;
 
@@ -39,7 +39,8 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
   for (double** nodal :
        {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height,
         &block_.conductance, &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K,
-        &block_.dK_dp, &block_.mobility, &block_.stored, &block_.carried, &block_.carry, &block_.load_share}) {
+        &block_.dK_dp, &block_.mobility, &block_.stored, &block_.carried, &block_.carry, &block_.outlet,
+        &block_.load_share}) {
     *nodal = array;
     array += stride;
   }
@@ -68,7 +69,9 @@ void LaneNewton::clear_from(int lane, int node) {
           block_.drho_dp, block_.dK_dp, block_.stored, block_.carried, block_.load_share}) {
       nodal(array, i, lane) = 0;
     }
-    for (double* array : {block_.z, block_.rho, block_.K, block_.mobility, block_.carry}) nodal(array, i, lane) = 1;
+    for (double* array : {block_.z, block_.rho, block_.K, block_.mobility, block_.carry, block_.outlet}) {
+      nodal(array, i, lane) = 1;
+    }
   }
 }
 
@@ -250,11 +253,14 @@ void LaneNewton::set_terms(int lane, const FilmInputs& inputs) {
   block_.left_supply[lane] = std::min(4 * inputs.left_supply(), kUnlimited);
   block_.right_supply[lane] = std::min(4 * inputs.right_supply(), kUnlimited);
   const GasReach reach(at.problem->grid, inputs);
+  const double outlet = reach.outlet();
+  block_.has_outlets = block_.has_outlets || outlet < 1;
   const FlowFactors* factors = inputs.factors.get();
   const auto factor = [](const std::vector<double>& of, int i, double none) { return of.empty() ? none : of[i]; };
   for (int i = 0; i <= at.n_cells; ++i) {
     nodal(block_.mobility, i, lane) = factors ? factor(factors->mobility, i, 1) : 1;
     nodal(block_.carry, i, lane) = reach.carry(i);
+    nodal(block_.outlet, i, lane) = reach.is_outlet(i) ? outlet : 1;
     nodal(block_.stored, i, lane) = factors ? factor(factors->stored, i, 0) : 0;
     if (i < at.n_cells) nodal(block_.carried, i, lane) = factors ? factor(factors->carried, i, 0) : 0;
   }

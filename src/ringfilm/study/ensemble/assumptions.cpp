@@ -516,16 +516,17 @@ std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
     all.push_back(of_choice("face-orientation", "ring.face.orientation", c, "the face is installed as", "",
                             "a face trace does not show which end faces the chamber"));
   }
-  all.push_back(of_choice("cavitation-model", "film.cavitation", c, "the film ruptures and forms again after the",
-                          " model",
-                          "the models differ in where the film forms again; Reynolds' exit does not keep mass there"));
-  all.push_back(cavitation_pressure(c));
-  // A contact law without integrals or without a roughness of its own has no such choice.
+  // Neither has a contact law without integrals or without a roughness of its own such a choice, nor a flooded film.
   const auto add_if_used = [&](const char* topic, const char* key, const std::string& before, const std::string& after,
                                const char* consequence) {
     if (!cycle::is_active(*cycle::find_field(key), c)) return;
     all.push_back(of_choice(topic, key, c, before, after, consequence));
   };
+  add_if_used("cavitation-model", "film.cavitation", "the film ruptures and forms again after the", " model",
+              "the models differ in where the film forms again; Reynolds' exit does not keep mass there");
+  all.push_back(cavitation_pressure(c));
+  add_if_used("outlet", "film.outlet", "of oil that hangs on the face behind the film the liner takes along that of a",
+              " outlet", "what a meniscus leaves in a gap of micrometres at the edge of a ring was not measured");
   add_if_used("contact-integrals", "contact.integrals", "the integrals of the contact model are taken as", "",
               "the polynomial as printed rises again beyond a lambda ratio of 1.9");
   add_if_used("lambda-ratio", "contact.lambda_ratio", "contact is summed over the face with the", " lambda ratio",
