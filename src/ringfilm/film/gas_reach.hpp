@@ -23,8 +23,7 @@ double throat_length(const FilmGrid& grid, double h_m, double lowest);
 /// `reach` of the Throat of this length. @param viscosity at the pressure behind it [Pa s]
 double throat_reach(BrokenFilm broken, double viscosity, double U, double length);
 
-/// Twice the share of the gap that a retreating meniscus leaves on the wall (eq-outlet) [-]. @param capillary_number of
-/// the wall
+/// Twice the share of the gap that a retreating meniscus leaves on the wall (eq-meniscus-film) [-].
 double left_by_meniscus(double capillary_number);
 
 /// The two nodes about a place between them where gases meet. Where gas fills one of them, its pressure acts up to the
@@ -59,7 +58,8 @@ class GasReach {
   /// Argument `carry` of carried_share() at node `i`. Steady films store nothing. Films with a full inlet pass nothing
   /// on to a wall that is followed: there theta is the share that flows.
   double carry(int i) const;
-  /// Twice the share of the gap that the meniscus behind the film leaves on the wall, 1 for half of the gap (eq-outlet).
+  /// Twice the share of the gap that the meniscus behind the film leaves on the wall, 1 for half of the gap
+  /// (eq-outlet).
   double outlet() const;
   /// Is node `i` where that meniscus may be?
   bool is_outlet(int i) const { return gas_at(i) == &behind() && carry(i) > kBetweenWalls; }

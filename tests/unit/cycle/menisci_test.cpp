@@ -96,6 +96,9 @@ TEST(MenisciCycle, WhereThereIsNoneCellsAreUsedWithANote) {
   Case with_fields = on_liner(styles_new_ring(), 1500, 2e-6);
   with_fields.output.fields = FieldOutput::kAll;
   EXPECT_EQ(no_menisci_since(prepare(with_fields)), "output.fields asks for pressures on cells");
+  Case capillary = on_liner(styles_new_ring(), 1500, 2e-6);
+  capillary.film.outlet = Outlet::kCapillary;
+  EXPECT_EQ(no_menisci_since(prepare(capillary)), "film.outlet is not \"half-gap\"");
   EXPECT_FALSE(no_menisci_since(prepare(on_liner(styles_new_ring(), 1500, 2e-6))));
 }
 

@@ -243,7 +243,6 @@ inline constexpr double kPressingOnWall = 0.5, kPressingBetweenWalls = 0.9;
 /// Share of the gap up to which oil hangs at rest.
 inline constexpr double kHanging = 0.9;
 
-
 /// Where oil hangs on the face behind the film, the wall takes along what a meniscus leaves on it until the gap is all
 /// but full (eq-outlet). @param left twice the share of the gap that a meniscus leaves, up to 1
 /// @returns the most that carried_share() may be

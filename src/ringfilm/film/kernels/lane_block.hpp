@@ -96,7 +96,7 @@ struct LaneBlock {
   alignas(64) Lanes contact_load;   ///< W_a where no fit gives it [N/m]
   alignas(64) Lanes contact_slope;  ///< dW_a/dh_m of it [N/m2]
 
-  bool has_outlets;                 ///< has any lane had an `outlet` other than 1?
+  bool has_outlets;  ///< has any lane had an `outlet` other than 1?
 
   // Fits
   alignas(64) Lanes fit_centre, fit_inverse_half_width;  ///< [Pa], [1/Pa]

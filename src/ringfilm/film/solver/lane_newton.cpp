@@ -37,10 +37,10 @@ LaneNewton::LaneNewton(const FilmKernels& kernels, int width, int most_cells)
       (nodes * width + base::kNumbersPerLine - 1) / base::kNumbersPerLine * base::kNumbersPerLine;
   double* array = base::aligned_zeros(memory_, kNodalArrays * stride);
   for (double** nodal :
-       {&block_.z, &block_.bound, &block_.inflow, &block_.node_height, &block_.share, &block_.face_height,
-        &block_.conductance, &block_.upper, &block_.column, &block_.rhs, &block_.rho, &block_.drho_dp, &block_.K,
-        &block_.dK_dp, &block_.mobility, &block_.stored, &block_.carried, &block_.carry, &block_.outlet,
-        &block_.load_share}) {
+       {&block_.z,           &block_.bound,       &block_.inflow, &block_.node_height, &block_.share,
+        &block_.face_height, &block_.conductance, &block_.upper,  &block_.column,      &block_.rhs,
+        &block_.rho,         &block_.drho_dp,     &block_.K,      &block_.dK_dp,       &block_.mobility,
+        &block_.stored,      &block_.carried,     &block_.carry,  &block_.outlet,      &block_.load_share}) {
     *nodal = array;
     array += stride;
   }

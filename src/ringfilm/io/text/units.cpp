@@ -322,7 +322,7 @@ std::pair<double, std::string> leading_number(const std::string& text, const std
 std::string dimension_words(const std::string& si_unit) {
   const std::map<std::string, std::string> words{{"m", "a length"},
                                                  {"N", "a force"},
-                                                 {"N/m", "a load per width"},
+                                                 {"N/m", "a load per width or a surface tension"},
                                                  {"s", "a time"},
                                                  {"m/s", "a speed"},
                                                  {"Pa", "a pressure"},

@@ -183,6 +183,32 @@ TEST(OilSupply, EdgesOfOilFloodTheInletWhateverTheConditionsSupply) {
   EXPECT_NE(simulated(c).values.fmep, with_gas);
 }
 
+/// Film left behind, mean of the angles up to so many degrees after both kinds of dead centre [m].
+double left_behind(const CycleResult& result, int up_to) {
+  double sum = 0;
+  for (int k = 1; k <= up_to; ++k) {
+    for (const int dead_centre : {0, 180, 360, 540}) sum += at(result, dead_centre + k).film_left_behind;
+  }
+  return sum / (4 * up_to);
+}
+
+TEST(OilSupply, AnOutletLeavesLessNearDeadCentresByTheCapillaryNumber) {
+  Case c = supplied(styles_new_ring(), 1500, OilSupply::kFilmOnLiner, 2e-6);
+  c.solver.cells = 120;
+  const CycleResult half = simulated(c);
+  c.lubricant.surface_tension = 0.02;  // not in use
+  EXPECT_EQ(simulated(c).values.fmep, half.values.fmep);
+  c.lubricant.surface_tension = 0.03;
+  c.film.outlet = Outlet::kCapillary;
+  ASSERT_TRUE(broken_rules(c).empty());
+  const CycleResult capillary = simulated(c);
+  EXPECT_TRUE(capillary.complete);
+  EXPECT_LT(left_behind(capillary, 5), 0.8 * left_behind(half, 5));
+  EXPECT_NEAR(capillary.values.fmep / half.values.fmep, 1, 0.1);
+  c.solver.tolerance = 1e-13;
+  EXPECT_LT(unexplained(c, 1), 1e-10);
+}
+
 TEST(OilSupply, BadSuppliesAreRefused) {
   const auto refused = [](const Case& c) {
     const std::vector<RuleBreach> breaches = broken_rules(c);
