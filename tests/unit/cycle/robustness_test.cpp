@@ -160,9 +160,7 @@ std::string end_with_oil_on_liner(int index) {
 // beside the throat, where the iteration drove out more than there was (198), with contents that went round in a circle
 // (695), and lifted off by the gas alone (309).
 TEST(Robustness, FilmsShortOfOilNextToGasAreFound) {
-  for (const int index : {198, 279, 695}) EXPECT_EQ(end_with_oil_on_liner(index), "") << index;
-  const std::string lifted = end_with_oil_on_liner(309);
-  EXPECT_NE(lifted.find("the gas lifts the ring off"), std::string::npos) << lifted;
+  for (const int index : {198, 279, 309, 695}) EXPECT_EQ(end_with_oil_on_liner(index), "") << index;
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ constexpr int kMinGraded = 200;
 /// A film for which cells by gap are laid out, of the rise of the face. Between 0.01 and 0.3 the values of a cycle were
 /// closest to those of 1600 cells with this one [-].
 constexpr double kReferenceFilm = 0.03;
+/// Factors of the separation of a ring off the liner that are tried one after the other, and where they end.
+constexpr double kFurther = 1.2, kMostFurther = 4;
 /// Places at which the rise of the face is looked for.
 constexpr int kSamplesOfFace = 250;
 
@@ -148,9 +150,18 @@ bool CycleFilm::has_simple_gap() const {
 film::FilmReport CycleFilm::solve_off_liner(const RingConditions& at, const film::FilmState& previous,
                                             film::FilmState& state) {
   auto& workspace = std::get<film::FilmWorkspace>(std::get<film::MethodWorkspace>(workspace_));
-  return factors_.solve(at.inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
-    return film::solve_film_at_separation(across_, held, previous, found, workspace);
-  });
+  const film::FilmState guess = state;
+  film::FilmReport report;
+  // Where no film is found, one of a ring a little further off is: that distance is known roughly.
+  for (double further = 1; further < kMostFurther; further *= kFurther) {
+    state = guess;
+    state.h_m *= further;
+    report = factors_.solve(at.inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {
+      return film::solve_film_at_separation(across_, held, previous, found, workspace);
+    });
+    if (report.converged) break;
+  }
+  return report;
 }
 
 film::FilmReport CycleFilm::solve_steady(const RingConditions& at, film::FilmState& before, film::FilmState& state) {

@@ -278,7 +278,7 @@ void TimeIntegration::start(int k) {
   time_step_before_ = time_step_older_ = 0;
   thinnest_ = std::numeric_limits<double>::infinity();
   longest_ticks_ = kTicks;
-  step_.state_was_turned = step_.is_repeated = false;
+  step_.state_was_turned = step_.is_repeated = is_lifted_ = false;
   tick_ = kTicks;
   heat_ = {};
   RingConditions at = ring_conditions(setup_, angle_deg_, film::kSteady);
@@ -336,6 +336,7 @@ std::optional<double> TimeIntegration::off_liner(const RingConditions& at) const
   const film::FilmInputs& inputs = at.inputs;
   if (!inputs.has_gas() || !film_.has_simple_gap()) return std::nullopt;
   const double width = problem().grid.width, pressing = inputs.mean_pressure(problem().grid);
+  if (is_lifted_) return 0;
   if (std::max(inputs.left.pressure, inputs.right.pressure) < pressing) return std::nullopt;
   film::FilmInputs now = inputs;
   now.h_m_before = state_.h_m;
@@ -442,6 +443,11 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   const double error = report.converged && adaptive() ? time_error(candidate_, step_.time_step) : 0;
   const bool is_error_known = time_step_before_ > 0;
   const bool too_coarse = adaptive() && !(error <= 1) && step_.ticks > 1;
+  if (report.failure == film::Failure::kLiftedOff && !is_lifted_ && step_.at.inputs.has_gas() &&
+      film_.has_simple_gap()) {
+    is_lifted_ = true;  // what oil is left and the gas carry more than the load
+    return;
+  }
   if (!report.converged || too_coarse) {
     if (step_.ticks == 1) throw no_balance(setup_, problem(), step_.at.inputs, report, step_.to_deg);
     if (!report.converged) {
@@ -476,7 +482,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   totals_.max_newton_step = std::max(totals_.max_newton_step, report.last_step);
   const film::FilmState* previous = step_.is_second_order ? &history_ : &before_;
   instant_ = {wrapped(angle_deg_), step_.at, previous, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
-  step_.state_was_turned = step_.is_repeated = false;
+  step_.state_was_turned = step_.is_repeated = is_lifted_ = false;
   waypoints.after_step(*this);
   if (tick_ == kTicks) {
     k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);

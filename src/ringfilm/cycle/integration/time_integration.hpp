@@ -210,6 +210,7 @@ class TimeIntegration {
   film::FilmState history_;         ///< what a step of second order remembers
   Axis axis_ = Axis::kFromChamber;  ///< orientation of `state_` and `before_`
   Fluids fluids_;                   ///< at the edges of `state_`
+  bool is_lifted_ = false;          ///< no film of the proposed step carries as little as the load
   double on_liner_ = 0;             ///< h_m of the last film that carried [m]
   double time_step_before_ = 0;     ///< that led to `state_`; 0: no history
   double time_step_older_ = 0;      ///< that led to `before_`; 0: there is no `older_`
