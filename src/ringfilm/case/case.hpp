@@ -360,10 +360,18 @@ struct Lubricant {
   std::optional<double> shear_exponent;                   ///< m or n; absent: models::usual_exponent [-]
   /// Viscosity at 150 degC and 1e6 1/s, which determines g_c where the case does not state it [Pa s].
   std::optional<double> hths_viscosity;
-  std::vector<models::OilFraction> distillation;  ///< fractions by boiling point, rising; empty: nothing evaporates
+  // at most one of the two; nothing evaporates without them
+  std::vector<models::OilFraction> distillation;  ///< fractions by boiling point, rising
+  std::optional<double> noack;                    ///< loss of mass in the Noack test (ASTM D5800) [-]
 
   /// Is the oil any other than a Newtonian one?
   bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
+  /// Is there what its evaporation follows from?
+  bool evaporates() const { return noack || !distillation.empty(); }
+  /// The fractions as stated, or those that belong to the Noack loss.
+  std::vector<models::OilFraction> fractions() const {
+    return distillation.empty() && noack ? models::distillation_of_noack(*noack) : distillation;
+  }
 };
 
 /// The keys under `film`.

@@ -302,9 +302,19 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                  .need = Need::kOptional,
                  .when = kOilFollowed,
                  .help = "fractions of the oil by boiling point at 1.01325 bar, for its evaporation; if omitted, "
-                         "nothing evaporates",
+                         "those of lubricant.noack; without both nothing evaporates",
                  .example = "[{ share = 0.3, boiling_point = \"440 degC\", molar_mass = \"380 g/mol\" }, "
                             "{ share = 0.7, boiling_point = \"540 degC\" }]",
+                 .uses = {.pad = true}}),
+          field({.key = "lubricant.noack",
+                 .kind = OptionalNumberKind{member<&Case::lubricant, &Lubricant::noack>},
+                 .unit = kPlainNumber,
+                 .range = between(models::kMinNoackLoss, models::kMaxNoackLoss),
+                 .need = Need::kOptional,
+                 .when = kOilFollowed,
+                 .help = "loss of mass in the Noack test (ASTM D5800), in place of lubricant.distillation: typical "
+                         "fractions, shifted to lose as much; assumed",
+                 .example = "0.12",
                  .uses = {.pad = true}}),
       });
 }

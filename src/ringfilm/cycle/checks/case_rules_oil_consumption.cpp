@@ -11,7 +11,7 @@
 namespace ringfilm::cycle {
 namespace {
 
-const std::string kDistillation = "lubricant.distillation";
+const std::string kDistillation = "lubricant.distillation", kNoack = "lubricant.noack";
 constexpr double kRounding = 1e-6;  ///< rounding of shares that are typed [-]
 
 /// Hottest place of the liner, or the one temperature of the oil; 0 where neither is stated [K].
@@ -38,8 +38,13 @@ void append_oil_consumption_breaches(const Case& c, std::vector<RuleBreach>& bre
                         std::string(key) + " is that of the engine, and engine.cylinders is missing",
                         "write, for example, cylinders = 4 in [engine]", RuleBreach::By::kMissingKey});
   }
-  const std::vector<models::OilFraction>& fractions = c.lubricant.distillation;
-  if (fractions.empty() || !c.follows_oil()) return;
+  if (!c.lubricant.evaporates() || !c.follows_oil()) return;
+  if (c.lubricant.noack && !c.lubricant.distillation.empty()) {
+    breaches.push_back({kNoack, kNoack + " and " + kDistillation + " are both stated",
+                        "keep one of them: either states how the oil evaporates"});
+    return;
+  }
+  const std::vector<models::OilFraction> fractions = c.lubricant.fractions();
   double sum = 0;
   for (std::size_t i = 0; i < fractions.size(); ++i) {
     sum += fractions[i].share;

@@ -66,14 +66,14 @@ std::function<double(double)> mass_transfer(const Case& c) {
 
 OilLoss evaporation(const Case& c, std::span<const CycleResult* const> rings, const Cylinder& cylinder) {
   const Case& first = cylinder.first;
-  if (first.lubricant.distillation.empty()) {
-    return {"evaporation", kRate, 0, 0, 0, "not computed: lubricant.distillation is not stated"};
+  if (!first.lubricant.evaporates()) {
+    return {"evaporation", kRate, 0, 0, 0, "not computed: lubricant.distillation and lubricant.noack are not stated"};
   }
   EvaporatingLiner liner;
   liner.crank = crank_slider(first);
   liner.speed = first.operating.speed;
   liner.bore = first.engine.bore;
-  liner.fractions = first.lubricant.distillation;
+  liner.fractions = first.lubricant.fractions();
   liner.temperature = [&first](double place) { return liner_temperature(first, place); };
   liner.mass_transfer = mass_transfer(first);
   liner.wall_temperature_power = first.evaporation.mass_transfer_coefficient ? 0 : 1;

@@ -35,6 +35,7 @@ const std::vector<Ways> kWays = {
      {"pad.load"},
      {"pad.separation_history"}},
     {{kOilFile}, {kOilGrade}},
+    {{"lubricant.distillation"}, {"lubricant.noack"}},
 };
 
 std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
@@ -337,10 +338,11 @@ class Gatherer {
       const std::string shipped = shipped_name(file->value.text, file->folder);
       read_oil(
           *file, locate(file->value.text, file->folder),
-          shipped.empty() ? "" : "this path was tried; the shipped oil is found from anywhere as \"" + shipped + "\"");
+          shipped.empty() ? "" : "this path was tried; the shipped oil is found from anywhere as \"" + shipped + "\"",
+          stated);
     } else if (is_name(grade)) {
       try {
-        read_oil(*grade, shipped_oil_of_grade(grade->value.text), "");
+        read_oil(*grade, shipped_oil_of_grade(grade->value.text), "", stated);
       } catch (const InputError& unknown) {
         const Fault& first = unknown.faults().front();
         fault(grade->value.mark, std::string(kOilGrade) + ": " + first.message, first.remedy);
@@ -349,10 +351,27 @@ class Gatherer {
     }
   }
 
-  void read_oil(const TomlEntry& naming, const NamedFile& file, const std::string& remedy) {
+  /// Another way in which the case states what that key of an oil file states; empty for none.
+  std::string other_way(const std::string& key, const std::vector<TomlEntry>& stated) const {
+    for (const Ways& ways : kWays) {
+      const auto is_this = [&key](const std::vector<std::string>& way) { return way.front() == key; };
+      if (std::none_of(ways.begin(), ways.end(), is_this)) continue;
+      for (const std::vector<std::string>& way : ways) {
+        if (!is_this(way) && in_force(way.front(), stated) != nullptr) return way.front();
+      }
+    }
+    return "";
+  }
+
+  void read_oil(const TomlEntry& naming, const NamedFile& file, const std::string& remedy,
+                const std::vector<TomlEntry>& stated) {
     const bool replaces = naming.value.mark.line == 0 && dropped_ != nullptr;
     const auto use = [&](const TomlValue& root) {
       for (const TomlEntry& entry : oil_entries(root, folder_of(file.shown), tree_.faults)) {
+        if (const std::string other = other_way(entry.key, stated); !other.empty()) {
+          tree_.notes.push_back(other + " of the case replaces " + entry.key + " of the oil file");
+          continue;
+        }
         if (replaces) drop(entry.key);
         tree_.from_oil_file.insert(entry.key);
         add_of_oil(entry, naming.key);

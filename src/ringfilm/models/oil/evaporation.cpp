@@ -1,6 +1,7 @@
 #include "ringfilm/models/oil/evaporation.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 #include "ringfilm/base/constants.hpp"
@@ -53,6 +54,38 @@ void evaporate(std::span<double> moles, std::span<const double> concentration, d
     s += missing / all;
   }
   for (std::size_t i = 0; i < moles.size(); ++i) moles[i] = remaining(moles[i], concentration[i], s);
+}
+
+double noack_loss(std::span<const OilFraction> fractions) {
+  constexpr double kTemperature = 250 + base::kZeroCelsius, kSample = 65e-3;  // [K], [kg]
+  // Air at 250 degC that leaves saturated, with which the oils in data/lubricants lose what they state; assumed [m3].
+  constexpr double kAir = 0.253;
+  std::vector<double> moles, concentration;
+  for (const OilFraction& fraction : fractions) {
+    moles.push_back(kSample * fraction.share / fraction.molar_mass_or_correlated());
+    concentration.push_back(vapour_concentration(fraction.boiling_point, kTemperature));
+  }
+  evaporate(moles, concentration, kAir);
+  double left = 0;
+  for (std::size_t i = 0; i < moles.size(); ++i) left += moles[i] * fractions[i].molar_mass_or_correlated();
+  return 1 - left / kSample;
+}
+
+std::vector<OilFraction> distillation_of_noack(double loss) {
+  // The first boiling point lies between these at any loss that is allowed; the last one is 200 K higher [K].
+  constexpr double kLowest = 600, kHighest = 860, kTolerance = 1e-9;
+  const auto fractions = [](double first) {
+    return std::vector<OilFraction>{{0.1, first, 0.33},
+                                    {0.25, first + 45, 0.38},
+                                    {0.3, first + 80, 0.43},
+                                    {0.2, first + 125, 0.49},
+                                    {0.15, first + 200, 0.6}};
+  };
+  boost::uintmax_t evaluations = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      [&](double first) { return noack_loss(fractions(first)) - loss; }, kLowest, kHighest,
+      [](double a, double b) { return std::abs(b - a) <= kTolerance; }, evaluations);
+  return fractions(0.5 * (low + high));
 }
 
 }  // namespace ringfilm::models

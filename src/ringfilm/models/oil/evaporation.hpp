@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <vector>
 
 /// Evaporation of an oil of several fractions (docs/theory/oil-consumption.md).
 namespace ringfilm::models {
@@ -32,5 +33,15 @@ double vapour_concentration(double boiling_point, double T);
 /// @param concentration of each pure fraction, vapour_concentration(), above 0 [mol/m3]
 /// @param exposure integral of the mass transfer coefficient over time [m]
 void evaporate(std::span<double> moles, std::span<const double> concentration, double exposure);
+
+/// Least and largest Noack loss that distillation_of_noack() takes [-].
+inline constexpr double kMinNoackLoss = 0.01, kMaxNoackLoss = 0.4;
+
+/// Share of its mass that an oil loses in the Noack test (ASTM D5800: 250 degC, 1 h), eq-noack [-].
+double noack_loss(std::span<const OilFraction> fractions);
+
+/// Fractions of a typical engine oil with boiling points shifted together until they lose `loss` in the Noack test,
+/// eq-noack; assumed. @param loss from kMinNoackLoss to kMaxNoackLoss [-]
+std::vector<OilFraction> distillation_of_noack(double loss);
 
 }  // namespace ringfilm::models
