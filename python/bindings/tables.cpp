@@ -5,6 +5,7 @@
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
+#include "ringfilm/cycle/pack/oil_consumption.hpp"
 #include "ringfilm/cycle/result/effort_quantities.hpp"
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
@@ -80,6 +81,7 @@ py::dict quantities() {
   tables["gas_path"] = plain(cycle::gas_path_quantities());
   tables["gas_ring"] = plain(cycle::gas_ring_quantities());
   tables["pack_oil"] = plain(io::pack_oil_quantities());
+  tables["oil_consumption"] = plain(cycle::oil_loss_quantities());
   tables["worn"] = plain(life::worn_quantities());
   return tables;
 }
@@ -152,8 +154,8 @@ probe without oil, which orders surfaces and is not an input of an engine.)");
              R"(All quantities of results, {table: list of Quantity}: "curve" over crank angle, "cycle" for the cycle as
 a whole, "derived" constants of a case, "stroke" over the liner, "effort" of the integration; "unrolled_curve",
 "unrolled_cycle", "unrolled_field" and "strip" of an unrolled film; "pad", "pad_width", "pad_front", "pad_film";
-"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_ring", "pack_oil" of a pack; "worn" over a
-life.)");
+"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_ring", "pack_oil" of a pack; "oil_consumption"
+of its studies; "worn" over a life.)");
   module.def(
       "_unit_scale",
       [](const std::string& display_unit, const std::string& unit) {

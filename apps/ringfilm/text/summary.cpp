@@ -200,6 +200,17 @@ const DisplayUnit& shown_unit(const cycle::OilLoss& loss) {
   return loss.unit == "1" ? kPercent : loss.unit == "kg/J" ? kGramPerKwh : kGramPerHour;
 }
 
+/// Which inputs narrow the band of the total.
+std::string narrowed_lines(const std::vector<cycle::OilLoss>& losses) {
+  std::string text;
+  for (const cycle::NarrowedBand& band : cycle::narrowed_bands(losses)) {
+    text += fmt::format("{} {} ({:.0f} % of its width, {:.2g} to {:.2g} g/h would remain)",
+                        text.empty() ? "the band of the total narrows, where these are known, by" : ",", band.input,
+                        100 * band.band_share, number_in(band.low, kGramPerHour), number_in(band.high, kGramPerHour));
+  }
+  return text.empty() ? "" : wrapped(words(text));
+}
+
 std::string oil_consumption_table(const std::vector<cycle::OilLoss>& losses) {
   if (losses.empty()) return "";
   std::string text = fmt::format("{:<30}{:>11}{:>11}{:>11}\n", "oil consumption, estimated", "low", "value", "high");
@@ -214,7 +225,7 @@ std::string oil_consumption_table(const std::vector<cycle::OilLoss>& losses) {
     std::replace(name.begin(), name.end(), '_', ' ');
     text += fmt::format("  {:<28}{}{}{}   {}\n", name, cell(loss.low), cell(loss.value), cell(loss.high), unit.name);
   }
-  return text;
+  return text + narrowed_lines(losses);
 }
 
 std::string pack_gas_lines(const io::ResultDocument& pack) {

@@ -7,6 +7,7 @@
 #include "ringfilm/cycle/cycle_values.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
+#include "ringfilm/cycle/pack/oil_consumption.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/pack/simulate_pack.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
@@ -40,6 +41,13 @@ class Row {
       for (const cycle::GasRingQuantity& quantity : cycle::gas_ring_quantities()) {
         put(ring_value_name(ring + 1, quantity.name), cycle::number_of(quantity, gas.motion[ring]));
       }
+    }
+  }
+
+  void put_oil(const std::vector<cycle::OilLoss>& losses) {
+    for (const cycle::OilLossQuantity& quantity : cycle::oil_loss_quantities()) {
+      const auto loss = std::ranges::find(losses, quantity.loss, &cycle::OilLoss::name);
+      if (loss != losses.end()) put(quantity.name, (*loss).*quantity.member);
     }
   }
 
@@ -117,6 +125,9 @@ ScenarioRow pack_row(const Case& scenario, const Study& study, const StudyValues
   const cycle::CaseWithGas found = cycle::solve_gas_through_films(faces);
   if (found.gas) row.put_gas(*found.gas, scenario.gas_path.gas_constant);
   const std::vector<CycleResult> films = films_of(found.input);
+  std::vector<const CycleResult*> faces_down;
+  for (const CycleResult& film : films) faces_down.push_back(&film);
+  row.put_oil(cycle::oil_losses(found.input, faces_down, found.gas));
   if (scenario.is_pack()) {
     const std::vector<std::size_t> numbers = ring_numbers(scenario, faces);
     row.put_rings(films, numbers);

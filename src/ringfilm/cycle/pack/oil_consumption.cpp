@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "ringfilm/base/display.hpp"
@@ -17,6 +18,8 @@ namespace ringfilm::cycle {
 namespace {
 
 constexpr const char* kRate = "kg/s";
+constexpr const char *kEvaporation = "evaporation", *kScrapedUp = "scraped_up", *kCarriedByGas = "carried_by_gas",
+                     *kThrownOff = "thrown_off";
 
 /// What all parts use.
 struct Cylinder {
@@ -67,7 +70,7 @@ std::function<double(double)> mass_transfer(const Case& c) {
 OilLoss evaporation(const Case& c, std::span<const CycleResult* const> rings, const Cylinder& cylinder) {
   const Case& first = cylinder.first;
   if (!first.lubricant.evaporates()) {
-    return {"evaporation", kRate, 0, 0, 0, "not computed: lubricant.distillation and lubricant.noack are not stated"};
+    return {kEvaporation, kRate, 0, 0, 0, "not computed: lubricant.distillation and lubricant.noack are not stated"};
   }
   EvaporatingLiner liner;
   liner.crank = crank_slider(first);
@@ -85,7 +88,7 @@ OilLoss evaporation(const Case& c, std::span<const CycleResult* const> rings, co
   liner.carried = carried_oil(c, rings, cylinder.density);
   liner.reach = first.supply.reach.value_or(0);
   const EvaporatedOil oil = evaporated_oil(liner);
-  return {"evaporation",
+  return {kEvaporation,
           kRate,
           std::min(oil.within_reach, oil.rate),
           oil.rate,
@@ -100,7 +103,7 @@ OilLoss scraped_up(const Cylinder& cylinder) {
   const OilTransport& transport = cylinder.first.oil_transport;
   const auto [low, high] = band(cylinder.first, key, transport.scraped_share, OilTransport::kScrapedShare);
   const double left = cylinder.top.values.oil_scraped_up * cylinder.cycles_per_second;
-  return {"scraped_up",
+  return {kScrapedUp,
           kRate,
           low * left,
           transport.scraped_share * left,
@@ -112,11 +115,11 @@ OilLoss scraped_up(const Cylinder& cylinder) {
 
 OilLoss carried_by_gas(const Cylinder& cylinder, const std::optional<gas_path::GasPathResult>& gas) {
   const char* key = "oil_transport.gas_load";
-  if (!gas) return {"carried_by_gas", kRate, 0, 0, 0, "not computed: the gas between the rings is not computed"};
+  if (!gas) return {kCarriedByGas, kRate, 0, 0, 0, "not computed: the gas between the rings is not computed"};
   const OilTransport& transport = cylinder.first.oil_transport;
   const auto [low, high] = band(cylinder.first, key, transport.gas_load, OilTransport::kGasLoad);
   const double back = gas_path::reverse_blow_by(*gas, 0) * cylinder.cycles_per_second;
-  return {"carried_by_gas",
+  return {kCarriedByGas,
           kRate,
           low * back,
           transport.gas_load * back,
@@ -142,7 +145,7 @@ OilLoss thrown_off(const Cylinder& cylinder) {
            std::min(moved, transport.top_land_height);
   };
   const auto [low, high] = band(c, key, transport.land_film, OilTransport::kLandFilm);
-  return {"thrown_off",
+  return {kThrownOff,
           kRate,
           rate(low),
           rate(transport.land_film),
@@ -154,6 +157,12 @@ OilLoss thrown_off(const Cylinder& cylinder) {
 
 OilLoss scaled(const OilLoss& loss, const char* name, const char* unit, double factor, std::string assumption) {
   return {name, unit, factor * loss.low, factor * loss.value, factor * loss.high, std::move(assumption)};
+}
+
+/// A part without a band has no input that narrows it.
+OilLoss narrowed_by(const char* input, OilLoss loss) {
+  if (loss.high > loss.low) loss.input = input;
+  return loss;
 }
 
 /// All parts added up, and what that is for the engine.
@@ -203,6 +212,49 @@ double thrown_distance(const models::CrankSlider& crank, double speed, double fi
   return moved;
 }
 
+std::vector<NarrowedBand> narrowed_bands(const std::vector<OilLoss>& losses) {
+  const auto total = std::ranges::find(losses, kTotalOilLoss, &OilLoss::name);
+  std::vector<NarrowedBand> bands;
+  if (total == losses.end()) return bands;
+  for (auto part = losses.begin(); part != total; ++part) {
+    if (part->input.empty()) continue;
+    bands.push_back({part->name, part->input, total->low - part->low + part->value,
+                     total->high - part->high + part->value, (part->high - part->low) / (total->high - total->low)});
+  }
+  std::ranges::stable_sort(bands, std::ranges::greater(), &NarrowedBand::band_share);
+  return bands;
+}
+
+const std::vector<OilLossQuantity>& oil_loss_quantities() {
+  constexpr const char *kPerHour = "g/h", *kEquation = "eq-oil-consumption", *kCylinders = "engine.cylinders";
+  static const std::vector<OilLossQuantity> table = {
+      {{"oil_consumption", kRate, kPerHour, "oil consumption of one cylinder, estimated", "", kEquation},
+       kTotalOilLoss, &OilLoss::value, nullptr},
+      {{"oil_consumption_low", kRate, kPerHour, "oil consumption of one cylinder, lower end", "", kEquation},
+       kTotalOilLoss, &OilLoss::low, nullptr},
+      {{"oil_consumption_high", kRate, kPerHour, "oil consumption of one cylinder, upper end", "", kEquation},
+       kTotalOilLoss, &OilLoss::high, nullptr},
+      {{"oil_evaporation", kRate, kPerHour, "oil that evaporates from the liner, one cylinder", "", "eq-renewal"},
+       kEvaporation, &OilLoss::value, nullptr},
+      {{"oil_loss_scraped_up", kRate, kPerHour, "oil that the first ring scrapes up and that does not come back", "",
+        "eq-scraped-up"},
+       kScrapedUp, &OilLoss::value, nullptr},
+      {{"oil_carried_by_gas", kRate, kPerHour, "oil that gas carries back past the first ring, one cylinder", "",
+        "eq-gas-load"},
+       kCarriedByGas, &OilLoss::value, nullptr},
+      {{"oil_thrown_off", kRate, kPerHour, "oil that inertia throws off the top piston land, one cylinder", "",
+        "eq-thrown-off"},
+       kThrownOff, &OilLoss::value, nullptr},
+      {{"oil_consumption_engine", kRate, kPerHour, "oil consumption of all cylinders, estimated", "", kEquation},
+       kEngineOilLoss, &OilLoss::value, kCylinders},
+      {{"oil_consumption_brake_specific", "kg/J", "g/(kW h)", "oil consumption of the engine over its brake power", "",
+        kEquation},
+       kSpecificOilLoss, &OilLoss::value, "operating.brake_power"},
+      {{"oil_consumption_fuel_share", "1", "%", "oil consumption of the engine over its fuel", "", kEquation},
+       kFuelShareOfOil, &OilLoss::value, "operating.fuel_rate"}};
+  return table;
+}
+
 std::vector<OilLoss> oil_losses(const Case& c, std::span<const CycleResult* const> rings,
                                 const std::optional<gas_path::GasPathResult>& gas) {
   const Case& first = c.is_pack() ? c.rings.front() : c;
@@ -212,8 +264,10 @@ std::vector<OilLoss> oil_losses(const Case& c, std::span<const CycleResult* cons
   const auto density = top.derived.find("oil_density");
   if (density == top.derived.end() || top.stroke.film_behind.front().empty()) return {};
   const Cylinder cylinder{first, top, density->second, first.operating.speed / radians(kCycleDeg)};
-  std::vector<OilLoss> losses{evaporation(c, rings, cylinder), scraped_up(cylinder), carried_by_gas(cylinder, gas),
-                              thrown_off(cylinder)};
+  std::vector<OilLoss> losses{narrowed_by("supply.reach", evaporation(c, rings, cylinder)),
+                              narrowed_by("oil_transport.scraped_share", scraped_up(cylinder)),
+                              narrowed_by("oil_transport.gas_load", carried_by_gas(cylinder, gas)),
+                              narrowed_by("oil_transport.land_film", thrown_off(cylinder))};
   append_sums(first, losses);
   return losses;
 }

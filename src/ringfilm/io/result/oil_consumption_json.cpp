@@ -1,5 +1,7 @@
 #include "ringfilm/io/result/oil_consumption_json.hpp"
 
+#include "ringfilm/io/result/record_json.hpp"
+
 namespace ringfilm::io {
 namespace {
 
@@ -23,6 +25,8 @@ ordered_json oil_consumption_object(const std::vector<cycle::OilLoss>& losses) {
     }
   }
   total.update(parts);
+  total["narrowed_by"] = record_array(cycle::narrowed_bands(losses));
+  units["band_share"] = "1";
   total["units"] = std::move(units);
   return total;
 }

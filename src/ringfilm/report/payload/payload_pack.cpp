@@ -73,6 +73,7 @@ ordered_json pack_payload(const io::ResultDocument& pack, std::size_t first_case
           {"values", sums_payload(pack.result.values)},
           {"by_ring", std::move(by_ring)},
           {"oil_consumption", io::record_array(pack.oil_losses)},
+          {"oil_narrowed_by", io::record_array(cycle::narrowed_bands(pack.oil_losses))},
           {"oil", oil ? oil_payload(*oil) : ordered_json(nullptr)},
           {"gas", pack.gas ? gas_payload(*pack.gas) : ordered_json(nullptr)}};
 }

@@ -7,6 +7,7 @@
 #include "ringfilm/base/find_by_name.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
+#include "ringfilm/cycle/pack/oil_consumption.hpp"
 #include "ringfilm/gas_path/network.hpp"
 
 namespace ringfilm::study {
@@ -69,6 +70,24 @@ void append_gas(const cycle::Case& base, StudyValues& values) {
   }
 }
 
+/// Does a case, or a factor of the study, state the key?
+bool is_stated(const std::string& key, const Study& study, const cycle::Case& first) {
+  const auto moves = [&key](const Factor& factor) {
+    return std::ranges::any_of(factor.targets, [&key](const Target& target) { return target.key == key; });
+  };
+  return first.stated.contains(key) || std::ranges::any_of(study.factors, moves);
+}
+
+/// Of the engine there is a value where its keys are stated.
+void append_oil(const Study& study, const cycle::Case& first, StudyValues& values) {
+  for (const cycle::OilLossQuantity& quantity : cycle::oil_loss_quantities()) {
+    if (quantity.requires_key == nullptr || is_stated(quantity.requires_key, study, first)) {
+      values.quantities.push_back(quantity);
+    }
+  }
+  values.main.push_back(cycle::oil_loss_quantities().front().name);
+}
+
 }  // namespace
 
 const std::vector<RingValue>& ring_values() {
@@ -109,7 +128,7 @@ std::optional<std::size_t> StudyValues::index(const std::string& name) const {
 }
 
 bool is_one_film(const Study& study, const cycle::Case& base) {
-  return study.compute == Compute::kFilms && !base.is_pack() && !base.gas_path.is_computed();
+  return study.compute == Compute::kFilms && !base.is_pack() && !base.gas_path.is_computed() && !base.follows_oil();
 }
 
 StudyValues study_values(const Study& study, const cycle::Case& base) {
@@ -124,6 +143,8 @@ StudyValues study_values(const Study& study, const cycle::Case& base) {
     values.quantities.assign(all.begin(), all.end());
   }
   if (!has_films || base.gas_path.is_computed()) append_gas(base, values);
+  const cycle::Case& first = base.is_pack() ? base.rings.front() : base;
+  if (has_films && first.follows_oil()) append_oil(study, first, values);
   return values;
 }
 

@@ -8,7 +8,7 @@
 #include "ringfilm/study/design/study.hpp"
 
 /// Which values a study has of each scenario: those of the cycle of one ring, of the rings of a pack and their sum, of
-/// the gas that passes them.
+/// the gas that passes them, and the oil that they let pass.
 namespace ringfilm::study {
 
 struct StudyValues {
@@ -19,7 +19,7 @@ struct StudyValues {
   std::optional<std::size_t> index(const std::string& name) const;  ///< nothing: there is no value of that name
 };
 
-/// Is a scenario of that base one ring at given pressures, which the lanes of a batch take?
+/// Is a scenario of that base one ring at given pressures without oil to follow, which the lanes of a batch take?
 bool is_one_film(const Study& study, const cycle::Case& base);
 
 /// Values that a study has of each scenario of a base. Throws InputError where its gas path cannot be set up.

@@ -121,6 +121,22 @@ function consumptionWords(losses) {
   return `Oil consumption, estimated, of one cylinder: ${shown.join('; ')}.`;
 }
 
+/** Which inputs narrow the band of the total, the one that narrows it most first. */
+function narrowedTable(bands) {
+  const grams = (rate) => Number((3.6e6 * rate).toPrecision(2));
+  return table(
+    'What narrows the band of the oil consumption where it is known, the most effective input first',
+    ['input', 'part', right('share of the band'), right('total that remains [g/h]')],
+    bands.map(({ part, input, low, high, band_share: share }) => [
+      input,
+      part.replaceAll('_', ' '),
+      right(`${Math.round(100 * share)} %`),
+      right(`${grams(low)} to ${grams(high)}`),
+    ]),
+    { folds: true },
+  );
+}
+
 /** What the gas and the oil of the pack come to: sentences, then tables. */
 export function packSentences({ pack }) {
   const { gas, oil } = pack;
@@ -137,5 +153,10 @@ export function packSentences({ pack }) {
   }
   const losses = pack.oil_consumption ?? [];
   if (losses.length > 0) sentences.push(consumptionWords(losses));
-  return [...sentences.map((words) => element('p', { class: 'how' }, words)), gasTables(gas)];
+  const narrowed = pack.oil_narrowed_by ?? [];
+  return [
+    ...sentences.map((words) => element('p', { class: 'how' }, words)),
+    ...(narrowed.length > 0 ? [narrowedTable(narrowed)] : []),
+    gasTables(gas),
+  ];
 }
