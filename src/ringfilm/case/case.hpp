@@ -143,6 +143,8 @@ struct GasPath {
   double crankcase_temperature = 360;            ///< temperature of the gas in the crankcase [K]
   double choking_smoothing = 1e-3;               ///< distance from a pressure ratio of 1 that is bridged [-]
   double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
+  double gap_carry_over = 0.5;  ///< share of a jet's velocity head that an aligned end gap below it recovers [-]
+  double gap_reach = 5e-3;      ///< distance of two end gaps around the bore from which on they are apart [m]
 
   bool is_computed() const { return model == GasPathModel::kOrificeVolume; }  ///< the pressures between the rings
   bool passes_films() const { return is_computed() && film == FilmGas::kBreakthrough; }  ///< does the gas?

@@ -21,6 +21,9 @@ constexpr When kPartOfPack{[](const Case& c) {
                                     c.stated.contains("ring.kind");
                            },
                            "gas_path.model = \"orifice-volume\", or it is stated"};
+constexpr When kGapPositions{[](const Case& c) { return has_gas_path(c) && c.stated.contains("ring.gap_position"); },
+                             "ring.gap_position is stated, with gas_path.model = \"orifice-volume\" or for ringfilm "
+                             "gas"};
 constexpr When kOilRing{[](const Case& c) { return c.ring.gas_path.kind == RingKind::kOil; }, "ring.kind = \"oil\""};
 constexpr When kSeveralRails{[](const Case& c) { return c.ring.rails > 1; }, "ring.rails is more than 1"};
 
@@ -59,6 +62,23 @@ std::vector<Field> common_fields() {
              .when = kComputedGas,
              .help = "discharge coefficient of the end gaps, C; typical, assumed",
              .example = "0.65",
+             .uses = {.gas = true}}),
+      field({.key = "gas_path.gap_carry_over",
+             .kind = NumberKind{member<&Case::gas_path, &GasPath::gap_carry_over>},
+             .unit = kPlainNumber,
+             .range = between(0, 0.95),
+             .when = kGapPositions,
+             .help = "share of the velocity head of the jet out of an end gap that the gap of the next ring recovers "
+                     "right below it, kappa; assumed",
+             .example = "0.5",
+             .uses = {.gas = true}}),
+      field({.key = "gas_path.gap_reach",
+             .kind = NumberKind{member<&Case::gas_path, &GasPath::gap_reach>},
+             .unit = kMillimetre,
+             .range = above(0, 1),
+             .when = kGapPositions,
+             .help = "distance of two end gaps around the bore from which on the jet of one misses the other; assumed",
+             .example = "\"5 mm\"",
              .uses = {.gas = true}}),
       field({.key = "gas_path.gas_constant",
              .kind = NumberKind{member<&Case::gas_path, &GasPath::gas_constant>},

@@ -19,8 +19,12 @@ constexpr When kGap{[](const Case& c) {
                     "with liner.distortion or [conform]"};
 constexpr When kUnrolled{[](const Case& c) { return c.is_unrolled(); }, "film.dimension = \"unrolled\""};
 constexpr When kGivenPressures{[](const Case& c) { return !c.gas_path.is_computed(); }, "gas_path.model = \"given\""};
-constexpr When kGapped{[](const Case& c) { return (c.is_unrolled() && c.ring.end_gap.has_value()) || c.has_closure(); },
-                       "ring.end_gap is stated"};
+constexpr When kGapped{[](const Case& c) {
+                         const bool has_gas = c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath;
+                         return (c.is_unrolled() && c.ring.end_gap.has_value()) || c.has_closure() ||
+                                (has_gas && c.stated.contains("ring.gap_position"));
+                       },
+                       "ring.end_gap is stated, or it is stated in a pack whose gas is computed"};
 constexpr When kBends{[](const Case& c) {
                         return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed() ||
                                c.purpose == CasePurpose::kGasPath;
@@ -162,9 +166,10 @@ void append_ring_fields(std::vector<Field>& fields) {
                  .unit = si_unit("degree"),
                  .range = between(-360, 360),
                  .when = kGapped,
-                 .help = "where around the bore the middle of the gap is; in a round bore a label of the results alone",
+                 .help = "where around the bore the middle of the gap is, in a bore that is not round and, for the gas of "
+                         "a pack, against the gap of the next ring",
                  .example = "\"0 degree\"",
-                 .uses = {.closure = true}}),
+                 .uses = {.closure = true, .gas = true}}),
           field({.key = "ring.conformity",
                  .kind = choice<&Case::ring, &Ring::conformity>(
                      {{"rigid", Conformity::kRigid}, {"beam", Conformity::kBeam}}),

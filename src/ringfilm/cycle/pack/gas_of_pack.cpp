@@ -1,7 +1,9 @@
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -67,6 +69,31 @@ gas_path::Ring gas_ring(const Case& c) {
   return of;
 }
 
+/// Distance of the end gaps of two rings around the bore, the shorter way; nothing where a case does not state both
+/// positions [m].
+std::optional<double> gap_distance(const Case& one, const Case& other) {
+  const auto states = [](const Case& c) { return c.stated.contains("ring.gap_position"); };
+  if (!states(one) || !states(other)) return std::nullopt;
+  const double turn_deg = std::abs(std::remainder(one.ring.gap_position_deg - other.ring.gap_position_deg, 360.0));
+  return 0.5 * one.engine.bore * turn_deg * std::numbers::pi / 180;
+}
+
+/// End gaps that lie below one another pass more gas than through a piston land at rest, eq-gap-carry-over. Where no
+/// land is between two rings, nothing is changed.
+void recover_velocity_heads(const Case& pack, std::vector<gas_path::Ring>& rings) {
+  const GasPath& path = pack.gas_path;
+  double area_above = rings.front().gap_area;
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    const double area = rings[i].gap_area;
+    const std::optional<double> distance = gap_distance(pack.rings[i - 1], pack.rings[i]);
+    if (distance && *distance < path.gap_reach && rings[i - 1].volume_below > 0 && area_above > 0) {
+      const double share = path.gap_carry_over * (1 - *distance / path.gap_reach);
+      rings[i].gap_area = area / std::sqrt(1 - share * std::pow(std::min(area / area_above, 1.0), 2));
+    }
+    area_above = area;
+  }
+}
+
 /// The pressure that a case states next to a ring, or another one.
 models::CyclePressure stated_or(const Case& c, const LandPressure& land, const models::CyclePressure& other) {
   return land.is_stated() ? land_pressure(c, land) : other;
@@ -112,6 +139,7 @@ gas_path::Pack gas_pack(const Case& c) {
   pack.trapped_mass = Charge(c).mass();
   if (!c.is_pack()) pack.rings.push_back(gas_ring(c));
   for (const Case& ring : c.rings) pack.rings.push_back(gas_ring(ring));
+  if (c.is_pack()) recover_velocity_heads(c, pack.rings);
   return pack;
 }
 
