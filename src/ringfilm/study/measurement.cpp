@@ -9,6 +9,7 @@
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
+#include "ringfilm/cycle/pack/oil_consumption.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/models/gas/gas_flow.hpp"
@@ -120,6 +121,16 @@ Measurement of_ring(const cycle::CycleResult& result) {
   return measurement;
 }
 
+/// Of a ring whose oil on the liner is followed.
+void add_oil_losses(const cycle::CaseWithGas& found, const cycle::CycleResult& result, Measurement& measurement) {
+  const cycle::CycleResult* const rings[] = {&result};
+  const std::vector<cycle::OilLoss> losses = cycle::oil_losses(found.input, rings, found.gas);
+  for (const cycle::OilLossQuantity& quantity : cycle::oil_loss_quantities()) {
+    const auto loss = std::ranges::find(losses, quantity.loss, &cycle::OilLoss::name);
+    if (loss != losses.end()) measurement.values[quantity.name] = {(*loss).*quantity.member};
+  }
+}
+
 Measurement of_gas(const cycle::Case& c) {
   const gas_path::GasPathResult result = gas_path::solve_gas_path(cycle::gas_pack(c), cycle::given_pressures(c));
   Measurement measurement;
@@ -174,6 +185,7 @@ const std::vector<cycle::Quantity>& measured_quantities() {
                    "eq-closure-complementarity"});
     add_all(cycle::cycle_quantities(), all);
     add_all(cycle::curve_quantities(), all);
+    add_all(cycle::oil_loss_quantities(), all);
     add_all(cycle::unrolled_cycle_quantities(), all);
     add_all(cycle::unrolled_quantities(), all);
     return all;
@@ -196,7 +208,11 @@ Measurement measure(const cycle::Case& c) {
   if (c.problem == cycle::Problem::kPad) return of_pad(pad::solve_pad(c));
   if (c.problem == cycle::Problem::kClosure) return of_closure(cycle::static_closure(c));
   if (c.purpose == cycle::CasePurpose::kGasPath) return of_gas(c);
-  return of_ring(cycle::simulate(cycle::prepare(cycle::solve_gas_through_films(c).input)));
+  const cycle::CaseWithGas found = cycle::solve_gas_through_films(c);
+  const cycle::CycleResult result = cycle::simulate(cycle::prepare(found.input));
+  Measurement measurement = of_ring(result);
+  add_oil_losses(found, result, measurement);
+  return measurement;
 }
 
 double value(const Measurement& measurement, const Probe& probe) {

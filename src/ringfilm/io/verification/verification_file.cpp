@@ -139,8 +139,8 @@ class VerificationReader {
       const bool is_list = tables.kind == TomlValue::Kind::kList;
       if (!is_list || reader == readers().end()) {
         faults_.push_back({tables.key_mark, is_list ? "unknown table [[" + name + "]]" : "unknown key " + name,
-                           "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]], [[curve]], [[wear]] and "
-                           "[[contact]]"});
+                           "tables are [[run]], [[value]], [[order]], [[bound]], [[optimum]], [[curve]], [[wear]], "
+                           "[[contact]] and [[evaporation]]"});
         continue;
       }
       for (const TomlValue& value : tables.items) {
@@ -172,7 +172,8 @@ class VerificationReader {
         {"run", &VerificationReader::read_run},         {"value", &VerificationReader::read_value},
         {"order", &VerificationReader::read_order},     {"bound", &VerificationReader::read_bound},
         {"optimum", &VerificationReader::read_optimum}, {"curve", &VerificationReader::read_curve},
-        {"wear", &VerificationReader::read_wear},       {"contact", &VerificationReader::read_contact}};
+        {"wear", &VerificationReader::read_wear},       {"contact", &VerificationReader::read_contact},
+        {"evaporation", &VerificationReader::read_evaporation}};
     return all;
   }
 
@@ -353,6 +354,52 @@ class VerificationReader {
     }
     check.tolerance = table.tolerance("1");
     verification_.contact.push_back(std::move(check));
+  }
+
+  void read_evaporation(CheckTable& table) {
+    study::EvaporationCheck check;
+    table.read(check);
+    study::EvaporationForm& form = check.form;
+    const std::vector<cycle::Quantity>& known = study::evaporation_quantities();
+    check.quantity = table.needed_word("quantity", names_of(known));
+    const auto number = [&](const char* key, const char* unit, double& value) {
+      if (table.find(key) != nullptr) value = table.needed_number(key, unit);
+    };
+    number("temperature", "K", form.temperature);
+    if (study::is_of_heat_transfer(check.quantity)) {
+      form.bore = table.needed_number("bore", "m");
+      form.pressure = table.needed_number("pressure", "Pa");
+      form.velocity = table.needed_number("velocity", "m/s");
+    } else {
+      number("mass_transfer_coefficient", "m/s", form.mass_transfer_coefficient);
+      number("mass", "kg/m2", form.mass);
+      number("time", "s", form.time);
+      read_fractions(table, form.fractions);
+    }
+    const auto quantity = std::ranges::find(known, check.quantity, &cycle::Quantity::name);
+    const std::string unit = quantity == known.end() ? "1" : quantity->unit;
+    check.expected = table.needed_number("expected", unit);
+    check.tolerance = table.tolerance(unit);
+    verification_.evaporation.push_back(std::move(check));
+  }
+
+  /// Boiling points, with shares of the mass (1 of one fraction) and molar masses where they are stated.
+  static void read_fractions(CheckTable& table, std::vector<models::OilFraction>& fractions) {
+    for (const double boiling_point : table.needed_numbers("boiling_points", "K")) {
+      fractions.push_back({1, boiling_point, std::nullopt});
+    }
+    const auto put = [&](const char* key, const char* unit, auto member) {
+      if (table.find(key) == nullptr) return;
+      const std::vector<double> numbers = table.needed_numbers(key, unit);
+      if (numbers.size() != fractions.size()) {
+        table.refuse_value(key, "has another number of fractions than boiling_points");
+        return;
+      }
+      for (std::size_t i = 0; i < numbers.size(); ++i) fractions[i].*member = numbers[i];
+    };
+    put("shares", "1", &models::OilFraction::share);
+    put("molar_masses", "kg/mol", &models::OilFraction::molar_mass);
+    if (fractions.empty()) fractions.push_back({1, 0, std::nullopt});
   }
 
   void read_samples(CheckTable& table, const std::string& unit, study::CurveCheck& check) {

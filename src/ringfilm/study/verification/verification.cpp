@@ -145,6 +145,11 @@ class Runner {
                contact_number(check, check.form.points), check.tolerance));
   }
 
+  void check(const EvaporationCheck& check) {
+    add(row_of(check, *find_by_name(evaporation_quantities(), check.quantity), check.expected,
+               evaporation_value(check.form, check.quantity), check.tolerance));
+  }
+
   VerificationOutcome outcome() const { return outcome_; }
 
  private:
@@ -276,6 +281,7 @@ VerificationOutcome verify(const Verification& verification) {
   for (const CurveCheck& check : verification.curves) runner.check(check);
   for (const WearCheck& check : verification.wear) runner.check(check);
   for (const ContactCheck& check : verification.contact) runner.check(check);
+  for (const EvaporationCheck& check : verification.evaporation) runner.check(check);
   for (const OrderCheck& check : verification.orders) runner.check(check);
   for (const BoundCheck& check : verification.bounds) runner.check(check);
   return runner.outcome();

@@ -7,6 +7,7 @@
 #include "ringfilm/study/measurement.hpp"
 #include "ringfilm/study/verification/contact_form.hpp"
 #include "ringfilm/study/verification/dry_wear.hpp"
+#include "ringfilm/study/verification/evaporation_form.hpp"
 
 /// Runs with known answers, the checks on them and what came of each. docs/manual/verification.md.
 namespace ringfilm::study {
@@ -91,6 +92,14 @@ struct ContactCheck : Check {
   double order = 0;            ///< expected slope of the error; with levels [-]
 };
 
+/// Oil that evaporates, or the transfer of heat that carries it away.
+struct EvaporationCheck : Check {
+  EvaporationForm form;
+  std::string quantity;  ///< one of evaporation_quantities()
+  double expected = 0;   ///< [SI]
+  Tolerance tolerance;
+};
+
 /// A curve of a ring over crank angle.
 struct CurveCheck : Check {
   std::string run;
@@ -114,6 +123,7 @@ struct Verification {
   std::vector<CurveCheck> curves;
   std::vector<WearCheck> wear;
   std::vector<ContactCheck> contact;
+  std::vector<EvaporationCheck> evaporation;
 };
 
 enum class Verdict { kHolds, kFails };
