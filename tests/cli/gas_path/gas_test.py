@@ -103,6 +103,21 @@ class GasTest(program.ProgramTest):
         self.assertEqual({event["event"].split("-")[0] for event in events}, {"leaves", "lands"})
         self.assertEqual([event["crank_angle"] for event in events], sorted(e["crank_angle"] for e in events))
 
+    def test_end_gaps_below_each_other_pass_more_gas(self):
+        def blow_by(*settings):
+            return self.json_of(*(word for one in settings for word in ("--set", one)))["blow_by_per_cycle"]
+
+        apart = blow_by("ring.1.gap_position=0 degree", "ring.2.gap_position=180 degree")
+        self.assertEqual(apart, blow_by(), "gaps that are apart are those without a position")
+        aligned = blow_by("ring.1.gap_position=10 degree", "ring.2.gap_position=10 degree")
+        self.assertGreater(aligned, 1.02 * apart)
+        near = blow_by("ring.1.gap_position=-1 degree", "ring.2.gap_position=359.5 degree")
+        self.assertTrue(apart < near < aligned)
+        # The second gap is as large as the first, 0.4 mm by 0.2 mm: 0.08 mm2/sqrt(1 - 0.5).
+        wider = blow_by(f"ring.2.end_gap={0.4 / math.sqrt(0.5)!r} mm")
+        self.assertAlmostEqual(aligned / wider, 1, delta=1e-9)
+        self.assertEqual(blow_by("ring.1.gap_position=0 degree"), apart, "one position alone says nothing")
+
     def test_another_tension_leaves_the_thickness_to_the_gas(self):
         done = self.run_program("gas", "pack.toml", "--json", "--set", "ring.1.tangential_force=30 N")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,5 +1,6 @@
 """The oil consumption of a pack: its bands, closed forms, refusals."""
 
+import csv
 import json
 import math
 import unittest
@@ -75,10 +76,76 @@ class OilConsumptionTest(program.ProgramTest):
             (f"lubricant.distillation=[{heavy}, {light}]", "rising boiling points"),
             ('lubricant.distillation=[{share=1.0, boiling_point="120 degC"}]', "above the last boiling point"),
             ("lubricant.distillation=[{share=1.0}]", "requires a share and a boiling point"),
+            ("lubricant.noack=0.6", "out of range"),
             ("operating.brake_power=25 kW", "engine.cylinders"),
             ("engine.cylinders=3.5", "is not whole"),
         ):
             self.assert_refused(self.run_program("run", PACK, "--set", setting), text)
+
+    def test_volatility_is_stated_in_one_way(self):
+        case = (self.folder / "case.toml").read_text().replace(
+            "[lubricant]\n", f'[lubricant]\nnoack = 0.12\n{ONE_FRACTION.split(".", 1)[1]}\n'
+        )
+        (self.folder / "both.toml").write_text(case)
+        done = self.run_program("run", "both.toml", "--set", "conditions=engine")
+        self.assert_refused(done, "lubricant.noack and lubricant.distillation are both stated")
+
+    def test_case_without_a_ring_is_refused(self):
+        case = (self.folder / "case.toml").read_text()
+        head, tail = case.split("[ring]", 1)
+        (self.folder / "none.toml").write_text("ring = []\n" + head + "[contact]" + tail.split("[contact]", 1)[1])
+        self.assert_refused(self.run_program("run", "none.toml"), "ring = [] has no ring")
+        (self.folder / "none.toml").write_text(head + "[contact]" + tail.split("[contact]", 1)[1])
+        self.assert_refused(self.run_program("run", "none.toml"), "ring.face_width is missing")
+
+    def test_noack_loss_takes_the_place_of_the_fractions_of_the_oil(self):
+        light = self.run_pack("lubricant.noack=0.2")["oil_consumption"]
+        heavy = self.run_pack("lubricant.noack=0.05")["oil_consumption"]
+        self.assertGreater(light["evaporation"]["value"], 1.5 * heavy["evaporation"]["value"])
+        self.assertEqual(light["carried_by_gas"], heavy["carried_by_gas"])
+
+    def test_what_narrows_the_band_comes_in_order(self):
+        found = self.run_pack("oil_transport.gas_load=0.005")["oil_consumption"]
+        bands = found["narrowed_by"]
+        self.assertGreater(len(bands), 0)
+        self.assertEqual([band["band_share"] for band in bands], sorted((b["band_share"] for b in bands), reverse=True))
+        self.assertNotIn("oil_transport.gas_load", [band["input"] for band in bands])
+        for band in bands:
+            self.assertGreaterEqual(band["low"], found["low"])
+            self.assertLessEqual(band["high"], found["high"])
+
+    def test_study_has_the_consumption_of_each_operating_point(self):
+        (self.folder / "pack.toml").write_text(
+            f'include = ["{PACK}"]\n[solver]\ncells = 60\n[engine]\ncylinders = 4\n'
+        )
+        (self.folder / "study.toml").write_text(
+            'title = "points"\nkind = "compare"\n[[base]]\nname = "pack"\ncase = "pack.toml"\n'
+            '[plan]\nmethod = "operating-points"\n[accuracy]\nsample = 0\n'
+            + "".join(
+                f'[[point]]\nname = "{name}"\nweight = {weight}\n'
+                f'values = {{ "oil_transport.gas_load" = {load}, "operating.brake_power" = "{power} kW" }}\n'
+                for name, weight, load, power in (("one", 0.25, 0.004, 10), ("two", 0.75, 0.008, 20))
+            )
+        )
+        done = self.run_program("study", "study.toml", "-o", "out")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("oil_consumption", done.stdout)
+        with open(self.folder / "out" / "study.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+        self.assertEqual(len(rows), 2)
+
+        def value(row, name):
+            return float(next(cell for key, cell in row.items() if key.split(" ")[0] == name))
+
+        parts = ("oil_evaporation", "oil_loss_scraped_up", "oil_carried_by_gas", "oil_thrown_off")
+        for row in rows:
+            total = value(row, "oil_consumption")
+            self.assertAlmostEqual(sum(value(row, part) for part in parts) / total, 1, delta=1e-12)
+            self.assertAlmostEqual(value(row, "oil_consumption_engine") / total, 4, delta=1e-12)
+        ratio = value(rows[1], "oil_carried_by_gas") / value(rows[0], "oil_carried_by_gas")
+        self.assertAlmostEqual(ratio, 2, delta=1e-9)
+        power = value(rows[0], "oil_consumption_engine") / value(rows[0], "oil_consumption_brake_specific")
+        self.assertAlmostEqual(power, 10e3, delta=1e-3)
 
     def test_case_without_the_oil_on_the_liner_has_no_evaporation(self):
         done = self.run_program("run", "case.toml", "--set", "evaporation.mass_transfer_coefficient=0.05 m/s")

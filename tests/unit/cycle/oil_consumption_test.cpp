@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -232,6 +233,66 @@ TEST(OilConsumptionRules, AskForTheNumberOfCylinders) {
   EXPECT_THAT(first_breach(example), HasSubstr("engine.cylinders is missing"));
   example.input.engine.cylinders = 3.5;
   EXPECT_THAT(first_breach(example), HasSubstr("is not whole"));
+}
+
+TEST(OilConsumptionRules, AskForOneWayToStateTheVolatility) {
+  Example example;
+  example.input.lubricant.noack = 0.12;
+  EXPECT_THAT(first_breach(example), HasSubstr("lubricant.noack and lubricant.distillation are both stated"));
+  example.input.lubricant.distillation.clear();
+  EXPECT_EQ(first_breach(example), "");
+}
+
+TEST(OilLosses, OfANoackLossAreThoseOfItsFractions) {
+  Example noack, fractions;
+  noack.input.lubricant.distillation.clear();
+  noack.input.lubricant.noack = 0.12;
+  fractions.input.lubricant.distillation = models::distillation_of_noack(0.12);
+  EXPECT_GT(noack.losses()[0].value, 0);
+  EXPECT_EQ(noack.losses()[0].value, fractions.losses()[0].value);
+  noack.input.lubricant.noack = 0.2;
+  EXPECT_GT(noack.losses()[0].value, fractions.losses()[0].value);
+}
+
+TEST(NarrowedBands, ComeInTheOrderOfWhatTheyTakeAway) {
+  const std::vector<OilLoss> losses = Example().losses(gas_that_flows_back());
+  const std::vector<NarrowedBand> bands = narrowed_bands(losses);
+  const OilLoss& total = losses[4];
+  ASSERT_GE(bands.size(), 3U);
+  double shares = 0;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const auto part = std::ranges::find(losses, bands[i].part, &OilLoss::name);
+    ASSERT_NE(part, losses.end());
+    EXPECT_EQ(bands[i].input, part->input);
+    EXPECT_NEAR(bands[i].high - bands[i].low, (1 - bands[i].band_share) * (total.high - total.low), 1e-12 * total.high);
+    EXPECT_LE(bands[i].low, total.value * (1 + 1e-12));
+    EXPECT_GE(bands[i].high, total.value * (1 - 1e-12));
+    EXPECT_LE(bands[i].band_share, bands[i > 0 ? i - 1 : 0].band_share);
+    shares += bands[i].band_share;
+  }
+  EXPECT_NEAR(shares, 1, 1e-12) << "the parts are all that the band is made of";
+}
+
+TEST(NarrowedBands, DoNotHaveAnInputThatIsStated) {
+  Example example;
+  example.input.stated = {"oil_transport.gas_load"};
+  for (const NarrowedBand& band : narrowed_bands(example.losses(gas_that_flows_back()))) {
+    EXPECT_NE(band.input, "oil_transport.gas_load");
+  }
+  EXPECT_TRUE(narrowed_bands({}).empty());
+}
+
+TEST(OilLossQuantities, NameLossesThatThereAre) {
+  Example example;
+  example.input.engine.cylinders = 4;
+  example.input.operating.brake_power = 25e3;
+  example.input.operating.fuel_rate = 2e-3;
+  const std::vector<OilLoss> losses = example.losses(gas_that_flows_back());
+  for (const OilLossQuantity& quantity : oil_loss_quantities()) {
+    const auto loss = std::ranges::find(losses, quantity.loss, &OilLoss::name);
+    ASSERT_NE(loss, losses.end()) << quantity.name;
+    EXPECT_EQ(loss->unit, quantity.unit) << quantity.name;
+  }
 }
 
 }  // namespace

@@ -87,4 +87,32 @@ TEST(HeatTransfer, ScalesAsWoschniAndByTheAnalogy) {
   EXPECT_NEAR(mass_transfer_coefficient(200, 1.2, 1000, 8), 200 / (1.2 * 1000 * 4), 1e-12);
 }
 
+TEST(NoackLoss, OfOneFractionIsTheMassOfTheSaturatedAir) {
+  constexpr double kBoiling = 800, kMolarMass = 0.4, kTest = 523.15, kAir = 0.253, kSample = 0.065;
+  const std::vector<OilFraction> oil{{1, kBoiling, kMolarMass}};
+  const double expected = kAir * kMolarMass * vapour_concentration(kBoiling, kTest) / kSample;
+  EXPECT_NEAR(noack_loss(oil) / expected, 1, 1e-10);  // the difference of nearly equal masses
+}
+
+TEST(NoackLoss, OfTheFractionsThatBelongToItIsTheSame) {
+  double before = 2000;
+  for (const double loss : {kMinNoackLoss, 0.05, 0.12, 0.2, kMaxNoackLoss}) {
+    const std::vector<OilFraction> oil = distillation_of_noack(loss);
+    EXPECT_NEAR(noack_loss(oil) / loss, 1, 1e-8) << loss;  // boiling points to 1e-9 K
+    double shares = 0;
+    for (const OilFraction& fraction : oil) shares += fraction.share;
+    EXPECT_NEAR(shares, 1, 1e-15);
+    EXPECT_LT(oil.front().boiling_point, before) << "a lighter oil loses more";
+    before = oil.front().boiling_point;
+    EXPECT_LT(oil.back().boiling_point, kMaxBoilingPoint);
+  }
+}
+
+TEST(NoackLoss, OfTheShippedFractionsIsWhatTheyState) {
+  // data/lubricants/sae-5w-30.toml: about 12 %.
+  const std::vector<OilFraction> oil{
+      {0.1, 732.15, 0.33}, {0.25, 777.15, 0.38}, {0.3, 812.15, 0.43}, {0.2, 857.15, 0.49}, {0.15, 932.15, 0.6}};
+  EXPECT_NEAR(noack_loss(oil), 0.12, 0.002);
+}
+
 }  // namespace

@@ -46,7 +46,8 @@ io::ResultDocument pack_of_two_rings() {
   for (auto* films : {&stroke.film_ahead, &stroke.film_behind}) films->fill({1e-6, 2e-6});
   io::ResultDocument pack = io::pack_document("a pack", {ring, ring});
   pack.gas = io::pack_gas(gas_of_two_regions(), 287);
-  pack.oil_losses = {{"evaporation", "kg/s", 1e-7, 2e-7, 3e-7, "how much renews"}};
+  pack.oil_losses = {{"evaporation", "kg/s", 1e-7, 2e-7, 3e-7, "how much renews", "supply.reach"},
+                     {cycle::kTotalOilLoss, "kg/s", 1e-7, 2e-7, 3e-7, "all at once"}};
   return pack;
 }
 
@@ -160,6 +161,9 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
   expect_each(cycle::summed_quantities(), in_object(json["units"]));
   expect_each(io::pack_oil_quantities(), in_object(json["oil"]));
   EXPECT_EQ(json["oil_consumption"]["evaporation"]["assumption"], "how much renews");
+  for_each_member<cycle::NarrowedBand>([&](const auto& member) {
+    EXPECT_TRUE(json["oil_consumption"]["narrowed_by"][0].contains(member.name)) << member.name;
+  });
   expect_each(cycle::gas_sum_quantities(), in_object(json["gas"]));
   expect_each(cycle::gas_ring_quantities(), in_object(json["gas"]["ring_motion"][0]));
   expect_each(cycle::gas_path_quantities(), in_object(json["gas"]["paths"][0]));

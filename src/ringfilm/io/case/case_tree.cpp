@@ -163,7 +163,20 @@ class Gatherer {
     tree_.faults.push_back({mark, message, remedy});
   }
 
+  /// Reports a list of rings that is empty, and takes it out.
+  void refuse_no_rings(TomlValue& root) {
+    std::erase_if(root.members, [this](const auto& member) {
+      const auto& [name, value] = member;
+      if (name != "ring" || value.kind != TomlValue::Kind::kList || !value.items.empty()) return false;
+      fault(value.key_mark, "ring = [] has no ring",
+            "state each ring in a [[ring]] section, the one next to the chamber first, or one ring in [ring]");
+      tree_.faulty.insert("ring.");
+      return true;
+    });
+  }
+
   void add_file(TomlValue root, const std::string& path) {
+    refuse_no_rings(root);
     number_rings(root);
     FlatToml flat = flatten(root, folder_of(path));
     drop_unknown_sections(flat);

@@ -11,7 +11,7 @@ namespace ringfilm::io {
 namespace {
 
 std::vector<cycle::OilLoss> example_losses() {
-  return {{"evaporation", "kg/s", 1e-7, 2e-7, 3e-7, "how much renews"},
+  return {{"evaporation", "kg/s", 1e-7, 2e-7, 3e-7, "how much renews", "supply.reach"},
           {"total", "kg/s", 1e-7, 2e-7, 3e-7, "all at once"},
           {"fuel_share", "1", 1e-4, 2e-4, 3e-4, "over fuel"}};
 }
@@ -25,6 +25,9 @@ TEST(OilConsumption, HasEachPartByItsNameWithItsUnit) {
   EXPECT_EQ(object["units"]["fuel_share"], "1");
   EXPECT_EQ(object["units"]["low"], "kg/s");
   EXPECT_FALSE(object.contains("total"));
+  EXPECT_EQ(object["narrowed_by"][0]["input"], "supply.reach");
+  EXPECT_EQ(object["narrowed_by"][0]["band_share"], 1);
+  EXPECT_EQ(object["narrowed_by"][0]["high"], 2e-7);
 }
 
 TEST(OilConsumption, IsTheSameFromTheFile) {
