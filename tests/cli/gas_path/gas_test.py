@@ -116,7 +116,7 @@ class GasTest(program.ProgramTest):
         # The second gap is as large as the first, 0.4 mm by 0.2 mm: 0.08 mm2/sqrt(1 - 0.5).
         wider = blow_by(f"ring.2.end_gap={0.4 / math.sqrt(0.5)!r} mm")
         self.assertAlmostEqual(aligned / wider, 1, delta=1e-9)
-        self.assertEqual(blow_by("ring.1.gap_position=0 degree"), apart, "one position alone says nothing")
+        self.assertEqual(blow_by("ring.1.gap_position=0 degree"), apart, "one position alone has no effect")
 
     def test_another_tension_leaves_the_thickness_to_the_gas(self):
         done = self.run_program("gas", "pack.toml", "--json", "--set", "ring.1.tangential_force=30 N")

@@ -6,10 +6,12 @@ namespace {
 /// Does oil evaporate from the liner?
 bool evaporates(const Case& c) { return c.follows_oil() && c.lubricant.evaporates(); }
 
-constexpr When kEvaporation{evaporates, "lubricant.distillation or lubricant.noack is stated, with film.supply = \"film-on-liner\""};
-constexpr When kHeatTransfer{[](const Case& c) { return evaporates(c) && !c.evaporation.mass_transfer_coefficient; },
-                             "lubricant.distillation or lubricant.noack is stated, with film.supply = \"film-on-liner\" and without "
-                             "evaporation.mass_transfer_coefficient"};
+constexpr When kEvaporation{
+    evaporates, "lubricant.distillation or lubricant.noack is stated, with film.supply = \"film-on-liner\""};
+constexpr When kHeatTransfer{
+    [](const Case& c) { return evaporates(c) && !c.evaporation.mass_transfer_coefficient; },
+    "lubricant.distillation or lubricant.noack is stated, with film.supply = \"film-on-liner\" and without "
+    "evaporation.mass_transfer_coefficient"};
 constexpr When kCorrelation{
     [](const Case& c) { return kHeatTransfer.holds(c) && !c.evaporation.heat_transfer_coefficient; },
     "lubricant.distillation or lubricant.noack is stated, with film.supply = \"film-on-liner\" and without "

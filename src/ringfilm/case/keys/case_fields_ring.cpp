@@ -166,8 +166,9 @@ void append_ring_fields(std::vector<Field>& fields) {
                  .unit = si_unit("degree"),
                  .range = between(-360, 360),
                  .when = kGapped,
-                 .help = "where around the bore the middle of the gap is, in a bore that is not round and, for the gas of "
-                         "a pack, against the gap of the next ring",
+                 .help =
+                     "where around the bore the middle of the gap is, in a bore that is not round and, for the gas of "
+                     "a pack, against the gap of the next ring",
                  .example = "\"0 degree\"",
                  .uses = {.closure = true, .gas = true}}),
           field({.key = "ring.conformity",

@@ -79,7 +79,7 @@ std::optional<double> gap_distance(const Case& one, const Case& other) {
 }
 
 /// End gaps that lie below one another pass more gas than through a piston land at rest, eq-gap-carry-over. Where no
-/// land is between two rings, nothing is changed.
+/// piston land is between two rings, nothing is changed.
 void recover_velocity_heads(const Case& pack, std::vector<gas_path::Ring>& rings) {
   const GasPath& path = pack.gas_path;
   double area_above = rings.front().gap_area;

@@ -67,9 +67,9 @@ std::vector<NarrowedBand> narrowed_bands(const std::vector<OilLoss>& losses);
 
 /// A value of a loss under a name of its own, as studies have it.
 struct OilLossQuantity : Quantity {
-  const char* loss;         ///< OilLoss::name
-  double OilLoss::*member;  ///< its value, or an end of its band
-  const char* requires_key; ///< key of a case without which there is none; nullptr: none
+  const char* loss;          ///< OilLoss::name
+  double OilLoss::*member;   ///< its value, or an end of its band
+  const char* requires_key;  ///< key of a case without which there is none; nullptr: none
 };
 /// The total with its ends, the values of the parts, and what the total comes to for the engine.
 const std::vector<OilLossQuantity>& oil_loss_quantities();

@@ -168,12 +168,15 @@ class VerificationReader {
 
   /// What reads the tables of each name.
   static const std::map<std::string, Read>& readers() {
-    static const std::map<std::string, Read> all = {
-        {"run", &VerificationReader::read_run},         {"value", &VerificationReader::read_value},
-        {"order", &VerificationReader::read_order},     {"bound", &VerificationReader::read_bound},
-        {"optimum", &VerificationReader::read_optimum}, {"curve", &VerificationReader::read_curve},
-        {"wear", &VerificationReader::read_wear},       {"contact", &VerificationReader::read_contact},
-        {"evaporation", &VerificationReader::read_evaporation}};
+    static const std::map<std::string, Read> all = {{"run", &VerificationReader::read_run},
+                                                    {"value", &VerificationReader::read_value},
+                                                    {"order", &VerificationReader::read_order},
+                                                    {"bound", &VerificationReader::read_bound},
+                                                    {"optimum", &VerificationReader::read_optimum},
+                                                    {"curve", &VerificationReader::read_curve},
+                                                    {"wear", &VerificationReader::read_wear},
+                                                    {"contact", &VerificationReader::read_contact},
+                                                    {"evaporation", &VerificationReader::read_evaporation}};
     return all;
   }
 

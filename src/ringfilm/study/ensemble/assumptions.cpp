@@ -544,12 +544,12 @@ std::vector<Assumption> oil_consumption(const Case& c) {
   const auto origin = [&c](const char* key) { return c.stated.contains(key) ? "as stated" : "typical, assumed"; };
   std::vector<Assumption> all;
   if (c.lubricant.evaporates()) {
-    all.push_back(assumption("oil-evaporation",
-                             fmt::format("{} fractions of the oil{} evaporate from the liner into gas without vapour",
-                                         c.lubricant.fractions().size(),
-                                         c.lubricant.noack ? ", assumed to have its Noack loss," : ""),
-                             "the vapour pressure far below the boiling points and the heat transfer of the gas are "
-                             "uncertain by a factor of two or more; the films do not change by it"));
+    all.push_back(assumption(
+        "oil-evaporation",
+        fmt::format("{} fractions of the oil{} evaporate from the liner into gas without vapour",
+                    c.lubricant.fractions().size(), c.lubricant.noack ? ", assumed to have its Noack loss," : ""),
+        "the vapour pressure far below the boiling points and the heat transfer of the gas are "
+        "uncertain by a factor of two or more; the films do not change by it"));
   }
   all.push_back(assumption("oil-scraped-up",
                            fmt::format("a share of {:.3g} of the oil that the ring leaves above it at TDC does not "
