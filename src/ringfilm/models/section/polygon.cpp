@@ -8,6 +8,8 @@ namespace {
 
 /// Twice the area of a triangle over the square of the section's size below which its corners lie on a line [-].
 constexpr double kOnALine = 1e-12;
+/// Product of inertia over the mean second moment that rounding leaves [-].
+constexpr double kRoundedProduct = 1e-12;
 
 /// Twice the signed area of a triangle [m2].
 double cross(const SectionPoint& a, const SectionPoint& b, const SectionPoint& c) {
@@ -61,6 +63,8 @@ SectionArea section_area(const SectionPolygon& section) {
   of.axial = sense * second_a / 12 - of.area * a * a;
   of.radial = sense * second_r / 12 - of.area * r * r;
   of.product = sense * mixed / 24 - of.area * a * r;
+  // What rounding leaves of a symmetrical section is not a product of inertia.
+  if (std::abs(of.product) < kRoundedProduct * std::sqrt(of.axial * of.radial)) of.product = 0;
   return of;
 }
 

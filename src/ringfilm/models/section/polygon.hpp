@@ -36,7 +36,7 @@ PrincipalAxes principal_axes(const SectionArea& section);
 
 /// Extent of a section from the smallest to the largest coordinates of its corners.
 struct SectionExtent {
-  SectionPoint low, high;  ///< [m]
+  SectionPoint low, high;                                        ///< [m]
   double height() const { return high.axial - low.axial; }       ///< along the axis of the bore [m]
   double thickness() const { return high.radial - low.radial; }  ///< radial thickness t [m]
 };
