@@ -86,6 +86,11 @@ class SiValue {
     for (const auto& [distance, value] : points) list.append(py::make_tuple(distance, value));
     return list;
   }
+  py::object operator()(const cycle::CornersKind& kind) const {
+    py::list list;
+    for (const auto& [axial, radial] : kind.ref(case_)) list.append(py::make_tuple(axial, radial));
+    return list;
+  }
   py::object operator()(const cycle::AnglesKind&) const {
     const cycle::Output& output = case_.output;
     if (output.crank_angles_deg.empty()) return py::float_(output.crank_angle_step_deg);
@@ -196,6 +201,12 @@ class Restore {
     kind.ref(case_).clear();
     for (const auto& [distance, value] : py::cast<std::vector<std::pair<double, double>>>(value_)) {
       kind.ref(case_).push_back({distance, value});
+    }
+  }
+  void operator()(const cycle::CornersKind& kind) const {
+    kind.ref(case_).clear();
+    for (const auto& [axial, radial] : py::cast<std::vector<std::pair<double, double>>>(value_)) {
+      kind.ref(case_).push_back({axial, radial});
     }
   }
   void operator()(const cycle::AnglesKind&) const {
@@ -310,6 +321,8 @@ class Toml {
     for (const py::handle item : py::iter(value_)) {
       if (std::holds_alternative<cycle::StrokeValuesKind>(field_.kind)) {
         list.items.push_back(distance_and_value(item));
+      } else if (std::holds_alternative<cycle::CornersKind>(field_.kind)) {
+        list.items.push_back(corner(item));
       } else if (std::holds_alternative<cycle::FourierTermsKind>(field_.kind)) {
         list.items.push_back(fourier_term(item));
       } else if (std::holds_alternative<cycle::DistillationKind>(field_.kind)) {
@@ -323,6 +336,17 @@ class Toml {
       }
     }
     return list;
+  }
+
+  TomlValue corner(const py::handle& item) const {
+    if (!py::hasattr(item, "__len__") || py::isinstance<py::str>(item) || py::len(item) != 2) refuse();
+    TomlValue pair;
+    pair.kind = TomlValue::Kind::kList;
+    for (const int i : {0, 1}) {
+      const py::object length = item.attr("__getitem__")(i);
+      pair.items.push_back(part(length, {field_.unit, field_.display_unit, "\"1.2 mm\""}));
+    }
+    return pair;
   }
 
   TomlValue distance_and_value(const py::handle& item) const {

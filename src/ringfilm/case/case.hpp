@@ -11,6 +11,7 @@
 #include "ringfilm/case/measured_contact.hpp"
 #include "ringfilm/case/oil_transport.hpp"
 #include "ringfilm/case/plateau.hpp"
+#include "ringfilm/case/ring_section.hpp"
 #include "ringfilm/case/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
 #include "ringfilm/models/contact/measured_flow.hpp"
@@ -223,6 +224,7 @@ struct Ring {
   std::optional<double> expander_force;
   std::optional<double> free_gap;          ///< gap of the free ring less that of the closed one [m]
   std::optional<double> radial_thickness;  ///< ring thickness t; with free_gap, and with gas_path [m]
+  RingSection section;                     ///< section of the ring; not stated: a rectangle of face width and thickness
   LandPressure pressure_above;             ///< pressure at the piston land above; not stated: that of the cylinder
   LandPressure pressure_below;             ///< pressure at the piston land below; not stated: that of the crankcase
   /// In the groove, computed by the gas path: absolute [Pa], 0 = firing TDC. Absent: Gas::pressure_behind_ring.
@@ -248,6 +250,12 @@ struct Ring {
   double free_shape_smoothing = 0;               ///< shortest wave around the ring that is kept of it [m]
   RingFace face;                                 ///< shape of the face across its width
   Coating coating;                               ///< absent unless its modulus is stated
+
+  /// Radial thickness t: as stated, or that of the corners of the section [m].
+  std::optional<double> thickness() const {
+    if (radial_thickness || section.corners.size() < 3) return radial_thickness;
+    return models::section_extent(section.corners).thickness();
+  }
 };
 
 /// The keys under `liner`.
@@ -552,6 +560,16 @@ struct Case {
   bool is_unrolled() const { return problem == Problem::kCycle && film.dimension == FilmDimension::kUnrolled; }
   /// Does its ring bend in the bore?
   bool bends() const { return is_unrolled() && ring.conformity == Conformity::kBeam; }
+  /// Does its section turn over the cycle, and the face with it?
+  bool twists() const {
+    return problem == Problem::kCycle && ring.section.is_stated() && ring.section.twist == RingTwist::kQuasiStatic &&
+           can_twist();
+  }
+  /// Is the film one across a face that may turn: of a compression ring, rigid against its film, never turned over?
+  bool can_twist() const {
+    return !is_unrolled() && ring.local_deformation == LocalDeformation::kNone &&
+           ring.face.orientation != Orientation::kLeadingEdge && ring.gas_path.kind == RingKind::kCompression;
+  }
   /// Is anything stated that only a ring that bends uses?
   bool has_closure() const {
     return bends() || problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||

@@ -131,4 +131,8 @@ double elastic_pressure_from_free_gap(double free_gap, double radial_thickness, 
   return E * std::pow(radial_thickness, 3) * free_gap / (36 * boost::math::double_constants::pi * std::pow(r, 4));
 }
 
+double elastic_pressure_from_section(double free_gap, double second_moment, double face_width, double E, double bore) {
+  return E * second_moment * free_gap / (3 * boost::math::double_constants::pi * face_width * std::pow(bore / 2, 4));
+}
+
 }  // namespace ringfilm::models

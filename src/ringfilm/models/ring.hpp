@@ -46,5 +46,7 @@ double elastic_pressure_from_tangential_force(double F_t, double face_width, dou
 double tangential_force_from_elastic_pressure(double p_e, double face_width, double bore);
 /// p_e = E t^3 s/(36 pi r^4), r = bore/2, eq-elastic-pressure-gap [Pa].
 double elastic_pressure_from_free_gap(double free_gap, double radial_thickness, double E, double bore);
+/// Of any section: p_e = E I s/(3 pi b r^4), r = bore/2. @param second_moment I, for bending in the ring's plane [m4]
+double elastic_pressure_from_section(double free_gap, double second_moment, double face_width, double E, double bore);
 
 }  // namespace ringfilm::models

@@ -96,6 +96,7 @@ std::vector<Field> all_fields() {
   append_thermal_fields(fields);
   append_gas_fields(fields);
   append_ring_fields(fields);
+  append_section_fields(fields);
   append_gas_path_fields(fields);
   append_contact_fields(fields);
   append_measured_fields(fields);

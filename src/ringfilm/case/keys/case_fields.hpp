@@ -104,6 +104,10 @@ struct FourierTermsKind {
 struct DistillationKind {
   Ref<std::vector<models::OilFraction>> ref;
 };
+/// An array of corners ["0 mm", "0 mm"], axial and radial (`ring.section`).
+struct CornersKind {
+  Ref<models::SectionPolygon> ref;
+};
 /// `output.crank_angles`: a step or a list of angles.
 struct AnglesKind {};
 /// `output.fields`: "none", "all" or a list of angles.
@@ -112,7 +116,7 @@ struct FieldAnglesKind {};
 using Kind = std::variant<NumberKind, OptionalNumberKind, CountKind, ChoiceKind, TextKind, OptionalTextKind, FileKind,
                           OptionalFileKind, NumberOrFileKind, OptionalNumberOrFileKind, UnitNameKind, NumberListKind,
                           TemperatureValuesKind, ConstantOrTemperatureValuesKind, StrokeValuesKind, FourierTermsKind,
-                          DistillationKind, AnglesKind, FieldAnglesKind>;
+                          DistillationKind, CornersKind, AnglesKind, FieldAnglesKind>;
 
 /// Must the user state it, is there a default in case.hpp, or may it be absent altogether?
 enum class Need {

@@ -150,6 +150,7 @@ void append_thermal_fields(std::vector<Field>& fields);
 void append_gas_fields(std::vector<Field>& fields);
 void append_gas_path_fields(std::vector<Field>& fields);  ///< after those of the ring
 void append_ring_fields(std::vector<Field>& fields);
+void append_section_fields(std::vector<Field>& fields);
 void append_contact_fields(std::vector<Field>& fields);
 void append_measured_fields(std::vector<Field>& fields);
 void append_lubricant_fields(std::vector<Field>& fields);

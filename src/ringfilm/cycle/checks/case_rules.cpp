@@ -202,7 +202,7 @@ void check_tension(const Case& c, Breaches& breaches) {
     breaches.push_back({"ring.elastic_pressure", "the tension of the ring is missing", ways, kMissingKey});
   } else if (stated > 1) {
     breaches.push_back(tension_stated_twice(ring, ways));
-  } else if (gap && !ring.radial_thickness) {
+  } else if (gap && !ring.thickness()) {
     breaches.push_back({"ring.radial_thickness", "ring.free_gap is stated without ring.radial_thickness", ways});
   } else if (!ring.free_shape || shows_free_ring(c, breaches)) {
     check_tension_range(c, breaches);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "ringfilm/base/display.hpp"
@@ -16,7 +17,7 @@ namespace {
 using Breaches = std::vector<RuleBreach>;
 
 void check_section(const Case& c, Breaches& breaches) {
-  const auto& t = c.ring.radial_thickness;
+  const std::optional<double> t = c.ring.thickness();
   if (!t) {
     if (c.problem != Problem::kClosure && !c.bends()) return;
     breaches.push_back({"ring.radial_thickness",
@@ -31,8 +32,9 @@ void check_section(const Case& c, Breaches& breaches) {
 }
 
 void check_end_gap(const Case& c, Breaches& breaches) {
-  if (!c.ring.end_gap || !c.ring.radial_thickness) return;
-  const double circumference = std::numbers::pi * (c.engine.bore - *c.ring.radial_thickness);
+  const std::optional<double> t = c.ring.thickness();
+  if (!c.ring.end_gap || !t) return;
+  const double circumference = std::numbers::pi * (c.engine.bore - *t);
   if (*c.ring.end_gap < circumference / 2) return;
   const bool is_all = *c.ring.end_gap >= circumference;
   breaches.push_back({"ring.end_gap",
@@ -179,15 +181,16 @@ bool shows_free_ring(const Case& c, std::vector<RuleBreach>& breaches) {
                         "the pressure of the ring is stated twice: ring.pressure_orders and ring.free_shape",
                         "the free shape is that of one pressure; remove one of the two"});
   }
-  if (!ring.radial_thickness) {
+  const std::optional<double> t = ring.thickness();
+  if (!t) {
     breaches.push_back({"ring.radial_thickness", "ring.free_shape is stated without ring.radial_thickness",
                         "write, for example, radial_thickness = \"3.5 mm\" in [ring]", RuleBreach::By::kMissingKey});
     return false;
   }
-  if (!(ring.free_shape_smoothing > 0) || !(c.engine.bore > *ring.radial_thickness)) return false;  // refused elsewhere
+  if (!(ring.free_shape_smoothing > 0) || !(c.engine.bore > *t)) return false;  // refused elsewhere
   const int orders = orders_of_free_ring(c);
   if (orders < kMinOrders || orders > kMaxOrders) {
-    const double circumference = std::numbers::pi * (c.engine.bore - *ring.radial_thickness);
+    const double circumference = std::numbers::pi * (c.engine.bore - *t);
     breaches.push_back({"ring.free_shape_smoothing",
                         "ring.free_shape_smoothing = " + text_in(ring.free_shape_smoothing, kMillimetre) + " leaves " +
                             std::to_string(orders) + " orders of the pressure",

@@ -60,18 +60,19 @@ void check_groove(const Case& c, Breaches& breaches) {
   require(gas.groove_volume, "ring.groove_volume", breaches);
   require(gas.side_clearance, "ring.side_clearance", breaches);
   if (gas.gap_area || !ring.end_gap) require(gas.land_clearance, "ring.land_clearance", breaches);
-  require(ring.radial_thickness, "ring.radial_thickness", breaches);
-  if (!gas.land_clearance || !ring.radial_thickness) return;
-  if (*ring.radial_thickness <= *gas.land_clearance) {
+  const std::optional<double> thickness = ring.thickness();
+  require(thickness, "ring.radial_thickness", breaches);
+  if (!gas.land_clearance || !thickness) return;
+  if (*thickness <= *gas.land_clearance) {
     breaches.push_back({"ring.radial_thickness",
-                        "ring.radial_thickness = " + text_in(*ring.radial_thickness, kMillimetre) +
+                        "ring.radial_thickness = " + text_in(*thickness, kMillimetre) +
                             " is not more than ring.land_clearance = " + text_in(*gas.land_clearance, kMillimetre) +
                             ": the ring has no flank in its groove",
                         "check the units of both"});
   }
-  if (2 * *ring.radial_thickness >= c.engine.bore) {
+  if (2 * *thickness >= c.engine.bore) {
     breaches.push_back({"ring.radial_thickness",
-                        "ring.radial_thickness = " + text_in(*ring.radial_thickness, kMillimetre) +
+                        "ring.radial_thickness = " + text_in(*thickness, kMillimetre) +
                             " fills the bore of " + text_in(c.engine.bore, kMillimetre),
                         "check its unit"});
   }

@@ -4,22 +4,29 @@
 #include <numbers>
 #include <vector>
 
+#include "ringfilm/cycle/setup/ring_section.hpp"
+
 namespace ringfilm::cycle {
 
 models::RingBeamSize beam_size(const Case& c) {
   models::RingBeamSize size;
   size.bore = c.engine.bore;
   size.face_width = c.ring.face_width;
-  size.radial_thickness = c.ring.radial_thickness.value();
+  size.radial_thickness = c.ring.thickness().value();
   size.youngs_modulus = c.ring.youngs_modulus;
   size.end_gap = c.ring.end_gap.value_or(0);
+  const models::SectionPolygon polygon = section_polygon(c.ring);
+  if (polygon.empty()) return size;
+  const models::SectionArea section = models::section_area(polygon);
+  size.section_centroid = section.centroid.radial - models::section_extent(polygon).low.radial;
+  size.section_second_moment = second_moment_in_plane(section);
   return size;
 }
 
 int orders_of_free_ring(const Case& c) {
   constexpr int kMany = 10000;
   constexpr double kRounding = 1e-9;
-  const double circumference = std::numbers::pi * (c.engine.bore - c.ring.radial_thickness.value());
+  const double circumference = std::numbers::pi * (c.engine.bore - c.ring.thickness().value());
   return static_cast<int>(std::fmin(kMany, circumference / c.ring.free_shape_smoothing * (1 + kRounding)));
 }
 

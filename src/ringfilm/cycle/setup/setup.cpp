@@ -15,6 +15,7 @@
 #include "ringfilm/cycle/setup/land_pressure.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/cycle/setup/ring_conditions.hpp"
+#include "ringfilm/cycle/setup/ring_section.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -120,7 +121,11 @@ double elastic_pressure(const Case& c) {
   if (r.free_shape) {
     return models::elastic_pressure_from_tangential_force(free_ring(c).tangential_force, r.face_width, c.engine.bore);
   }
-  return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.radial_thickness.value(), r.youngs_modulus,
+  if (const auto section = stated_section(r)) {
+    return models::elastic_pressure_from_section(r.free_gap.value(), second_moment_in_plane(*section), r.face_width,
+                                                 r.youngs_modulus, c.engine.bore);
+  }
+  return models::elastic_pressure_from_free_gap(r.free_gap.value(), r.thickness().value(), r.youngs_modulus,
                                                 c.engine.bore);
 }
 

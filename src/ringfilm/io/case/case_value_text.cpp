@@ -92,6 +92,13 @@ class Writer {
     }
     return parts.empty() ? "" : bracketed(parts);
   }
+  std::string operator()(const cycle::CornersKind& kind) {
+    std::vector<std::string> parts;
+    for (const auto& [axial, radial] : kind.ref(case_)) {
+      parts.push_back(fmt::format("[{}, {}]", number(axial), number(radial)));
+    }
+    return parts.empty() ? "" : bracketed(parts);
+  }
   std::string operator()(const cycle::AnglesKind&) {
     const cycle::Output& output = case_.output;
     return output.crank_angles_deg.empty() ? number(output.crank_angle_step_deg) : angles(output.crank_angles_deg);

@@ -161,6 +161,19 @@ class Setter {
     for (const TomlValue& item : list("a list of fractions")) fractions.push_back(oil_fraction(item));
     if (good()) kind.ref(case_) = fractions;
   }
+  void operator()(const cycle::CornersKind& kind) {
+    models::SectionPolygon corners;
+    for (const TomlValue& item : list("a list of corners")) {
+      if (item.kind != Kind::kList || item.items.size() != 2) {
+        refuse(item, "is not an axial and a radial length", "for example " + field_.example);
+        continue;
+      }
+      const auto axial = quantity(item.items[0], field_.unit, "\"1.2 mm\"");
+      const auto radial = quantity(item.items[1], field_.unit, "\"3.5 mm\"");
+      if (axial && radial) corners.push_back({*axial, *radial});
+    }
+    if (good()) kind.ref(case_) = corners;
+  }
   void operator()(const cycle::AnglesKind&) {
     if (value_.kind == Kind::kList) {
       const std::vector<double> listed = angles();

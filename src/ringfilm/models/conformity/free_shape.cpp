@@ -90,11 +90,11 @@ MeasuredLine measured_line(const std::vector<ShapePoint>& points) {
 
 /// Where the points are on the ring: lengths of its centroid, half of which lies on either side of the back [rad].
 std::vector<double> places_of(const RingBeamSize& size, const std::vector<ShapePoint>& points) {
-  const double r = (size.bore - size.radial_thickness) / 2;
+  const double r = size.centroid_radius();
   const MeasuredLine line = measured_line(points);
   std::vector<double> length;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    length.push_back(line.length[i] - size.radial_thickness / 2 * (line.direction[i] - line.direction.front()));
+    length.push_back(line.length[i] - size.centroid_depth() * (line.direction[i] - line.direction.front()));
   }
   std::vector<double> phi;
   for (const double one : length) phi.push_back(pi + (one - length.back() / 2) / r);
@@ -112,7 +112,7 @@ void check_points(const RingBeamSize& size, const std::vector<ShapePoint>& point
 
 void check_length(const RingBeamSize& size, const std::vector<double>& phi) {
   constexpr double kMax = 2e-3;
-  const double r = (size.bore - size.radial_thickness) / 2, length = r * (phi.back() - phi.front());
+  const double r = size.centroid_radius(), length = r * (phi.back() - phi.front());
   const double expected = 2 * pi * r - size.end_gap;
   const bool rises = std::is_sorted(phi.begin(), phi.end());
   if (rises && std::abs(length - expected) <= kMax * expected) return;
@@ -132,8 +132,8 @@ class NearestShape {
  public:
   NearestShape(const RingBeamSize& size, const std::vector<ShapePoint>& points, int last_order)
       : points_(points),
-        r_((size.bore - size.radial_thickness) / 2),
-        half_thickness_(size.radial_thickness / 2),
+        r_(size.centroid_radius()),
+        half_thickness_(size.centroid_depth()),
         phi_(places_of(size, points)) {
     check_length(size, phi_);
     fine_ = refined(phi_, kept_);
@@ -314,7 +314,7 @@ std::vector<ShapePoint> free_shape(const RingBeam& beam, const std::vector<doubl
     Section at = sections[kept[i]];
     at.x -= opposite.x + r;
     at.y -= opposite.y;
-    points.push_back(on_surface(at, beam.size().radial_thickness / 2));
+    points.push_back(on_surface(at, beam.size().centroid_depth()));
   }
   return points;
 }

@@ -70,7 +70,7 @@ RingBeam::Response RingBeam::response(double phi) const {
 
 RingBeam::RingBeam(const RingBeamSize& size, const FourierSeries& pressure_orders) : size_(size) {
   check_beam(size, pressure_orders);
-  r_ = (size.bore - size.radial_thickness) / 2;
+  r_ = size.centroid_radius();
   k_ = size.youngs_modulus * second_moment() / (r_ * r_);
   half_gap_ = size.end_gap / (2 * r_);
   std::vector<FourierOrder> orders{{0, size.tangential_force, 0}};
@@ -91,6 +91,7 @@ RingBeam::RingBeam(const RingBeamSize& size, const FourierSeries& pressure_order
 }
 
 double RingBeam::second_moment() const {
+  if (size_.section_second_moment) return *size_.section_second_moment;
   const double t = size_.radial_thickness;
   return size_.face_width * t * t * t / 12;
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "ringfilm/models/conformity/fourier_series.hpp"
 
 namespace ringfilm::models {
@@ -11,9 +13,16 @@ struct RingBeamSize {
   double youngs_modulus = 0;    ///< E [Pa]
   double tangential_force = 0;  ///< F_t = p h B/2 with the mean p of the target pressure [N]
   double end_gap = 0;           ///< g, between the ends of the closed ring, along its centroid [m]
+  // of a section that is not a rectangle of h and t
+  std::optional<double> section_centroid;       ///< radial distance of its centroid from the face [m]
+  std::optional<double> section_second_moment;  ///< second moment for bending in the ring's plane [m4]
+
+  /// Radial distance of the centroid from the face [m].
+  double centroid_depth() const { return section_centroid.value_or(radial_thickness / 2); }
+  double centroid_radius() const { return bore / 2 - centroid_depth(); }  ///< r of the closed ring [m]
 };
 
-/// A thin curved beam with a gap, of rectangular section, whose free shape makes it press on a round bore as stated.
+/// A thin curved beam with a gap, whose free shape makes it press on a round bore as stated.
 /// Angles phi [rad] count from the middle of the gap, from half_gap() to 2 pi - half_gap().
 class RingBeam {
  public:
@@ -22,8 +31,8 @@ class RingBeam {
   RingBeam(const RingBeamSize& size, const FourierSeries& pressure_orders);
 
   const RingBeamSize& size() const { return size_; }
-  double centroid_radius() const { return r_; }  ///< r = B/2 - t/2 [m]
-  double second_moment() const;                  ///< I = h t^3/12 [m4]
+  double centroid_radius() const { return r_; }  ///< r, B/2 - t/2 of a rectangle [m]
+  double second_moment() const;                  ///< I, h t^3/12 of a rectangle [m4]
   double stiffness() const { return k_; }        ///< k = E I/r^2, moment a change of shape u + u'' [N]
   double half_gap() const { return half_gap_; }  ///< g/(2 r) [rad]
 

@@ -35,6 +35,7 @@ struct EntryOf {
   Entry operator()(const OptionalFileKind&) const { return Entry::kText; }
   Entry operator()(const UnitNameKind&) const { return Entry::kNone; }
   Entry operator()(const DistillationKind&) const { return Entry::kNone; }
+  Entry operator()(const CornersKind&) const { return Entry::kNone; }
   Entry operator()(const AnglesKind&) const { return Entry::kNone; }
   Entry operator()(const FieldAnglesKind&) const { return Entry::kNone; }
 };
@@ -212,6 +213,7 @@ struct ValueText {
     return text;
   }
   std::string operator()(const StrokeValuesKind& kind) const { return listed_pairs(kind.ref(c)); }
+  std::string operator()(const CornersKind& kind) const { return listed_pairs(kind.ref(c)); }
   std::string operator()(const DistillationKind& kind) const {
     std::string text;
     for (const models::OilFraction& fraction : kind.ref(c)) {

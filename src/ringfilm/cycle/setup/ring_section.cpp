@@ -1,0 +1,107 @@
+#include "ringfilm/cycle/setup/ring_section.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "ringfilm/cycle/setup/kinematics.hpp"
+#include "ringfilm/cycle/setup/setup.hpp"
+#include "ringfilm/models/ring.hpp"
+
+namespace ringfilm::cycle {
+namespace {
+
+/// By how much the side clearance grows as the ring moves outwards: sum of the slopes of its inclined flanks [-].
+double clearance_slope(const RingSection& section) {
+  if (section.form != SectionForm::kKeystone) return 0;
+  const double angle = radians(section.keystone_angle_deg);
+  return section.keystone_side == models::SectionSide::kBoth ? 2 * std::tan(angle / 2) : std::tan(angle);
+}
+
+}  // namespace
+
+double section_height(const Ring& ring) {
+  const RingSection& section = ring.section;
+  if (section.corners.size() > 2) return models::section_extent(section.corners).height();
+  const double step = section.form == SectionForm::kNapier ? section.step_height : 0;
+  return section.height.value_or(ring.face_width + step);
+}
+
+models::SectionPolygon section_polygon(const Ring& ring) {
+  const RingSection& section = ring.section;
+  if (!section.corners.empty()) return section.corners;
+  if (!ring.radial_thickness) return {};
+  const double height = section_height(ring), thickness = *ring.radial_thickness;
+  const double taper = radians(section.taper_angle_deg), keystone = radians(section.keystone_angle_deg);
+  switch (section.form) {
+    case SectionForm::kNone:
+      break;
+    case SectionForm::kRectangular:
+      return models::rectangular_section(height, thickness);
+    case SectionForm::kInnerBevel:
+      return models::bevelled_section(height, thickness, section.bevel_width, radians(section.bevel_angle_deg),
+                                      section.bevel_side);
+    case SectionForm::kNapier:
+      return models::napier_section(height, thickness, section.step_height, section.step_depth, taper);
+    case SectionForm::kTaper:
+      return models::tapered_section(height, thickness, taper);
+    case SectionForm::kKeystone:
+      return models::keystone_section(height, thickness,
+                                      section.keystone_side == models::SectionSide::kBoth ? keystone / 2 : keystone,
+                                      section.keystone_side);
+  }
+  return {};
+}
+
+std::optional<models::SectionArea> stated_section(const Ring& ring) {
+  const models::SectionPolygon polygon = section_polygon(ring);
+  if (polygon.empty()) return std::nullopt;
+  return models::section_area(polygon);
+}
+
+double second_moment_in_plane(const models::SectionArea& section) {
+  return section.radial - section.product * section.product / section.axial;
+}
+
+std::optional<double> side_clearance(const Ring& ring) {
+  std::optional<double> clearance = ring.gas_path.side_clearance;
+  if (!clearance && ring.section.groove_height) clearance = *ring.section.groove_height - section_height(ring);
+  if (clearance && ring.section.clearance_protrusion) {
+    const double moved = ring.gas_path.land_clearance.value_or(0) - *ring.section.clearance_protrusion;
+    *clearance += moved * clearance_slope(ring.section);
+  }
+  return clearance;
+}
+
+models::TwistingRing twisting_ring(const Case& c) {
+  models::TwistingRingSize size;
+  size.section = section_polygon(c.ring);
+  size.bore = c.engine.bore;
+  size.youngs_modulus = c.ring.youngs_modulus;
+  // A case of the gas alone may lack the tension.
+  const Ring& ring = c.ring;
+  const bool has_tension =
+      ring.elastic_pressure || ring.tangential_force || ring.expander_force || ring.free_gap || ring.free_shape;
+  if (has_tension) {
+    size.tangential_force =
+        models::tangential_force_from_elastic_pressure(elastic_pressure(c), ring.face_width, c.engine.bore);
+  }
+  size.face_width = ring.face_width;
+  size.land_clearance = ring.gas_path.land_clearance.value_or(0);
+  size.side_clearance = side_clearance(ring).value_or(std::numeric_limits<double>::infinity());
+  return models::TwistingRing(size);
+}
+
+std::optional<SectionValues> section_values(const Case& c) {
+  const models::SectionPolygon polygon = section_polygon(c.ring);
+  if (polygon.empty()) return std::nullopt;
+  const models::TwistingRing ring = twisting_ring(c);
+  return SectionValues{ring.area(),
+                       models::principal_axes(ring.area()),
+                       models::torsion_constant(polygon),
+                       ring.centroid_radius(),
+                       ring.stiffness(),
+                       ring.assembly_couple(),
+                       ring.assembly_twist()};
+}
+
+}  // namespace ringfilm::cycle

@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/models/section/torsion.hpp"
+#include "ringfilm/models/section/twisting_ring.hpp"
+
+namespace ringfilm::cycle {
+
+/// Height of the section along the bore's axis: that of its corners, as stated, or of the face and the step below it
+/// [m].
+double section_height(const Ring& ring);
+
+/// The section of a ring as a polygon; empty where it is not stated, or lacks the radial thickness.
+models::SectionPolygon section_polygon(const Ring& ring);
+
+/// Area and moments of the section of a ring that states it; nothing: a rectangle of face width and thickness.
+std::optional<models::SectionArea> stated_section(const Ring& ring);
+
+/// Second moment for bending in the plane of a ring that is free to twist, eq-section-effective [m4].
+double second_moment_in_plane(const models::SectionArea& section);
+
+/// Side clearance of a ring as it is in the bore: as stated, or what the groove is higher than the section; of a
+/// keystone ring larger by how far it comes out from where it was measured, eq-section-keystone. Nothing: not known
+/// [m].
+std::optional<double> side_clearance(const Ring& ring);
+
+/// The ring of a case with a section as a body that twists. Throws InputError where its tension is not known.
+models::TwistingRing twisting_ring(const Case& c);
+
+/// What outputs report of the section of a ring, in SI.
+struct SectionValues {
+  models::SectionArea area;
+  models::PrincipalAxes axes;
+  models::TorsionConstant torsion;
+  double centroid_radius = 0;  ///< of the ring in the bore [m]
+  double twist_stiffness = 0;  ///< K of the closed ring [N m/rad]
+  double assembly_couple = 0;  ///< couple per length that would hold the closed ring flat [N]
+  double assembly_twist = 0;   ///< [rad]
+};
+/// Of a ring that states its section and its tension; nothing otherwise.
+std::optional<SectionValues> section_values(const Case& c);
+
+}  // namespace ringfilm::cycle
