@@ -61,7 +61,7 @@ void deliver(const io::Measurement& measurement, const MeasurementOutputs& outpu
     for (const io::MeasuredGroup& group : measurement.groups) {
       for (const io::MeasuredValue& value : group.values) numbers.emplace_back(value.name, value.value);
     }
-    text = io::measurement_json(measurement, numbers, provenance, top.lists, top.rows);
+    text = io::measurement_json(measurement, numbers, provenance, top.lists, top.rows, top.objects);
   }
   if (outputs.summary == SummaryForm::kTable) text = io::measurement_text(measurement, units);
   if (outputs.netcdf) io::write_measurement(*outputs.netcdf, measurement, provenance);

@@ -35,6 +35,7 @@ struct JsonTop {
   io::NamedNumbers numbers;  ///< before those values
   io::NamedLists lists;
   io::NamedRows rows;
+  io::NamedObjects objects = {};
 };
 
 /// Writes what was asked for and prints the document. Throws OutputError.

@@ -2,6 +2,7 @@
 #include "measurement_outputs.hpp"
 #include "ringfilm/instrument/documents/conformity.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/measurement/section_numbers.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/run/run.hpp"
 #include "text/shared_options.hpp"
@@ -25,6 +26,16 @@ io::NamedRows::value_type rows_of(const io::Measurement& measurement, const std:
   return {table, std::move(rows)};
 }
 
+/// The section of the ring, where the case states it.
+io::NamedObjects section_of(const cycle::StaticClosure& closure) {
+  if (!closure.section) return {};
+  io::NamedLists members;
+  for (io::SectionNumbers& one : io::section_numbers(*closure.section)) {
+    members.emplace_back(std::move(one.name), std::move(one.value));
+  }
+  return {{"section", std::move(members)}};
+}
+
 /// Computes the static closure of the ring of a case in its bore, and writes what was asked for.
 void conform(const ConformCommand& command) {
   const auto claimed = claimed_outputs(command.outputs, {command.case_path});
@@ -38,7 +49,8 @@ void conform(const ConformCommand& command) {
           {{},
            {{instrument::kContactPoints, lists_of(measurement, instrument::kContactPoints).front().second}},
            {rows_of(measurement, instrument::kContactArcs), rows_of(measurement, instrument::kPointForces),
-            rows_of(measurement, instrument::kPressureOrders)}});
+            rows_of(measurement, instrument::kPressureOrders)},
+           section_of(closure)});
 }
 
 constexpr const char* kConformFooter = R"(Examples:

@@ -6,6 +6,7 @@
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/instrument/documents/conformity.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/measurement/section_numbers.hpp"
 #include "ringfilm/run/run.hpp"
 
 namespace ringfilm::python {
@@ -51,6 +52,14 @@ py::dict conform(const py::object& given) {
   for (const instrument::ClosureColumn& column : instrument::closure_columns(closure)) {
     of[column.name.c_str()] = array_of(column.values);
   }
+  if (closure.section) {
+    py::dict section;
+    for (const io::SectionNumbers& one : io::section_numbers(*closure.section)) {
+      section[one.name.c_str()] =
+          one.value.size() == 1 ? py::object(py::float_(one.value.front())) : py::cast(one.value);
+    }
+    of["section"] = section;
+  }
   of["notes"] = document.notes;
   return of;
 }
@@ -68,7 +77,8 @@ contact_angle, mean_wall_force, share_in_points, moment_at_back, tangential_forc
 contact_points, point_forces as pairs of angle and force, pressure_orders as triples of order, amplitude over the mean
 and phase, and arrays around the ring: angle, bore, clearance, line_force, cumulative_force, moment, target_force,
 free_angle and free_radius of the free ring. With ring.free_shape also free_shape_smoothing, free_shape_orders,
-free_shape_residual, force_deviation and pressure_deviation. Raises InputError, ConvergenceError, TypeError.
+free_shape_residual, force_deviation and pressure_deviation; with ring.section or ring.section_form also section, a
+dict of its area, centroid, second moments, torsion constant and assembly twist. Raises InputError, ConvergenceError, TypeError.
 Source: docs/theory, eq-closure-complementarity.)");
 }
 

@@ -1,9 +1,11 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "ringfilm/models/crank_slider.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/radial_collapse.hpp"
+#include "ringfilm/models/section/twisting_ring.hpp"
 
 /// The gas path of a ring pack (docs/theory/gas-path.md): volumes at stated temperatures between the rings, end gaps
 /// and side clearances between them, and the axial motion of the rings in their grooves.
@@ -44,6 +46,8 @@ struct Ring {
   std::vector<double> face_opening;
   models::RadialCollapse collapse;  ///< of a compression ring that gas presses off the liner
   bool leaves_liner = false;        ///< does it do so? solve_gas_path() finds it out
+  /// Section of the ring with its tension; nothing: a rectangle of face width and thickness without assembly twist.
+  std::optional<models::TwistingRing> section = {};
 };
 
 /// The gas and how it flows.

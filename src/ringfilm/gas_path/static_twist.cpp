@@ -44,6 +44,17 @@ double flank_moment(const Radii& at, double p_groove, double p_edge) {
          moment_between(at, at.flank, at.bore, p_edge, p_edge);
 }
 
+/// Twist of a ring whose section is stated, held by either flank.
+StaticTwist twist_of_section(const models::TwistingRing& ring, const models::PressuresAroundRing& pressures,
+                             double friction, double axial_force) {
+  StaticTwist twist;
+  twist.moment = ring.gas(pressures).moment + ring.halved_face(pressures) + friction * ring.friction_arm();
+  const models::HeldTwist held = ring.held({axial_force, twist.moment});
+  if (axial_force < 0) twist.reaction_place = held.reaction_radius;
+  twist.angle = held.angle;
+  return twist;
+}
+
 }  // namespace
 
 StaticTwist static_twist(const Network& network, std::size_t index, double crank_angle, double p_above, double p_groove,
@@ -52,6 +63,11 @@ StaticTwist static_twist(const Network& network, std::size_t index, double crank
   const Ring& ring = pack.rings[index];
   const Radii at = radii(pack, ring);
   const double b = ring.face_width;
+  if (ring.section) {
+    return twist_of_section(*ring.section, {p_above, p_groove, p_below},
+                            network.friction_on_bore(index, crank_angle, p_groove, p_crankcase),
+                            network.axial_force(index, crank_angle, p_above, p_groove, p_below, p_crankcase));
+  }
   StaticTwist twist;
   const double on_face = pi * pack.bore * b * b / 8 * (p_above - p_below);
   const double friction = network.friction_on_bore(index, crank_angle, p_groove, p_crankcase);

@@ -15,7 +15,8 @@ struct StaticTwist {
   double angle = 0;    ///< eq-static-twist; 0 where the flank holds it or the ring is not seated [rad]
 };
 
-/// Static twist of a compression ring with a width and a modulus. @param as of Network::axial_force()
+/// Static twist of a compression ring with a width and a modulus; of one whose section is stated with its assembly
+/// twist and on either flank (docs/theory/ring-section.md#eq-section-twist). @param as of Network::axial_force()
 StaticTwist static_twist(const Network& network, std::size_t ring, double crank_angle, double p_above, double p_groove,
                          double p_below, double p_crankcase);
 

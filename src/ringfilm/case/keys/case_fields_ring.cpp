@@ -8,8 +8,8 @@ constexpr When kPoints{[](const Case& c) { return c.ring.face.form == FaceForm::
 constexpr When kFourModuli{[](const Case& c) { return !c.contact.composite_modulus; },
                            "contact.composite_modulus is not stated"};
 constexpr When kFourModuliOrFreeGap{
-    [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.radial_thickness; },
-    "contact.composite_modulus is not stated, or ring.radial_thickness is stated"};
+    [](const Case& c) { return !c.contact.composite_modulus || c.ring.free_gap || c.ring.thickness(); },
+    "contact.composite_modulus is not stated, or ring.radial_thickness or ring.section is stated"};
 
 constexpr When kGap{[](const Case& c) {
                       return c.is_unrolled() || c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath ||
@@ -27,10 +27,10 @@ constexpr When kGapped{[](const Case& c) {
                        "ring.end_gap is stated, or it is stated in a pack whose gas is computed"};
 constexpr When kBends{[](const Case& c) {
                         return c.ring.free_gap.has_value() || c.has_closure() || c.gas_path.is_computed() ||
-                               c.purpose == CasePurpose::kGasPath;
+                               c.purpose == CasePurpose::kGasPath || c.ring.section.is_stated();
                       },
-                      "ring.free_gap is stated, or gas_path.model = \"orifice-volume\", or ring.conformity = "
-                      "\"beam\", or for ringfilm conform"};
+                      "ring.free_gap or the section of the ring is stated, or gas_path.model = \"orifice-volume\", or "
+                      "ring.conformity = \"beam\", or for ringfilm conform"};
 constexpr When kCloses{
     [](const Case& c) { return c.has_closure(); },
     "a bore or a ring is stated for ringfilm conform, as with liner.distortion, or ring.conformity = \"beam\""};

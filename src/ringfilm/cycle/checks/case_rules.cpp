@@ -14,6 +14,7 @@
 #include "ringfilm/cycle/checks/case_rules_oil_consumption.hpp"
 #include "ringfilm/cycle/checks/case_rules_pad.hpp"
 #include "ringfilm/cycle/checks/case_rules_plateau.hpp"
+#include "ringfilm/cycle/checks/case_rules_section.hpp"
 #include "ringfilm/cycle/checks/case_rules_unrolled.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
@@ -308,6 +309,7 @@ std::vector<RuleBreach> broken_gas_rules(const Case& c) {
                         kMissingKey});
     return breaches;
   }
+  if (!append_section_breaches(c, breaches)) return breaches;
   append_gas_path_breaches(c, breaches);
   if (c.gas_path.ring_motion == RingMotion::kAxial && c.ring.gas_path.kind == RingKind::kCompression) {
     if (c.ring.face_width > 0) check_tension(c, breaches);
@@ -318,6 +320,7 @@ std::vector<RuleBreach> broken_gas_rules(const Case& c) {
 std::vector<RuleBreach> broken_rules(const Case& c) {
   if (c.problem == Problem::kPad) return broken_pad_rules(c);
   Breaches breaches;
+  if (!append_section_breaches(c, breaches)) return breaches;
   if (c.problem == Problem::kClosure) {
     check_tension(c, breaches);
     append_closure_breaches(c, breaches);

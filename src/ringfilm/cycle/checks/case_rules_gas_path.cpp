@@ -6,6 +6,7 @@
 
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
+#include "ringfilm/cycle/setup/ring_section.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -58,7 +59,7 @@ void check_groove(const Case& c, Breaches& breaches) {
   const Ring& ring = c.ring;
   const RingGasPath& gas = ring.gas_path;
   require(gas.groove_volume, "ring.groove_volume", breaches);
-  require(gas.side_clearance, "ring.side_clearance", breaches);
+  require(side_clearance(ring), "ring.side_clearance", breaches);
   if (gas.gap_area || !ring.end_gap) require(gas.land_clearance, "ring.land_clearance", breaches);
   const std::optional<double> thickness = ring.thickness();
   require(thickness, "ring.radial_thickness", breaches);

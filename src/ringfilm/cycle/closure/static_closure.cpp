@@ -259,7 +259,7 @@ StaticClosure static_closure(const Case& whole) {
   std::vector<std::string> notes = closure_notes(c, bore, closure);
   std::optional<models::FreeShapeFit> shape;
   if (c.ring.free_shape) shape = free_ring(c);
-  return {std::move(closure), values, std::move(shape), std::move(notes)};
+  return {std::move(closure), values, std::move(shape), std::move(notes), section_values(c)};
 }
 
 }  // namespace ringfilm::cycle

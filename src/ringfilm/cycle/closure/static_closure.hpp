@@ -5,6 +5,7 @@
 
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/cycle/result/result.hpp"
+#include "ringfilm/cycle/setup/ring_section.hpp"
 #include "ringfilm/models/conformity/free_shape.hpp"
 #include "ringfilm/models/conformity/ring_closure.hpp"
 
@@ -39,6 +40,7 @@ struct StaticClosure {
   ClosureValues values;                            ///< clearances, pressures and open areas
   std::optional<models::FreeShapeFit> free_shape;  ///< where ring.free_shape is stated
   std::vector<std::string> notes;                  ///< on models used outside their range
+  std::optional<SectionValues> section = {};       ///< where the section is stated
 };
 
 /// Deviation of the bore's radius around the bore, all its parts together [m over rad]. @param height along the stroke;

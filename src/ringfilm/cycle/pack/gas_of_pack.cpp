@@ -12,6 +12,7 @@
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/setup/charge.hpp"
 #include "ringfilm/cycle/setup/land_pressure.hpp"
+#include "ringfilm/cycle/setup/ring_section.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 
@@ -28,6 +29,9 @@ constexpr double kMinSmoothing = 1e-6;
 double ring_mass(const Case& c) {
   const RingGasPath& gas = c.ring.gas_path;
   if (gas.mass) return *gas.mass;
+  if (const auto section = stated_section(c.ring)) {
+    return gas.density.value() * section->area * 2 * std::numbers::pi * twisting_ring(c).centroid_radius();
+  }
   const double t = c.ring.radial_thickness.value();
   return gas.density.value() * c.ring.face_width * t * std::numbers::pi * (c.engine.bore - t);
 }
@@ -54,9 +58,10 @@ gas_path::Ring gas_ring(const Case& c) {
   if (of.kind == RingKind::kOil) return of;
   of.groove_volume = gas.groove_volume.value();
   of.groove_temperature = gas.groove_temperature;
-  of.side_clearance = gas.side_clearance.value();
+  of.side_clearance = side_clearance(ring).value();
   of.land_clearance = gas.land_clearance.value();
-  of.radial_thickness = ring.radial_thickness.value();
+  of.radial_thickness = ring.thickness().value();
+  if (ring.section.is_stated()) of.section = twisting_ring(c);
   of.youngs_modulus = ring.youngs_modulus;
   // A seated ring may lack what moves it.
   const bool moves = c.gas_path.ring_motion == RingMotion::kAxial;

@@ -72,22 +72,23 @@ std::optional<double> side_clearance(const Ring& ring) {
   return clearance;
 }
 
+std::optional<double> stated_tangential_force(const Case& c) {
+  const Ring& ring = c.ring;
+  if (ring.tangential_force) return ring.tangential_force;
+  if (!(ring.face_width > 0)) return std::nullopt;
+  if (!ring.elastic_pressure && !ring.expander_force && !ring.free_gap && !ring.free_shape) return std::nullopt;
+  return models::tangential_force_from_elastic_pressure(elastic_pressure(c), ring.face_width, c.engine.bore);
+}
+
 models::TwistingRing twisting_ring(const Case& c) {
   models::TwistingRingSize size;
   size.section = section_polygon(c.ring);
   size.bore = c.engine.bore;
   size.youngs_modulus = c.ring.youngs_modulus;
-  // A case of the gas alone may lack the tension.
-  const Ring& ring = c.ring;
-  const bool has_tension =
-      ring.elastic_pressure || ring.tangential_force || ring.expander_force || ring.free_gap || ring.free_shape;
-  if (has_tension) {
-    size.tangential_force =
-        models::tangential_force_from_elastic_pressure(elastic_pressure(c), ring.face_width, c.engine.bore);
-  }
-  size.face_width = ring.face_width;
-  size.land_clearance = ring.gas_path.land_clearance.value_or(0);
-  size.side_clearance = side_clearance(ring).value_or(std::numeric_limits<double>::infinity());
+  size.tangential_force = stated_tangential_force(c).value_or(0);
+  size.face_width = c.ring.face_width;
+  size.land_clearance = c.ring.gas_path.land_clearance.value_or(0);
+  size.side_clearance = side_clearance(c.ring).value_or(std::numeric_limits<double>::infinity());
   return models::TwistingRing(size);
 }
 
@@ -95,13 +96,16 @@ std::optional<SectionValues> section_values(const Case& c) {
   const models::SectionPolygon polygon = section_polygon(c.ring);
   if (polygon.empty()) return std::nullopt;
   const models::TwistingRing ring = twisting_ring(c);
-  return SectionValues{ring.area(),
-                       models::principal_axes(ring.area()),
-                       models::torsion_constant(polygon),
-                       ring.centroid_radius(),
-                       ring.stiffness(),
-                       ring.assembly_couple(),
-                       ring.assembly_twist()};
+  SectionValues values;
+  values.area = ring.area();
+  values.axes = models::principal_axes(ring.area());
+  values.torsion = models::torsion_constant(polygon);
+  values.centroid_radius = ring.centroid_radius();
+  values.twist_stiffness = ring.stiffness();
+  if (!stated_tangential_force(c)) return values;
+  values.assembly_couple = ring.assembly_couple();
+  values.assembly_twist = ring.assembly_twist();
+  return values;
 }
 
 }  // namespace ringfilm::cycle

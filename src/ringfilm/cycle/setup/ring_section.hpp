@@ -25,7 +25,10 @@ double second_moment_in_plane(const models::SectionArea& section);
 /// [m].
 std::optional<double> side_clearance(const Ring& ring);
 
-/// The ring of a case with a section as a body that twists. Throws InputError where its tension is not known.
+/// Tangential force that closes a ring; nothing: neither it nor what it follows from is stated [N].
+std::optional<double> stated_tangential_force(const Case& c);
+
+/// The ring of a case with a section as a body that twists; without a stated tension as if it had none.
 models::TwistingRing twisting_ring(const Case& c);
 
 /// What outputs report of the section of a ring, in SI.
@@ -33,12 +36,12 @@ struct SectionValues {
   models::SectionArea area;
   models::PrincipalAxes axes;
   models::TorsionConstant torsion;
-  double centroid_radius = 0;  ///< of the ring in the bore [m]
-  double twist_stiffness = 0;  ///< K of the closed ring [N m/rad]
-  double assembly_couple = 0;  ///< couple per length that would hold the closed ring flat [N]
-  double assembly_twist = 0;   ///< [rad]
+  double centroid_radius = 0;             ///< of the ring in the bore [m]
+  double twist_stiffness = 0;             ///< K of the closed ring [N m/rad]
+  std::optional<double> assembly_couple;  ///< per length, that would hold the closed ring flat; nothing: no tension [N]
+  std::optional<double> assembly_twist;   ///< twist by closing the ring; nothing: no tension is stated [rad]
 };
-/// Of a ring that states its section and its tension; nothing otherwise.
+/// Of a ring that states its section; nothing otherwise.
 std::optional<SectionValues> section_values(const Case& c);
 
 }  // namespace ringfilm::cycle

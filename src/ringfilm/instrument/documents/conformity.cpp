@@ -9,6 +9,7 @@
 
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
+#include "ringfilm/io/measurement/section_numbers.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -137,6 +138,7 @@ io::Measurement conformity_of_case(const cycle::Case& whole, const cycle::Static
   }
   all.groups.push_back(std::move(group));
   if (closure.free_shape) all.groups.push_back(free_shape_group(c, *closure.free_shape));
+  if (closure.section) all.groups.push_back(io::section_group(*closure.section));
   all.key_values = {"max_clearance", "open_area", "contact_angle"};
   append_arcs(closure.ring, all);
   append_curves(closure.ring, all);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/io/case/case_file.hpp"
+#include "ringfilm/io/measurement/section_numbers.hpp"
 #include "ringfilm/io/result/gas_json.hpp"
 #include "ringfilm/io/result/pack_gas_layout.hpp"
 #include "ringfilm/io/result/provenance_attributes.hpp"
@@ -44,6 +46,28 @@ std::string column_name(const std::string& what, std::string name) {
   return what + "_" + name;
 }
 
+ordered_json section_object(const cycle::SectionValues& section, ordered_json& units) {
+  ordered_json object = ordered_json::object();
+  for (const SectionNumbers& one : section_numbers(section)) {
+    object[one.name] = one.value.size() == 1 ? ordered_json(one.value.front()) : ordered_json(one.value);
+    units[one.name] = one.unit;
+  }
+  return object;
+}
+
+/// The section of the first ring that states one, and in a pack those of all rings.
+void put_sections(const GasPathDocument& document, ordered_json& object) {
+  ordered_json all = ordered_json::array();
+  for (std::size_t i = 0; i < document.sections.size(); ++i) {
+    if (!document.sections[i]) continue;
+    ordered_json one = section_object(*document.sections[i], object["units"]);
+    if (all.empty()) object["section"] = one;
+    one["ring"] = i + 1;
+    all.push_back(std::move(one));
+  }
+  if (document.sections.size() > 1 && !all.empty()) object["sections"] = std::move(all);
+}
+
 }  // namespace
 
 GasPathDocument gas_path_document(const cycle::Case& c, const gas_path::Pack& pack, gas_path::GasPathResult result) {
@@ -63,12 +87,16 @@ GasPathDocument gas_path_document(const cycle::Case& c, const gas_path::Pack& pa
   document.notes = cycle::gas_path_notes(c, pack, document.result);
   document.provenance = this_program();
   document.gas = pack_gas(document.result, pack.gas.gas_constant, c.engine.cylinders);
+  for (const cycle::Case& ring : c.is_pack() ? std::span(c.rings) : std::span(&c, 1)) {
+    document.sections.push_back(cycle::section_values(ring));
+  }
   return document;
 }
 
 std::string gas_path_json(const GasPathDocument& document) {
   ordered_json object = {{"title", document.title}};
   object.update(gas_object(document.gas));
+  put_sections(document, object);
   object["notes"] = notes_array(document.input_notes, document.notes);
   object["assumed"] = assumed_object(document.inputs);
   put_provenance(document.provenance, object);

@@ -1,8 +1,10 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/setup/ring_section.hpp"
 #include "ringfilm/gas_path/pack.hpp"
 #include "ringfilm/gas_path/result.hpp"
 #include "ringfilm/io/result/pack_gas.hpp"
@@ -20,6 +22,8 @@ struct GasPathDocument {
   Provenance provenance;                 ///< what computed it
   gas_path::GasPathResult result;        ///< pressures, flows and motion over the cycle
   PackGas gas;                           ///< gas in the form of files and JSON
+  /// Section of each ring, where it is stated.
+  std::vector<std::optional<cycle::SectionValues>> sections = {};
 };
 
 /// The gas of a pack with the case that it is of.

@@ -102,7 +102,7 @@ ordered_json by_name(const Parts& parts, ToObject to_object) {
 }  // namespace
 
 std::string measurement_json(const Measurement& measurement, const NamedNumbers& numbers, const Provenance& provenance,
-                             const NamedLists& lists, const NamedRows& rows) {
+                             const NamedLists& lists, const NamedRows& rows, const NamedObjects& objects) {
   check_measurement(measurement);
   ordered_json object = {{"kind", measurement.kind}, {"title", measurement.title}};
   const ordered_json parts = {{"values", values_object(measurement.groups)},
@@ -125,6 +125,11 @@ std::string measurement_json(const Measurement& measurement, const NamedNumbers&
     ordered_json array = ordered_json::array();
     for (const std::vector<double>& row : all) array.push_back(list(row));
     put(name, std::move(array));
+  }
+  for (const auto& [name, members] : objects) {
+    ordered_json one = ordered_json::object();
+    for (const auto& [key, values] : members) one[key] = values.size() == 1 ? exact(values.front()) : list(values);
+    put(name, std::move(one));
   }
   object.update(parts);
   // A file name in another encoding than UTF-8 must not lose the result.
