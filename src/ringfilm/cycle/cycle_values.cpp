@@ -171,6 +171,8 @@ CycleValues cycle_values(const Setup& setup, const std::vector<Sample>& base) {
 
   put(curves.largest(&Sample::viscous_heating_rise), v.peak_viscous_heating_rise, v.peak_viscous_heating_rise_angle);
   put(curves.largest(&Sample::max_local_deformation), v.peak_local_deformation, v.peak_local_deformation_angle);
+  const auto up = curves.largest(&Sample::twist), down = curves.smallest(&Sample::twist);
+  put(up.value >= -down.value ? up : down, v.peak_twist, v.peak_twist_angle);
   put(curves.largest(&Sample::flash_temperature), v.peak_flash_temperature, v.peak_flash_temperature_angle);
 
   put(curves.largest(&Sample::friction_coefficient), v.peak_friction_coefficient, v.peak_friction_coefficient_angle);

@@ -46,6 +46,7 @@ std::optional<std::string> no_menisci_since(const Setup& setup) {
       Obstacle{c.film.outlet != Outlet::kHalfGap, "film.outlet is not \"half-gap\""},
       Obstacle{c.ring.face.orientation == Orientation::kLeadingEdge, "the face turns over with the stroke"},
       Obstacle{c.ring.local_deformation != LocalDeformation::kNone, "the face deforms under its film"},
+      Obstacle{setup.ring.twisting.has_value(), "the face turns with the section of its ring"},
       Obstacle{!setup.ring.factors.are_of_plain_film(),
                "flow factors, the average gap or an oil that thins change with the film"},
       Obstacle{setup.surfaces != Surfaces::kRigid, "the surfaces flatten"},

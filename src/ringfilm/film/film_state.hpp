@@ -155,6 +155,7 @@ struct FilmState {
   std::vector<double> mass_per_area;  ///< rho theta h at the nodes, what the squeeze term remembers [kg/m2]
   std::vector<double> ring;           ///< unknowns of a ring that bends (ElasticRing), over h_m; empty: none [m]
   std::vector<double> deformation;    ///< deformation of face and liner at the nodes (ElasticFace); empty: none [m]
+  double tilt = 0;                    ///< tilt of the face (TiltingFace) [rad]
   LaneLaws laws = LaneLaws::kGiven;   ///< whose oil a solved film holds: kGiven, that of the laws themselves
   std::shared_ptr<const FlowFactors> factors;  ///< with which it was solved; nullptr: none
 };

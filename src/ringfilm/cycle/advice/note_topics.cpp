@@ -68,6 +68,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"gas-path-not-periodic", kLimited, kCase},
       {"ring-unseated", kLimited, kCase},
       {"radial-collapse", kLimited, kCrankAngles},
+      {"ring-twist-omitted", kLimited, kCase},
       {"coating-thin", kLimited, kCase},
       {"gap-leakage-grows", kLimited, kCase},
       {"edge-flow-grows", kLimited, kCase},

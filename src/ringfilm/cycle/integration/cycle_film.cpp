@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "ringfilm/cycle/integration/twist_balance.hpp"
 #include "ringfilm/film/load_balance.hpp"
 #include "ringfilm/film/solver/first_guess.hpp"
 #include "ringfilm/film/solver2d/bent_ring_guess.hpp"
@@ -116,8 +117,10 @@ CycleFilm::Workspace CycleFilm::workspace_of(const Setup& setup, const CycleFilm
 }
 
 CycleFilm::CycleFilm(const Setup& setup)
-    : across_(film_across(setup)),
+    : setup_(setup),
+      across_(film_across(setup)),
       elastic_(elastic_face(setup, across_)),
+      tilting_(setup.ring.twisting ? std::optional<film::TiltingFace>(across_.grid) : std::nullopt),
       factors_(across_, setup.ring.factors),
       ring_(bending_ring(setup.input)),
       film2d_(film_on_ring(setup, across_, ring_)),
@@ -134,6 +137,11 @@ film::FilmReport CycleFilm::solve(const RingConditions& at, const film::FilmStat
   if (elastic_) {
     return elastic_->solve(across_, at.inputs, state,
                            [&](film::FilmState& found) { return solve_across(at.inputs, previous, found); });
+  }
+  if (tilting_) {
+    return tilting_->solve(
+        across_, state, [&](film::FilmState& found) { return solve_across(at.inputs, previous, found); },
+        [&](const film::FilmState& found) { return balanced_twist(setup_, at, across_, previous, found); });
   }
   if (!film2d_) return solve_across(at.inputs, previous, state);
   return film::solve_with_factors(

@@ -10,6 +10,7 @@
 #include "ringfilm/film/integrals/film_heating.hpp"
 #include "ringfilm/film/solver/method.hpp"
 #include "ringfilm/film/solver2d/film2d_solver.hpp"
+#include "ringfilm/film/tilting_face.hpp"
 
 namespace ringfilm::cycle {
 
@@ -26,7 +27,14 @@ class CycleFilm {
   /// the face gives way to it.
   const film::FilmProblem& across() const { return across_; }
   /// Grid of `across()` with the gap of a face without load.
-  const film::FilmGrid& unloaded_grid() const { return elastic_ ? elastic_->unloaded() : across_.grid; }
+  const film::FilmGrid& unloaded_grid() const {
+    return elastic_ ? elastic_->unloaded() : tilting_ ? tilting_->level() : across_.grid;
+  }
+  bool tilts() const { return tilting_.has_value(); }  ///< does the face turn with its section?
+  /// The gap of `across()` as it is of a film that was solved, where the face turns.
+  void lay_gap_of(const film::FilmState& state) {
+    if (tilting_) tilting_->lay(state.tilt, across_.grid);
+  }
   /// nullptr: the film is that across the face.
   const film::Film2dProblem* film2d() const { return film2d_ ? &*film2d_ : nullptr; }
 
@@ -70,8 +78,10 @@ class CycleFilm {
                                 film::FilmState& state);
   static Workspace workspace_of(const Setup& setup, const CycleFilm& film);
 
+  const Setup& setup_;
   film::FilmProblem across_;
   std::optional<film::ElasticFace> elastic_;   ///< nothing: face and liner are rigid
+  std::optional<film::TiltingFace> tilting_;   ///< nothing: the face does not turn
   film::FactorIteration factors_;              ///< flow factors of the film across the face
   std::optional<BendingRing> ring_;            ///< nothing: it is rigid
   std::optional<film::Film2dProblem> film2d_;  ///< unrolled film, if there is one

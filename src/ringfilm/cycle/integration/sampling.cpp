@@ -145,6 +145,7 @@ Sample sample(const Setup& setup, const film::FilmProblem& problem, const Instan
   for (const double delta : instant.state->deformation) {
     s.max_local_deformation = std::max(s.max_local_deformation, delta);
   }
+  s.twist = instant.state->tilt;
   s.peak_film_pressure = integrals.peak_pressure;
   s.cavitated_fraction = integrals.cavitated_fraction;
   s.wetted_begin = f.wetted_begin;

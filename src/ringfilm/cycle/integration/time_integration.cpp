@@ -464,6 +464,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
     longest_ticks_ = std::min(step_.ticks * (step_.is_repeated ? std::min(growth, 1.0) : growth), double{kTicks});
   }
   waypoints.before_step(*this, angle_deg_, step_.to_deg);
+  film_.lay_gap_of(candidate_);  // films of side steps may have been solved since
   account_of_oil();
   std::swap(older_, before_);
   std::swap(before_, state_);

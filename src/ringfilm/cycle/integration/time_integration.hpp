@@ -95,7 +95,8 @@ class TimeIntegration {
   /// factors or a gap that follow from the film?
   bool fits_a_lane() const {
     return !setup_.input.is_unrolled() && setup_.input.solver.method != Method::kPointRelaxation &&
-           setup_.ring.factors.are_of_plain_film() && setup_.input.ring.local_deformation == LocalDeformation::kNone;
+           setup_.ring.factors.are_of_plain_film() && setup_.input.ring.local_deformation == LocalDeformation::kNone &&
+           !film_.tilts();
   }
 
   /// A base step may be cut into as many.

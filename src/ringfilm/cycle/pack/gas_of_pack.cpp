@@ -29,9 +29,7 @@ constexpr double kMinSmoothing = 1e-6;
 double ring_mass(const Case& c) {
   const RingGasPath& gas = c.ring.gas_path;
   if (gas.mass) return *gas.mass;
-  if (const auto section = stated_section(c.ring)) {
-    return gas.density.value() * section->area * 2 * std::numbers::pi * twisting_ring(c).centroid_radius();
-  }
+  if (c.ring.section.is_stated()) return section_mass(c);
   const double t = c.ring.radial_thickness.value();
   return gas.density.value() * c.ring.face_width * t * std::numbers::pi * (c.engine.bore - t);
 }

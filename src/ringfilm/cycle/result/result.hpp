@@ -66,6 +66,7 @@ struct Sample {
   double gas_holding_margin = 0;
   double peak_shear_rate = 0;        ///< largest along the face [1/s]
   double max_local_deformation = 0;  ///< by which face and liner are pressed apart at most, over their edges [m]
+  double twist = 0;                  ///< of the section, positive with the face towards the chamber [rad]
   double newton_iterations = 0;      ///< spent on the way here from the crank step before
   double crank_sub_steps = 0;        ///< steps taken on that way
   double fallbacks = 0;              ///< bracketed searches and shorter steps that were needed on it
@@ -153,6 +154,8 @@ struct CycleValues {
   double peak_flash_temperature_angle = 0;     ///< crank angle of it [degree]
   double peak_local_deformation = 0;           ///< largest by which face and liner are pressed apart [m]
   double peak_local_deformation_angle = 0;     ///< crank angle of it [degree]
+  double peak_twist = 0;                       ///< twist of the section that is largest by its size [rad]
+  double peak_twist_angle = 0;                 ///< crank angle of it [degree]
   double archard_wear_load = 0;                ///< integral of asperity load x speed over the cycle [J]
   double power_stroke_energy = 0;              ///< part of E from 0 to 180 degree [J]
   double exhaust_stroke_energy = 0;            ///< part of E from 180 to 360 degree [J]

@@ -71,6 +71,10 @@ RingConditions ring_conditions(const Setup& setup, double crank_angle_deg, doubl
       ring.lands.behind ? ring.lands.behind->pressure(angle) : pressure_behind_ring(c.gas, above, below);
   at.inputs.load = (ring.elastic_pressure + behind) * c.ring.face_width;
   at.inputs.time_step = time_step;
+  if (ring.twisting) {
+    at.on_section = ring.twisting->gas({above, behind, below});
+    at.on_section.axial -= ring.mass * setup.engine.crank.acceleration(radians(angle), setup.engine.speed);
+  }
   at.film_temperature = ring.oil.temperature;
   if (ring.oil.walls) at.film_temperature = ring.oil.walls->film(at.below_tdc);
   at.film_temperature += rise_of_step(ring.oil, at.film_temperature, before);

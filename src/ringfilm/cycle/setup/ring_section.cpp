@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
@@ -90,6 +91,14 @@ models::TwistingRing twisting_ring(const Case& c) {
   size.land_clearance = c.ring.gas_path.land_clearance.value_or(0);
   size.side_clearance = side_clearance(c.ring).value_or(std::numeric_limits<double>::infinity());
   return models::TwistingRing(size);
+}
+
+double section_mass(const Case& c) {
+  const RingGasPath& gas = c.ring.gas_path;
+  if (gas.mass) return *gas.mass;
+  if (!gas.density) return 0;
+  const models::TwistingRing ring = twisting_ring(c);
+  return *gas.density * ring.area().area * 2 * std::numbers::pi * ring.centroid_radius();
 }
 
 std::optional<SectionValues> section_values(const Case& c) {

@@ -31,6 +31,12 @@ std::optional<double> stated_tangential_force(const Case& c);
 /// The ring of a case with a section as a body that twists; without a stated tension as if it had none.
 models::TwistingRing twisting_ring(const Case& c);
 
+/// Mass of a ring of this section: as stated, or that of its density; 0 where neither is stated [kg].
+double section_mass(const Case& c);
+
+/// Topic of the note on a section whose face does not turn in the film.
+inline constexpr const char* kRingTwistOmitted = "ring-twist-omitted";
+
 /// What outputs report of the section of a ring, in SI.
 struct SectionValues {
   models::SectionArea area;

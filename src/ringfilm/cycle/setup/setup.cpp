@@ -63,14 +63,26 @@ LandPressures land_pressures(const Case& c) {
   return lands;
 }
 
+/// A section by which the face could turn, but does not.
+void add_twist_note(const Case& c, std::vector<Note>& notes) {
+  if (!c.ring.section.is_stated() || c.ring.section.twist == RingTwist::kNone || c.twists()) return;
+  notes.push_back({kRingTwistOmitted,
+                   "the section of the ring is stated and its face does not turn: that is computed of a compression "
+                   "ring whose film is one across the face, without local deformation, and that is not turned over",
+                   1});
+}
+
 Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
   const Case c = with_accuracy(stated);
   if (c.solver.properties == Properties::kFitted) fit_properties(oil, largest_mean_pressure(c, lands));
   film::FactorLaws factors = factor_laws(c, roughness(c), oil.setup.thinning);
+  add_twist_note(c, oil.notes);
   return {c,
           {crank_slider(c), c.operating.speed},
           {ring_face(c), elastic_pressure(c), composite_modulus(c), roughness(c), asperity_contact(c), asperities(c),
            std::move(lands), std::move(oil.setup), std::move(factors), radial_collapse(c)},
+           std::move(lands), std::move(oil.setup), std::move(factors),
+           c.twists() ? std::optional(twisting_ring(c)) : std::nullopt, c.twists() ? section_mass(c) : 0},
           std::move(oil.notes)};
 }
 

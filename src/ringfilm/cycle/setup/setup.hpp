@@ -14,6 +14,7 @@
 #include "ringfilm/models/oil/oil_over_temperature.hpp"
 #include "ringfilm/models/radial_collapse.hpp"
 #include "ringfilm/models/ring.hpp"
+#include "ringfilm/models/section/twisting_ring.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
 
 namespace ringfilm::cycle {
@@ -69,6 +70,11 @@ struct RingSetup {
   OilSetup oil;                     ///< oil of the ring's film
   film::FactorLaws factors;         ///< flow factors of the ring's film
   models::RadialCollapse collapse;  ///< of the ring, where gas presses it off the liner
+  LandPressures lands;                                ///< gas above and below
+  OilSetup oil;                                       ///< oil of the ring's film
+  film::FactorLaws factors;                           ///< flow factors of the ring's film
+  std::optional<models::TwistingRing> twisting = {};  ///< section that turns over the cycle; nothing: it does not
+  double mass = 0;  ///< mass of a ring that twists; 0: not known, without inertia [kg]
 };
 
 /// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several

@@ -11,6 +11,7 @@
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/study/ensemble/twist_assumption.hpp"
 
 namespace ringfilm::study {
 namespace {
@@ -31,8 +32,6 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
 void append(std::vector<Alternative> more, std::vector<Alternative>& others) {
   std::move(more.begin(), more.end(), std::back_inserter(others));
 }
-
-// --- choices of model -------------------------------------------------------------------------------------------
 
 /// What the choice of one key assumes. @param before and `after` the words about the name of the choice
 Assumption of_choice(const char* topic, const char* key, const Case& c, const std::string& before,
@@ -593,6 +592,7 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
                                        "load, film and boundary friction around firing TDC follow it"));
   }
   for (Assumption& open : always_open(setup)) all.push_back(std::move(open));
+  if (c.ring.section.is_stated()) all.push_back(ring_twist(c));
   if (cycle::plateau_curve(c.contact)) all.push_back(plateau(setup));
   return all;
 }
