@@ -76,6 +76,7 @@ py::dict quantities() {
   tables["stroke"] = plain(cycle::stroke_films());
   tables["effort"] = plain(cycle::effort_quantities());
   tables["closure"] = plain(cycle::closure_quantities());
+  tables["section"] = plain(cycle::section_quantities());
   tables["gas"] = plain(cycle::gas_sum_quantities());
   tables["gas_region"] = plain(cycle::gas_region_quantities());
   tables["gas_path"] = plain(cycle::gas_path_quantities());

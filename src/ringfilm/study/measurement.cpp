@@ -156,6 +156,10 @@ Measurement of_closure(const cycle::StaticClosure& closure) {
     for (const double edge : {arc.from, arc.to}) edges.push_back(edge * 180 / std::numbers::pi);
   }
   for (std::size_t i = 0; i < edges.size(); ++i) measurement.values[numbered("arc_edges", i)] = {edges[i]};
+  for (const cycle::SectionQuantity& one : cycle::section_quantities()) {
+    const auto value = closure.section ? one.value(*closure.section) : std::nullopt;
+    if (value) measurement.values[one.name] = {*value};
+  }
   return measurement;
 }
 
@@ -181,6 +185,7 @@ const std::vector<cycle::Quantity>& measured_quantities() {
     add_all(kOfWholeRun, all);
     add_all(kOfGas, all);
     add_all(cycle::closure_quantities(), all);
+    add_all(cycle::section_quantities(), all);
     all.push_back({"arc_edges", "degree", "degree", "edge of a contact arc, from the middle of the gap", "phi_e",
                    "eq-closure-complementarity"});
     add_all(cycle::cycle_quantities(), all);

@@ -21,7 +21,7 @@ constexpr When kSectionKeystone{[](const Case& c) { return c.ring.section.form =
 /// All problems with a ring use its section.
 constexpr Uses kRingBody{.closure = true, .gas = true};
 
-ChoiceKind sides(const Ref<models::SectionSide>& side) {
+ChoiceKind sides_of_section(const Ref<models::SectionSide>& side) {
   ChoiceKind kind;
   kind.names = {"chamber", "crankcase", "both"};
   kind.index = [side](const Case& c) { return static_cast<int>(side(c)); };
@@ -86,7 +86,7 @@ void append_section_fields(std::vector<Field>& fields) {
                  .example = "\"45 degree\"",
                  .uses = kRingBody}),
           field({.key = "ring.bevel_side",
-                 .kind = sides(of_section<&RingSection::bevel_side>),
+                 .kind = sides_of_section(of_section<&RingSection::bevel_side>),
                  .when = kSectionBevelled,
                  .help = "inner corner that is cut off; that towards the chamber makes a positive twist",
                  .example = "\"chamber\"",
@@ -127,7 +127,7 @@ void append_section_fields(std::vector<Field>& fields) {
                  .example = "\"15 degree\"",
                  .uses = kRingBody}),
           field({.key = "ring.keystone_side",
-                 .kind = sides(of_section<&RingSection::keystone_side>),
+                 .kind = sides_of_section(of_section<&RingSection::keystone_side>),
                  .when = kSectionKeystone,
                  .help = "inclined flanks of a keystone ring; one of them: a half-keystone ring",
                  .example = "\"both\"",

@@ -117,4 +117,46 @@ std::optional<SectionValues> section_values(const Case& c) {
   return values;
 }
 
+const std::vector<SectionQuantity>& section_quantities() {
+  using V = SectionValues;
+  using Value = std::optional<double>;
+  static const std::vector<SectionQuantity> table = {
+      {{"section_area", "m2", "mm2", "area of the section", "A", "eq-section-area"},
+       [](const V& v) -> Value { return v.area.area; }},
+      {{"section_centroid_axial", "m", "mm", "centroid, axial from the chamber side", "a_c", "eq-section-area"},
+       [](const V& v) -> Value { return v.area.centroid.axial; }},
+      {{"section_centroid_radial", "m", "mm", "centroid, radial from the face inwards", "rho_c", "eq-section-area"},
+       [](const V& v) -> Value { return v.area.centroid.radial; }},
+      {{"section_second_moment_axial", "m4", "mm4", "second moment of the axial distance from the centroid", "I_aa",
+        "eq-section-moments"},
+       [](const V& v) -> Value { return v.area.axial; }},
+      {{"section_second_moment_radial", "m4", "mm4", "second moment of the radial distance from the centroid", "I_rr",
+        "eq-section-moments"},
+       [](const V& v) -> Value { return v.area.radial; }},
+      {{"section_second_moment_product", "m4", "mm4", "product of inertia about the centroid", "I_ar",
+        "eq-section-moments"},
+       [](const V& v) -> Value { return v.area.product; }},
+      {{"section_principal_angle", "rad", "degree", "angle of the long principal axis against the radial one", "beta",
+        "eq-section-principal"},
+       [](const V& v) -> Value { return v.axes.angle; }},
+      {{"section_torsion_constant", "m4", "mm4", "torsion constant", "J", "eq-section-torsion"},
+       [](const V& v) -> Value { return v.torsion.value; }},
+      {{"section_torsion_lower_bound", "m4", "mm4", "lower bound of the torsion constant", "J_-",
+        "eq-section-torsion-lower"},
+       [](const V& v) -> Value { return v.torsion.lower; }},
+      {{"section_torsion_upper_bound", "m4", "mm4", "upper bound of the torsion constant", "J_+",
+        "eq-section-torsion-upper"},
+       [](const V& v) -> Value { return v.torsion.upper; }},
+      {{"section_twist_stiffness", "N m/rad", "N m/rad", "moment per twist of the closed ring", "K",
+        "eq-section-stiffness"},
+       [](const V& v) -> Value { return v.twist_stiffness; }},
+      {{"section_assembly_couple", "N", "N", "couple per length that would hold the closed ring flat", "m_0",
+        "eq-section-assembly-couple"},
+       [](const V& v) -> Value { return v.assembly_couple; }},
+      {{"section_assembly_twist", "rad", "degree", "twist by closing the ring", "vartheta_0",
+        "eq-section-assembly-twist"},
+       [](const V& v) -> Value { return v.assembly_twist; }}};
+  return table;
+}
+
 }  // namespace ringfilm::cycle

@@ -1,7 +1,9 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "ringfilm/case/case.hpp"
+#include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/models/section/torsion.hpp"
 #include "ringfilm/models/section/twisting_ring.hpp"
 
@@ -49,5 +51,11 @@ struct SectionValues {
 };
 /// Of a ring that states its section; nothing otherwise.
 std::optional<SectionValues> section_values(const Case& c);
+
+/// A value of a section and where `SectionValues` has it; nothing: it is not known.
+struct SectionQuantity : Quantity {
+  std::optional<double> (*value)(const SectionValues&);
+};
+const std::vector<SectionQuantity>& section_quantities();  ///< in the order of tables
 
 }  // namespace ringfilm::cycle

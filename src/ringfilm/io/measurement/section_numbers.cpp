@@ -1,8 +1,7 @@
 #include "ringfilm/io/measurement/section_numbers.hpp"
 
 #include <cmath>
-
-#include "ringfilm/base/number_text.hpp"
+#include <optional>
 
 namespace ringfilm::io {
 
@@ -23,29 +22,11 @@ std::vector<SectionNumbers> section_numbers(const cycle::SectionValues& section)
 }
 
 MeasuredGroup section_group(const cycle::SectionValues& section) {
-  const models::SectionArea& of = section.area;
   MeasuredGroup group{"Section", {}};
-  const auto add = [&](const char* name, const char* long_name, const char* symbol, const char* unit,
-                       const char* display_unit, double value) {
-    group.values.push_back({name, long_name, symbol, unit, display_unit, value, std::nan(""), ""});
-  };
-  add("section_area", "area of the section", "A", "m2", "mm2", of.area);
-  add("section_centroid_axial", "centroid, axial from the chamber side", "a_c", "m", "mm", of.centroid.axial);
-  add("section_centroid_radial", "centroid, radial from the face inwards", "rho_c", "m", "mm", of.centroid.radial);
-  add("section_second_moment_axial", "second moment of the axial distance", "I_aa", "m4", "mm4", of.axial);
-  add("section_second_moment_radial", "second moment of the radial distance", "I_rr", "m4", "mm4", of.radial);
-  add("section_second_moment_product", "product of both distances", "I_ar", "m4", "mm4", of.product);
-  add("section_torsion_constant", "torsion constant", "J", "m4", "mm4", section.torsion.value);
-  group.values.back().remark =
-      "between bounds " + number_text(1e6 * (section.torsion.upper / section.torsion.lower - 1)) + " ppm apart";
-  add("section_twist_stiffness", "moment per twist of the closed ring", "K", "N m/rad", "N m/rad",
-      section.twist_stiffness);
-  if (section.assembly_couple) {
-    add("section_assembly_couple", "couple per length that would hold the closed ring flat", "m_0", "N", "N",
-        *section.assembly_couple);
-  }
-  if (section.assembly_twist) {
-    add("section_assembly_twist", "twist by closing the ring", "vartheta_0", "rad", "degree", *section.assembly_twist);
+  for (const cycle::SectionQuantity& one : cycle::section_quantities()) {
+    const std::optional<double> value = one.value(section);
+    if (!value) continue;
+    group.values.push_back({one.name, one.long_name, one.symbol, one.unit, one.display_unit, *value, std::nan(""), ""});
   }
   return group;
 }

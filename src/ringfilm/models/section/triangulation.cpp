@@ -81,7 +81,7 @@ double cut_at(double angle) {
   return order < 2 ? std::exp2(-2 / order) : 0.5;
 }
 
-SectionPoint between(const SectionPoint& a, const SectionPoint& b, double share) {
+SectionPoint place_on_edge(const SectionPoint& a, const SectionPoint& b, double share) {
   return {a.axial + share * (b.axial - a.axial), a.radial + share * (b.radial - a.radial)};
 }
 
@@ -121,7 +121,7 @@ SectionMesh refined(const SectionMesh& mesh) {
     // Between two such corners the edge is cut in the middle first.
     const double at_a = mesh.cut[a], at_b = mesh.cut[b];
     const double share = at_a < 0.5 && at_b < 0.5 ? 0.5 : (at_a < 0.5 ? at_a : 1 - at_b);
-    fine.nodes.push_back(between(mesh.nodes[a], mesh.nodes[b], share));
+    fine.nodes.push_back(place_on_edge(mesh.nodes[a], mesh.nodes[b], share));
     fine.cut.push_back(0.5);
     return found->second;
   };

@@ -29,7 +29,7 @@ double length_of(const SectionPoint& from, const SectionPoint& to) {
   return std::hypot(to.axial - from.axial, to.radial - from.radial);
 }
 
-SectionPoint between(const SectionPoint& from, const SectionPoint& to, double share) {
+SectionPoint place_on_side(const SectionPoint& from, const SectionPoint& to, double share) {
   return {from.axial + share * (to.axial - from.axial), from.radial + share * (to.radial - from.radial)};
 }
 
@@ -111,7 +111,7 @@ void TwistingRing::lay_sides(const SectionPolygon& corners, double face_width) {
     }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      const SectionPoint p = between(from, to, cuts[k]), q = between(from, to, cuts[k + 1]);
+      const SectionPoint p = place_on_side(from, to, cuts[k]), q = place_on_side(from, to, cuts[k + 1]);
       const double middle = 0.5 * (p.axial + q.axial);
       const bool runs = middle > begin && middle < end && normal_of(from, to).radial < 0;
       add(p, q, runs ? Reached::kFace : (middle < 0.5 * (begin + end) ? Reached::kAbove : Reached::kBelow));
@@ -157,7 +157,7 @@ ForceOnRing TwistingRing::gas(const PressuresAroundRing& pressures) const {
       if (std::isfinite(share) && share > 0 && share < 1) cuts = {0, share, 1};
     }
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-      const auto place = [&](double share) { return between(side.from, side.to, share); };
+      const auto place = [&](double share) { return place_on_side(side.from, side.to, share); };
       const auto force = [&](double share) {
         const SectionPoint at = place(share);
         return pressure(side, at.radial, pressures) * 2 * pi * (bore_radius_ - (at.radial - foremost_));
