@@ -1,5 +1,6 @@
 """Charts of the models: face, oil, contact."""
 
+import math
 import pathlib
 import tempfile
 
@@ -9,7 +10,7 @@ import ringfilm
 from shipped import RINGS, ROOT, case, oil, ring, starting_case
 from chart import LEFT, RIGHT, Panel, Style, legend
 from cycle_charts import LINES
-from svg import BLACK, BLUE, GAS, GREEN, GREY, LINER, ORANGE, PURPLE, RED, WIDTH, Picture
+from svg import BLACK, BLUE, GAS, GREEN, GREY, LINER, METAL, ORANGE, PURPLE, RED, WIDTH, Picture
 
 ACROSS = WIDTH - LEFT - RIGHT
 HALF = 296
@@ -263,8 +264,52 @@ def free_shape():
     return picture
 
 
+def ring_sections():
+    """Five sections in the bore of cases/distorted-bore with centroid, principal axes and assembly twist."""
+    picture = Picture("Sections of rings with centroid, principal axes and assembly twist", 250)
+    h, t = 1.5, 3.5
+    taper, flank = h * math.tan(math.radians(3)), t * math.tan(math.radians(7.5))
+    sections = {
+        "rectangular": [(0, 0), (h, 0), (h, t), (0, t)],
+        "inner bevel": [(0, 0), (h, 0), (h, t), (0.7, t), (0, t - 0.7)],
+        "Napier": [(0, 0), (h - 0.4, 0), (h - 0.4, 0.5), (h, 0.5), (h, t), (0, t)],
+        "taper, 3 degrees": [(0, taper), (h, 0), (h, t), (0, t)],
+        "keystone": [(0, 0), (h, 0), (h - flank, t), (flank, t)],
+    }
+    scale = 34
+    for column, (name, corners) in enumerate(sections.items()):
+        of_case = case("distorted-bore/followed.toml", ring__tangential_force="10.7 N", ring__elastic_pressure=None)
+        of_case.update(
+            {
+                "ring.radial_thickness": None,
+                "ring.pressure_orders": None,
+                "ring.face_width": f"{h if name != 'Napier' else h - 0.4} mm",
+                "ring.section": [[f"{a} mm", f"{rho} mm"] for a, rho in corners],
+            }
+        )
+        section = ringfilm.conform(of_case)["section"]
+        left, top = 18 + 148 * column, 70
+        picture.line(left - 4, top - 22, left - 4, top + 92, stroke=GREY, width=2.4)
+        picture.polyline(
+            [(left + scale * rho, top + scale * a) for a, rho in corners], close=True, fill=METAL, width=1.4
+        )
+        a, rho = (1e3 * x for x in section["centroid"])
+        x, y = left + scale * rho, top + scale * a
+        along = section["principal_angle"]
+        for turn, reach in ((along, 68), (along + math.pi / 2, 34)):
+            run, fall = reach * math.cos(turn), reach * math.sin(turn)
+            picture.line(x - run, y - fall, x + run, y + fall, stroke=BLUE, width=1, dashes="6 4")
+        picture.circle(x, y, 3.2, fill=RED, stroke="none")
+        minutes = 60 * math.degrees(section["assembly_twist"])
+        picture.text(left + 60, 34, name, anchor="middle", bold=True)
+        picture.text(left + 60, 196, f"twist {minutes:+.1f}\u2032".replace("-", "\u2212"), anchor="middle")
+        picture.text(left + 60, 218, f"J = {1e12 * section['torsion_constant']:.3f} mm^{{4}}", anchor="middle")
+    return picture
+
+
 PICTURES = {
     "closure": closure,
+    "ring-sections": ring_sections,
     "free-shape": free_shape,
     "faces": faces,
     "oil-viscosity": oil_viscosity,
