@@ -142,9 +142,9 @@ WearLoad DutyWear::load(const WornDepths& now) {
   load.liner.assign(n_liner(), 0.0);
   std::size_t next = 0;
   for (const double tilt : tilts_) {
-    const std::vector<double> heights = face_.heights(now.face, tilt);
     for (std::size_t i = 0; i < n_points_; ++i, ++next) {
-      add_cycle(all[next], heights, results[next], life_.points[i].share / static_cast<double>(tilts_.size()), load);
+      add_cycle(all[next], {now.face, tilt}, results[next], life_.points[i].share / static_cast<double>(tilts_.size()),
+                load);
     }
   }
   if (!load.liner.empty()) liner_position_ = results.front().stroke.liner_position;
@@ -152,17 +152,22 @@ WearLoad DutyWear::load(const WornDepths& now) {
   return load;
 }
 
-void DutyWear::add_cycle(const CycleRequest& request, const std::vector<double>& heights,
-                         const cycle::CycleResult& result, double weight, WearLoad& load) const {
+void DutyWear::add_cycle(const CycleRequest& request, const TiltedFace& worn, const cycle::CycleResult& result,
+                         double weight, WearLoad& load) const {
   const cycle::Case& input = request.input;
   const AsperityPressure pressure(input);
+  const std::vector<double> level = face_.heights(worn.depth, worn.tilt);
   const double circumference = std::numbers::pi * input.engine.bore;
   const double share_of_sample = 1 / static_cast<double>(result.samples.size());
-  std::vector<double> face(heights.size(), 0.0);
+  std::vector<double> face(level.size(), 0.0);
+  std::vector<double> turned;
   double carried = 0;
   for (const cycle::Sample& sample : result.samples) {
     const double speed = std::abs(sample.piston_velocity) * share_of_sample;
     carried += sample.asperity_load / circumference * speed;
+    // A positive twist takes the chamber edge away from the liner, a positive tilt the other one.
+    const std::vector<double>& heights =
+        sample.twist == 0 ? level : (turned = face_.heights(worn.depth, worn.tilt - sample.twist));
     for (std::size_t i = 0; i < heights.size(); ++i) {
       face[i] += pressure(sample.min_film_thickness, heights[i]) * speed;
     }

@@ -42,8 +42,13 @@ class DutyWear {
   cycle::Case with_surface(const WornDepths& now) const { return with_ring_state(base_, surface_at(now)); }
   RingState ring_at(const WornDepths& now, double tilt) const;
   std::vector<CycleRequest> requests(const WornDepths& now);
-  void add_cycle(const CycleRequest& request, const std::vector<double>& heights, const cycle::CycleResult& result,
-                 double weight, WearLoad& load) const;
+  /// A face that has lost depths at its nodes, and its tilt against the liner [m, rad].
+  struct TiltedFace {
+    const std::vector<double>& depth;
+    double tilt;
+  };
+  void add_cycle(const CycleRequest& request, const TiltedFace& worn, const cycle::CycleResult& result, double weight,
+                 WearLoad& load) const;
   void weight_edges(WearLoad& load) const;
 
   const Life& life_;
