@@ -72,7 +72,14 @@ expected = {
     "twist of an inner bevel on the other side": -twist(BEVEL),
     "twist of a Napier ring": twist(NAPIER),
 }
-NAMES = ("area", "axial centroid", "radial centroid", "axial second moment", "radial second moment", "product of inertia")
+NAMES = (
+    "area",
+    "axial centroid",
+    "radial centroid",
+    "axial second moment",
+    "radial second moment",
+    "product of inertia",
+)
 for form, parts in (("an inner bevel", BEVEL), ("a Napier ring", NAPIER), ("a keystone ring", KEYSTONE)):
     for name, value in zip(NAMES, parts.moments()):
         if abs(value) > 1e-20:  # a keystone ring has no product of inertia

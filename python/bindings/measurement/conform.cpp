@@ -78,7 +78,8 @@ contact_points, point_forces as pairs of angle and force, pressure_orders as tri
 and phase, and arrays around the ring: angle, bore, clearance, line_force, cumulative_force, moment, target_force,
 free_angle and free_radius of the free ring. With ring.free_shape also free_shape_smoothing, free_shape_orders,
 free_shape_residual, force_deviation and pressure_deviation; with ring.section or ring.section_form also section, a
-dict of its area, centroid, second moments, torsion constant and assembly twist. Raises InputError, ConvergenceError, TypeError.
+dict of its area, centroid, second moments, torsion constant and assembly twist. Raises InputError, ConvergenceError,
+TypeError.
 Source: docs/theory, eq-closure-complementarity.)");
 }
 

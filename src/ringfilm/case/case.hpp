@@ -11,6 +11,7 @@
 #include "ringfilm/case/measured_contact.hpp"
 #include "ringfilm/case/oil_transport.hpp"
 #include "ringfilm/case/plateau.hpp"
+#include "ringfilm/case/ring_face.hpp"
 #include "ringfilm/case/ring_section.hpp"
 #include "ringfilm/case/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
@@ -170,47 +171,6 @@ struct RingGasPath {
   std::optional<double> computed_temperature_above, computed_temperature_below;
 };
 
-/// Where a face came from; recorded, and not used by any model.
-struct MeasuredFace {
-  std::optional<std::string> trace;         ///< file of the trace
-  std::optional<double> width;              ///< that the face was fitted over; the ring must have it [m]
-  std::optional<std::string> levelling;     ///< how its tilt was removed
-  std::optional<double> residual_rms;       ///< rms distance of trace and face [m]
-  std::optional<double> largest_residual;   ///< largest distance of trace and face [m]
-  std::optional<std::string> fit_artifact;  ///< where the face has what the trace has not
-};
-
-/// Shape of a face by a formula: the keys that `ring.face` and `pad.face` share.
-struct FaceShape {
-  FaceForm form{};  ///< how h_s(x), the gap to a straight surface, is given
-  // form = "polynomial": height [height_unit] = sum of coefficients[k] x^(n-1-k), x in [length_unit]
-  std::vector<double> coefficients = {};  ///< highest power first
-  double length_unit = 0;                 ///< unit of x in the polynomial [m]
-  double height_unit = 0;                 ///< unit of the height in the polynomial [m]
-  // form = "parabola" or "cosine"
-  double crown_height = 0;  ///< rise of the parabola at the farther edge, of the cosine to its highest point [m]
-  double apex = 0.5;        ///< place of the lowest point, fraction of the way from x = 0 to the other edge [-]
-};
-
-/// The keys under `ring.face`, with the points that they name.
-struct RingFace : FaceShape {
-  HeightZero height_zero = HeightZero::kMinimum;      ///< zero of the stored heights; the film has the true gap in both
-  Orientation orientation = Orientation::kX0Chamber;  ///< the edge at x = 0: a ring-fixed one, or the leading one
-  // form = "points"
-  std::string points_file;     ///< CSV of measured points, as named
-  std::vector<double> x;       ///< [m], increasing, covers 0 to the face width
-  std::vector<double> height;  ///< h_s at x, low where the ring comes next to the liner [m]
-  MeasuredFace measured;       ///< measurement behind a face that was fitted to a trace
-};
-
-/// What covers the face of the ring. Contact spots are far smaller than usual coatings are thick.
-struct Coating {
-  std::optional<double> youngs_modulus;  ///< [Pa]; absent: no coating
-  double poissons_ratio = 0;             ///< Poisson's ratio of the coating [-]
-  std::optional<double> thickness;       ///< coating thickness; absent: not known, and no note on what lies below [m]
-  ContactModulus contact_modulus = ContactModulus::kCoating;  ///< whose modulus the contact spots feel
-};
-
 /// The keys under `ring`.
 struct Ring {
   std::string name;               ///< for people; empty: its number
@@ -224,7 +184,7 @@ struct Ring {
   std::optional<double> expander_force;
   std::optional<double> free_gap;          ///< gap of the free ring less that of the closed one [m]
   std::optional<double> radial_thickness;  ///< ring thickness t; with free_gap, and with gas_path [m]
-  RingSection section;                     ///< section of the ring; not stated: a rectangle of face width and thickness
+  RingSection section;                     ///< not stated: a rectangle of face width and thickness
   LandPressure pressure_above;             ///< pressure at the piston land above; not stated: that of the cylinder
   LandPressure pressure_below;             ///< pressure at the piston land below; not stated: that of the crankcase
   /// In the groove, computed by the gas path: absolute [Pa], 0 = firing TDC. Absent: Gas::pressure_behind_ring.
@@ -562,14 +522,9 @@ struct Case {
   bool bends() const { return is_unrolled() && ring.conformity == Conformity::kBeam; }
   /// Does its section turn over the cycle, and the face with it?
   bool twists() const {
-    return problem == Problem::kCycle && ring.section.is_stated() && ring.section.twist == RingTwist::kQuasiStatic &&
-           can_twist();
+    return ring.section.is_stated() && ring.section.twist == RingTwist::kQuasiStatic && can_twist();
   }
-  /// Is the film one across a face that may turn: of a compression ring, rigid against its film, never turned over?
-  bool can_twist() const {
-    return !is_unrolled() && ring.local_deformation == LocalDeformation::kNone &&
-           ring.face.orientation != Orientation::kLeadingEdge && ring.gas_path.kind == RingKind::kCompression;
-  }
+  bool can_twist() const;  ///< is the film one across the rigid face of a compression ring that never turns over?
   /// Is anything stated that only a ring that bends uses?
   bool has_closure() const {
     return bends() || problem == Problem::kClosure || !liner.is_round() || !ring.pressure_orders.empty() ||
@@ -590,6 +545,11 @@ struct Case {
   /// Notes of the reader on the input (byte-order mark, synthetic trace, ...).
   std::vector<std::string> notes;
 };
+
+inline bool Case::can_twist() const {
+  return problem == Problem::kCycle && !is_unrolled() && ring.local_deformation == LocalDeformation::kNone &&
+         ring.face.orientation != Orientation::kLeadingEdge && ring.gas_path.kind == RingKind::kCompression;
+}
 
 inline double Case::ring_length() const {
   const double circumference = std::numbers::pi * engine.bore;

@@ -73,7 +73,9 @@ class SectionTest(program.ProgramTest):
         self.assertNotIn("section", json.loads(self.run_well("conform", "case.toml", "--json", *options)))
 
     def test_wrong_sections_are_refused_at_their_line(self):
-        crossing = CASE.replace('["1.2 mm", "0 mm"],\n  ["1.2 mm", "3.5 mm"]', '["1.2 mm", "3.5 mm"],\n  ["1.2 mm", "0 mm"]')
+        crossing = CASE.replace(
+            '["1.2 mm", "0 mm"],\n  ["1.2 mm", "3.5 mm"]', '["1.2 mm", "3.5 mm"],\n  ["1.2 mm", "0 mm"]'
+        )
         (self.folder / "case.toml").write_text(crossing, encoding="utf-8")
         done = self.run_program("conform", "case.toml")
         self.assert_refused(done, "overlaps itself")
@@ -82,9 +84,7 @@ class SectionTest(program.ProgramTest):
     def test_wrong_units_and_lengths_are_refused(self):
         self.refused("has no unit", "--set", "ring.section=[[0, 0], [1.2, 0], [1.2, 3.5]]")
         self.refused("out of range", "--set", "ring.section=[['0 m', '0 m'], ['1.2 m', '0 m'], ['1.2 m', '3.5 m']]")
-        self.refused(
-            "no area", "--set", "ring.section=[['0 mm', '0 mm'], ['1.2 mm', '0 mm'], ['0.6 mm', '0 mm']]"
-        )
+        self.refused("no area", "--set", "ring.section=[['0 mm', '0 mm'], ['1.2 mm', '0 mm'], ['0.6 mm', '0 mm']]")
         self.refused("has 2 corners", "--set", "ring.section=[['0 mm', '0 mm'], ['1.2 mm', '0 mm']]")
         self.refused("stated twice", "--set", "ring.section_form=rectangular")
         self.refused("less than its face is wide", "--set", "ring.face_width='2 mm'")

@@ -73,8 +73,8 @@ void check_groove(const Case& c, Breaches& breaches) {
   }
   if (2 * *thickness >= c.engine.bore) {
     breaches.push_back({"ring.radial_thickness",
-                        "ring.radial_thickness = " + text_in(*thickness, kMillimetre) +
-                            " fills the bore of " + text_in(c.engine.bore, kMillimetre),
+                        "ring.radial_thickness = " + text_in(*thickness, kMillimetre) + " fills the bore of " +
+                            text_in(c.engine.bore, kMillimetre),
                         "check its unit"});
   }
 }
