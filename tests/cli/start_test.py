@@ -412,12 +412,12 @@ class MessagesTest(StartTest):
         )
 
     def test_what_is_not_modelled_is_named_with_what_to_state_instead(self):
-        for key, word in (("keystone_angle", "keystone"), ("taper", "taper"), ("chamfer", "chamfer")):
+        for key, word in (("edge_chamfer", "chamfer"), ("chamfer", "chamfer")):
             reported = self.check("[ring]\n", f"[ring]\n{key} = 6\n")
             self.assertIn(f"unknown key ring.{key}: {word} is not modelled", reported)
             self.assertIn('ring.face.form = "points"', reported)
         self.assertIn(
-            "[ring.taper]: taper is not modelled", self.check("[solver]\n", "[ring.taper]\nangle = 1\n[solver]\n")
+            "[ring.chamfer]: chamfer is not modelled", self.check("[solver]\n", "[ring.chamfer]\nangle = 1\n[solver]\n")
         )
 
 

@@ -21,9 +21,10 @@ constexpr std::string_view kBarrel =
 constexpr std::string_view kPoints =
     "the film has the running surface alone: give it as points, ring.face.form = \"points\" with ring.face.file";
 constexpr std::string_view kSection =
-    "the sides of the ring are not in the model: its tension and its face are; a face of another shape can be given as "
-    "points, ring.face.form = \"points\" with ring.face.file";
-constexpr std::string_view kStraight = "the model's ring stays straight; a tilted face can be given as points";
+    "the section of the ring is \"rectangular\", \"inner-bevel\", \"napier\", \"taper\" or \"keystone\" with its "
+    "lengths "
+    "and angles, or has its corners in ring.section (docs/manual/guide/from-drawing-to-case.md)";
+constexpr std::string_view kTwist = "the twist follows from the section of the ring, ring.section or ring.section_form";
 constexpr std::string_view kGroove =
     "it is used with gas_path.model = \"orifice-volume\"; otherwise gas.pressure_behind_ring is the share of the "
     "excess "
@@ -51,15 +52,15 @@ constexpr auto kTerms = std::to_array<TradeTerm>({
     {"radial_width", "ring.radial_thickness", ""},
     {"wall_thickness", "ring.radial_thickness", ""},
     {"nominal_diameter", "engine.bore", ""},
-    {"keystone", "", kSection},
-    {"taper", "", kPoints},
-    {"tapered", "", kPoints},
+    {"keystone", "ring.section_form", kSection},
+    {"taper", "ring.section_form", kSection},
+    {"tapered", "ring.section_form", kSection},
     {"chamfer", "", kPoints},
     {"chamfers", "", kPoints},
-    {"bevel", "", kStraight},
-    {"napier", "", kPoints},
-    {"scraper", "", kPoints},
-    {"twist", "", kStraight},
+    {"bevel", "ring.section_form", kSection},
+    {"napier", "ring.section_form", kSection},
+    {"scraper", "ring.section_form", kSection},
+    {"twist", "ring.twist", kTwist},
     {"side_clearance", "ring.side_clearance", kGroove},
     {"groove_clearance", "ring.side_clearance", kGroove},
 });

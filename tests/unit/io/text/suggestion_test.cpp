@@ -30,10 +30,10 @@ TEST(Suggestion, EachTermOfTheTradeLeadsToAKeyOfTheCaseOrIsNotModelled) {
   std::vector<std::string> keys;
   for (const cycle::Field& field : cycle::case_fields()) keys.push_back(field.key);
   for (const char* term : {"closed_gap", "total_free_gap", "tangential_load", "barrel_drop", "unit_pressure",
-                           "axial_width", "radial_width", "nominal_diameter"}) {
+                           "axial_width", "radial_width", "nominal_diameter", "keystone", "tapered", "twist_angle"}) {
     EXPECT_NE(key_proposal(std::string("ring.") + term, keys).near, "") << term;
   }
-  for (const char* term : {"keystone", "taper_angle", "chamfer", "twist"}) {
+  for (const char* term : {"chamfer", "chamfers"}) {
     const KeyProposal proposal = key_proposal(std::string("ring.") + term, keys);
     EXPECT_EQ(proposal.near, "") << term;
     EXPECT_THAT(proposal.message, ::testing::EndsWith("is not modelled")) << term;
