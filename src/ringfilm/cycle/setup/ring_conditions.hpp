@@ -18,20 +18,15 @@ double pressure_behind_ring(const Gas& gas, double above, double below);
 struct RingConditions {
   film::FilmInputs inputs;  ///< speed, edges, oil and load of its film
   Axis axis = Axis::kFromChamber;
-  double piston_velocity = 0;   ///< positive towards TDC [m/s]
-  double crank_angle_deg = 0;   ///< within [0, 720) [degree]
-  double below_tdc = 0;         ///< where the ring is on its stroke [m]
-  double film_temperature = 0;  ///< [K]
-  double oil_ahead = 0;         ///< on the liner ahead of an inlet that is not flooded; 0: flooded [kg/m2]
-  /// By how far gas holds the ring off the liner beyond the reach of asperities; nothing: film and asperities carry
-  /// [m].
-  std::optional<double> off_liner = std::nullopt;
   double piston_velocity = 0;      ///< positive towards TDC [m/s]
   double crank_angle_deg = 0;      ///< within [0, 720) [degree]
   double below_tdc = 0;            ///< where the ring is on its stroke [m]
   double film_temperature = 0;     ///< [K]
   models::ForceOnRing on_section;  ///< gas and inertia on a section that turns
   double oil_ahead = 0;            ///< on the liner ahead of an inlet that is not flooded; 0: flooded [kg/m2]
+  /// By how far gas holds the ring off the liner beyond the reach of asperities; nothing: film and asperities carry
+  /// [m].
+  std::optional<double> off_liner = std::nullopt;
 };
 
 /// How the film of the step before heated itself; zero where the case does not heat its film (`Thermal::is_heated`).

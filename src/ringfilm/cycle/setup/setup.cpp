@@ -80,9 +80,8 @@ Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
   return {c,
           {crank_slider(c), c.operating.speed},
           {ring_face(c), elastic_pressure(c), composite_modulus(c), roughness(c), asperity_contact(c), asperities(c),
-           std::move(lands), std::move(oil.setup), std::move(factors), radial_collapse(c)},
            std::move(lands), std::move(oil.setup), std::move(factors),
-           c.twists() ? std::optional(twisting_ring(c)) : std::nullopt, c.twists() ? section_mass(c) : 0},
+           c.twists() ? std::optional(twisting_ring(c)) : std::nullopt, c.twists() ? section_mass(c) : 0, radial_collapse(c)},
           std::move(oil.notes)};
 }
 

@@ -66,14 +66,11 @@ struct RingSetup {
   std::shared_ptr<const models::AsperityContact> contact;  ///< law of the pair
   /// Asperities of the pair; nothing: the law is a table
   std::optional<models::GreenwoodTripp::Parameters> asperities;
-  LandPressures lands;              ///< gas above and below
-  OilSetup oil;                     ///< oil of the ring's film
-  film::FactorLaws factors;         ///< flow factors of the ring's film
-  models::RadialCollapse collapse;  ///< of the ring, where gas presses it off the liner
   LandPressures lands;                                ///< gas above and below
   OilSetup oil;                                       ///< oil of the ring's film
   film::FactorLaws factors;                           ///< flow factors of the ring's film
-  std::optional<models::TwistingRing> twisting = {};  ///< section that turns over the cycle; nothing: it does not
+  std::optional<models::TwistingRing> twisting = {  models::RadialCollapse collapse = {};  ///< of the ring, where gas presses it off the liner
+};  ///< section that turns over the cycle; nothing: it does not
   double mass = 0;  ///< mass of a ring that twists; 0: not known, without inertia [kg]
 };
 
