@@ -177,7 +177,15 @@ Scale lateral_scale(const std::string& path, const ChannelValues& values, const 
     refuse(path, "the file does not state in which unit x and y are",
            "state it, for example " + options.names.lateral_unit);
   }
-  return length_scale(path, values.step_unit, "x and y are in", "state the step, for example " + options.names.step_x,
+  return length_scale(path, values.step_unit, values.step_unit_y.empty() ? "x and y are in" : "x is in",
+                      "state the step, for example " + options.names.step_x, units);
+}
+
+/// The scale of the step along y, whose unit may be another one than that of x.
+Scale scale_along_y(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+                    const io::Units& units, const Scale& along_x) {
+  if (values.step_unit_y.empty() || options.lateral_unit) return along_x;
+  return length_scale(path, values.step_unit_y, "y is in", "state the step, for example " + options.names.step_x,
                       units);
 }
 
@@ -202,15 +210,15 @@ constexpr double kSameStep = 1e-3;  // relative: files write steps with few digi
 
 /// The step that the user states. One that the file contradicts is a doubt.
 double stated_step(const std::string& path, const std::string& text, const char* axis, double of_file,
-                   const ChannelValues& values, const io::Units& units, Record& record) {
+                   const std::string& unit, const io::Units& units, Record& record) {
   const double step_m = length_of_user(path, text, fmt::format("the step along {}", axis), units);
   record.notes.push_back(fmt::format("step {}: {} as the user states", axis, text));
-  if (!(of_file > 0) || !is_length(values.step_unit, units)) return step_m;
-  if (std::abs(units.scale(values.step_unit, "m").to_si(of_file) / step_m - 1) > kSameStep) {
+  if (!(of_file > 0) || !is_length(unit, units)) return step_m;
+  if (std::abs(units.scale(unit, "m").to_si(of_file) / step_m - 1) > kSameStep) {
     record.doubts.push_back(
         {fmt::format("the file states a step along {} of {:.6g} {}, and {} is used in its place, as "
                      "the user states",
-                     axis, of_file, values.step_unit, text),
+                     axis, of_file, unit, text),
          "omit the step where the file is right"});
   }
   return step_m;
@@ -220,11 +228,13 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
                const io::Units& units, Record& record) {
   const bool is_profile = values.channel.points_y == 1;
   Steps steps;
-  if (options.step_x) steps.x_m = stated_step(path, *options.step_x, "x", values.step_x, values, units, record);
+  const std::string& unit = values.step_unit;
+  const std::string& unit_y = values.step_unit_y.empty() ? unit : values.step_unit_y;
+  if (options.step_x) steps.x_m = stated_step(path, *options.step_x, "x", values.step_x, unit, units, record);
   if (options.step_y) {
-    steps.y_m = stated_step(path, *options.step_y, "y", values.step_y, values, units, record);
+    steps.y_m = stated_step(path, *options.step_y, "y", values.step_y, unit_y, units, record);
   } else if (options.step_x) {
-    steps.y_m = is_profile ? steps.x_m : stated_step(path, *options.step_x, "y", values.step_y, values, units, record);
+    steps.y_m = is_profile ? steps.x_m : stated_step(path, *options.step_x, "y", values.step_y, unit_y, units, record);
   }
   const bool needs_x = steps.x_m == 0, needs_y = steps.y_m == 0 && !is_profile;
   if (needs_x || needs_y) {
@@ -239,7 +249,7 @@ Steps steps_of(const std::string& path, const ChannelValues& values, const Surfa
     }
     const Scale scale = lateral_scale(path, values, options, units, record);
     if (needs_x) steps.x_m = scale.to_si(values.step_x);
-    if (needs_y) steps.y_m = scale.to_si(values.step_y);
+    if (needs_y) steps.y_m = scale_along_y(path, values, options, units, scale).to_si(values.step_y);
   }
   for (const double step : {steps.x_m, is_profile ? steps.x_m : steps.y_m}) {
     if (!std::isfinite(step) || !(step > 1e-13) || !(step < 1)) {
@@ -255,6 +265,8 @@ void turn_column(ChannelValues& values) {
   if (values.channel.points_x != 1 || values.channel.points_y <= 1) return;
   std::swap(values.channel.points_x, values.channel.points_y);
   std::swap(values.step_x, values.step_y);
+  if (!values.step_unit_y.empty()) std::swap(values.step_unit, values.step_unit_y);
+  values.step_unit_y.clear();
   values.notes.push_back("the map has one column: it was read as a profile");
 }
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <cmath>
 
@@ -85,7 +86,6 @@ TEST(DigitalSurf, OtherKindsAreRefusedByName) {
   sur.objects = 1;
   sur.bits = 8;
   EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("a height has 8 bits; 16 or 32 are known"));
-  EXPECT_THAT(refusal("a.sur", "DSCOMPRESSED" + std::string(600, 'x')), HasSubstr("save it without compression"));
 }
 
 TEST(DigitalSurf, AFileCutByOneByteReportsFromWhereItCounts) {
@@ -105,9 +105,80 @@ TEST(DigitalSurf, AHeaderSmallerThanTheDataIsRefused) {
   EXPECT_THAT(refusal("a.sur", sur.bytes()),
               HasSubstr("byte 601: the map of 3 x 1 points ends here, and 12 more bytes follow"));
   sur.points_y = 2;
-  EXPECT_THAT(refusal("a.sur", sur.bytes() + "x"),
-              HasSubstr("byte 613: the map of 3 x 2 points ends here, and 1 more"));
   EXPECT_EQ(refusal("a.sur", sur.bytes()), "");
+}
+
+TEST(DigitalSurf, BytesBehindTheHeightsAreNoted) {
+  const SurfaceFile file = read_bytes("a.sur", Sur().bytes() + std::string(5, 'x'));  // no whole row of 12 bytes
+  EXPECT_DOUBLE_EQ(file.map.height_m[5], height_m(60));
+  EXPECT_THAT(
+      file.origin.doubts,
+      testing::ElementsAre(HasSubstr("byte 536: the map of 3 x 2 points ends here, and the 5 bytes behind it")));
+}
+
+TEST(DigitalSurf, TheFirstOfSeveralLayersIsTheTopography) {
+  Sur sur;
+  for (const int type : {8, 11, 16}) {
+    sur.type = type;
+    sur.objects = 2;
+    EXPECT_TRUE(read_bytes("a.sur", sur.bytes()).origin.doubts.empty()) << type;
+    const SurfaceFile file = read_bytes("a.sur", sur.bytes() + sur.bytes());
+    EXPECT_EQ(file.map.points_y, 2u);
+    EXPECT_DOUBLE_EQ(file.map.height_m[5], height_m(60));
+    EXPECT_THAT(file.origin.doubts, testing::ElementsAre(HasSubstr("536 bytes of further layers were not"))) << type;
+  }
+}
+
+TEST(DigitalSurf, XAndYMayHaveUnlikeUnits) {
+  Sur sur;
+  sur.unit_y = "mm";
+  const SurfaceFile file = read_bytes("a.sur", sur.bytes());
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 2e-6);
+  EXPECT_DOUBLE_EQ(file.map.step_y_m, 3e-3);
+  sur.unit_y = "V";
+  EXPECT_THAT(refusal("a.sur", sur.bytes()), HasSubstr("y is in \"V\", which is not a unit of length"));
+  SurfaceOptions options;
+  options.lateral_unit = "nm";
+  EXPECT_DOUBLE_EQ(read_bytes("a.sur", sur.bytes(), options).map.step_y_m, 3e-9);
+}
+
+std::string packed(const std::string& bytes) {
+  uLongf size = compressBound(bytes.size());
+  std::string result(size, '\0');
+  compress(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  return result.substr(0, size);
+}
+
+TEST(DigitalSurf, CompressedHeightsAreThoseThatWerePacked) {
+  Sur sur;
+  sur.comment_size = 9;
+  for (const bool high_byte_first : {false, true}) {
+    sur.high_byte_first = high_byte_first;
+    const SurfaceFile plain = read_bytes("a.sur", sur.bytes());
+    for (const std::size_t each : {24u, 8u, 7u}) {  // one stream, three, and streams that end within a height
+      const SurfaceFile file = read_bytes("a.sur", sur.compressed(each, packed));
+      EXPECT_EQ(file.map.height_m, plain.map.height_m) << each;
+      EXPECT_EQ(file.map.step_y_m, plain.map.step_y_m);
+      EXPECT_THAT(file.origin.format, HasSubstr("compressed"));
+    }
+  }
+}
+
+TEST(DigitalSurf, DamagedStreamsAreRefused) {
+  const std::string whole = Sur().compressed(8, packed);
+  for (std::size_t length = 512; length < whole.size(); ++length) {
+    EXPECT_THAT(refusal("a.sur", whole.substr(0, length)), HasSubstr("copy it again")) << length;
+  }
+  for (std::size_t i = 512; i < whole.size(); ++i) {
+    std::string bytes = whole;
+    bytes[i] = static_cast<char>(bytes[i] ^ 0x40);
+    EXPECT_NE(refusal("a.sur", bytes), "") << "byte " << i;  // sizes, deflate and its check sum leave no byte free
+  }
+  Sur sur;
+  sur.points_x = sur.points_y = 10000;
+  std::string bomb = sur.compressed(24, packed);
+  bomb.replace(516, 4, handmade::Bytes().i32(400000000).str());
+  EXPECT_THAT(refusal("a.sur", bomb), HasSubstr("more than any can hold"));
 }
 
 TEST(DigitalSurf, AStepBelowZeroIsRefused) {

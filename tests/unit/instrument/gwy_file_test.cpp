@@ -72,6 +72,39 @@ TEST(Gwy, AnyUnitComesAsAChannel) {
   EXPECT_THAT(refusal("a.gwy", two_channels(), options), HasSubstr("there is no channel 3 among"));
 }
 
+std::string numbers(const std::string& key, const std::vector<double>& values) {
+  Bytes body;
+  body.text(name(key) + "D").i32(static_cast<std::int64_t>(values.size()));
+  for (const double value : values) body.f64(value);
+  return body;
+}
+
+/// A file with one graph of one curve, as gwyddion writes the profile of a stylus.
+std::string one_curve(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::string curve =
+      object("GwyGraphCurveModel", numbers("xdata", x) + numbers("ydata", y) + name("description") + "s" + name("Rz"));
+  return "GWYP" + object("GwyContainer",
+                         item("/0/graph/graph/1",
+                              "o" + object("GwyGraphModel", unit("x_unit", "m") + unit("y_unit", "m") + name("curves") +
+                                                                "O" + Bytes().i32(1).str() + curve)));
+}
+
+TEST(Gwy, ACurveIsAProfile) {
+  const std::string bytes = one_curve({0, 1e-6, 2e-6, 3e-6}, {1e-9, 2e-9, 3e-9, 5e-9});
+  const SurfaceFile file = read_bytes("a.gwy", bytes);
+  EXPECT_TRUE(file.map.is_profile());
+  EXPECT_EQ(file.origin.channel, "Rz");
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 1e-6);
+  EXPECT_EQ(file.map.height_m, (std::vector<double>{1e-9, 2e-9, 3e-9, 5e-9}));
+  const SurfaceFile falling = read_bytes("a.gwy", one_curve({3e-6, 2e-6, 1e-6, 0}, {5e-9, 3e-9, 2e-9, 1e-9}));
+  EXPECT_EQ(falling.map.height_m, file.map.height_m);
+  EXPECT_THAT(refusal("a.gwy", one_curve({0, 1e-6, 1e-6, 3e-6}, {1, 2, 3, 5})), HasSubstr("its places do not rise"));
+  EXPECT_THAT(refusal("a.gwy", one_curve({0, 1e-6}, {1})), HasSubstr("not as many heights as places"));
+  for (std::size_t length = 4; length < bytes.size(); ++length) {
+    EXPECT_NE(refusal("a.gwy", bytes.substr(0, length)), "") << length << " of " << bytes.size() << " bytes";
+  }
+}
+
 TEST(Gwy, DamagedFilesAreRefused) {
   const std::string whole = two_channels();
   for (std::size_t length = 0; length < whole.size(); ++length) {
@@ -81,7 +114,7 @@ TEST(Gwy, DamagedFilesAreRefused) {
   EXPECT_THAT(refusal("a.gwy", few), HasSubstr("an image of 3 x 2 points has 3 values"));
   const std::string huge = "GWYP" + object("GwyContainer", item("/0/data", "o" + image({1}, "m", 2000000000)));
   EXPECT_THAT(refusal("a.gwy", huge), HasSubstr("over the limit"));
-  EXPECT_THAT(refusal("a.gwy", "GWYP" + object("GwyContainer", "")), HasSubstr("the file holds no image"));
+  EXPECT_THAT(refusal("a.gwy", "GWYP" + object("GwyContainer", "")), HasSubstr("the file holds no image and no curve"));
   std::string deep = "c" + std::string(1, '\0');
   for (int i = 0; i < 40; ++i) deep = "O" + Bytes().i32(1).str() + object("A", name("k") + deep);
   EXPECT_NE(refusal("a.gwy", "GWYP" + object("GwyContainer", name("k") + deep)), "");

@@ -98,6 +98,7 @@ struct Sur {
   int comment_size = 0;
   float step_x = 2.0f, step_y = 3.0f, step_z = 0.25f, offset_z = 5.0f;
   std::string unit_xy = "um", unit_z = "nm";
+  std::string unit_y = {};  ///< unit_xy
   std::vector<std::int64_t> heights = {10, 20, 30, 40, 50, 60};
 
   std::string bytes() const {
@@ -107,12 +108,32 @@ struct Sur {
     out.f32(0).i32(0).i16(bits).i32(smallest).i32(60).i32(points_x).i32(points_y).i32(
         points.value_or(points_x * points_y));
     out.f32(step_x).f32(step_y).f32(step_z).text("X", 16).text("Y", 16).text("Z", 16);
-    out.text(unit_xy, 16).text(unit_xy, 16).text(unit_z, 16).text(unit_xy, 16).text(unit_xy, 16).text(unit_z, 16);
+    out.text(unit_xy, 16).text(unit_y.empty() ? unit_xy : unit_y, 16).text(unit_z, 16);
+    out.text(unit_xy, 16).text(unit_xy, 16).text(unit_z, 16);
     out.f32(1).f32(1).f32(1).i16(0).i16(inverted).i16(0).zeros(12);
     out.i16(0).i16(0).i16(0).i16(7).i16(3).i16(2019).i16(0).f32(0).zeros(10).i16(comment_size).i16(0).zeros(128);
     out.f32(0).f32(0).f32(offset_z).zeros(34).text(std::string(static_cast<std::size_t>(comment_size), 'c'));
     for (const std::int64_t height : heights) out.whole(static_cast<std::uint64_t>(height), bits / 8);
     return out;
+  }
+
+  /// The same with its heights packed in streams of so many bytes each. @param pack makes a zlib stream
+  template <class Pack>
+  std::string compressed(std::size_t each, const Pack& pack) const {
+    std::string whole = bytes();
+    const std::size_t head = whole.size() - heights.size() * static_cast<std::size_t>(bits / 8);
+    const std::string data = whole.substr(head);
+    whole.resize(head);
+    whole.replace(0, 12, "DSCOMPRESSED");
+    Bytes table(high_byte_first), streams;
+    const std::size_t count = (data.size() + each - 1) / each;
+    table.i32(static_cast<std::int64_t>(count));
+    for (std::size_t i = 0; i < data.size(); i += each) {
+      const std::string part = data.substr(i, each), packed = pack(part);
+      table.i32(static_cast<std::int64_t>(part.size())).i32(static_cast<std::int64_t>(packed.size()));
+      streams.text(packed);
+    }
+    return whole + table.str() + streams.str();
   }
 };
 
@@ -143,18 +164,19 @@ struct X3p {
   std::string dimension = "<MatrixDimension><SizeX>3</SizeX><SizeY>2</SizeY><SizeZ>1</SizeZ></MatrixDimension>";
   std::string data = "<DataLink><PointDataLink>bindata/data.bin</PointDataLink></DataLink>";
   std::string before_root;
+  std::string root = "p:ISO5436_2";
   std::string points;  ///< bindata/data.bin
   std::string valid;   ///< bindata/valid.bin
   std::string checksum = "right";
 
   std::string xml() const {
-    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>" + before_root +
-           "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\"><Record1><Revision>ISO5436 - 2000</Revision>"
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>" + before_root + "<" + root +
+           " xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\"><Record1><Revision>ISO5436 - 2000</Revision>"
            "<FeatureType>" +
            feature + "</FeatureType><Axes><CX>" + axis_x + "</CX><CY>" + axis_y + "</CY><CZ>" + axis_z +
            "</CZ></Axes></Record1><Record2><Date>2019-03-07T12:00:00</Date><Instrument><Manufacturer>Maker"
            "</Manufacturer><Model>One</Model></Instrument></Record2><Record3>" +
-           dimension + data + "</Record3></p:ISO5436_2>";
+           dimension + data + "</Record3></" + root + ">";
   }
 };
 

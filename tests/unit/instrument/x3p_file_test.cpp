@@ -67,6 +67,12 @@ TEST(X3p, AnIncrementOfFloatingPointHeightsIsDoubted) {
   const SurfaceFile file = read_bytes("a.x3p", x3p_archive(x3p));
   EXPECT_DOUBLE_EQ(file.map.height_m[4], 5e-6);
   EXPECT_THAT(file.origin.doubts, testing::ElementsAre(HasSubstr("main.xml, CZ/Increment: heights of type D")));
+  // In metres already: with the increment their rms height were 1.7 pm.
+  x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+  x3p.axis_z = "<AxisType>A</AxisType><DataType>D</DataType><Increment>1e-6</Increment>";
+  const SurfaceFile metres = read_bytes("a.x3p", x3p_archive(x3p));
+  EXPECT_EQ(metres.map.height_m[4], 5e-6);
+  EXPECT_THAT(metres.origin.doubts, testing::ElementsAre(HasSubstr("size of an atom: they were read without it")));
   EXPECT_TRUE(read_bytes("a.x3p", x3p_archive(of_type('I', {1, 2, 3, 4, 5, 6}))).origin.doubts.empty());
 }
 
@@ -76,6 +82,53 @@ TEST(X3p, LinksAsWindowsWritesThem) {
     x3p.data = std::string("<DataLink><PointDataLink>") + link + "</PointDataLink></DataLink>";
     EXPECT_EQ(refusal("a.x3p", x3p_archive(x3p)), "") << link;
   }
+}
+
+TEST(X3p, ArchivesAsProgramsMakeThem) {
+  X3p x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+  const auto zipped = [&](const std::string& before, const std::string& slash) {
+    return handmade::zip({{before + "main.xml", x3p.xml()},
+                          {before + "md5checksum.hex", md5(x3p.xml())},
+                          {before + "bindata" + slash + "data.bin", x3p.points}});
+  };
+  for (const std::string before : {"", "scan/", "a/b/", "scan\\"}) {
+    for (const char* slash : {"/", "\\"}) {
+      const SurfaceFile file = read_bytes("a.x3p", zipped(before, slash));
+      EXPECT_EQ(file.map.height_m[4], 5e-6) << before << slash;
+      EXPECT_TRUE(file.origin.doubts.empty());
+    }
+  }
+  x3p.root = "ISO5436";
+  EXPECT_EQ(refusal("a.x3p", x3p_archive(x3p)), "");
+  x3p.root = "svg";
+  EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("the root is not ISO5436_2"));
+}
+
+TEST(X3p, MainXmlInUtf16) {
+  const X3p x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
+  for (const bool high_byte_first : {false, true}) {
+    std::string xml = high_byte_first ? "\xFE\xFF" : "\xFF\xFE";
+    for (const char c : x3p.xml()) xml += high_byte_first ? std::string{'\0', c} : std::string{c, '\0'};
+    const SurfaceFile file = read_bytes("a.x3p", handmade::zip({{"main.xml", xml}, {"bindata/data.bin", x3p.points}}));
+    EXPECT_EQ(file.map.height_m[4], 5e-6);
+    EXPECT_EQ(file.origin.instrument, "Maker One");
+  }
+  std::string xml = x3p.xml();
+  xml[40] = '\0';
+  EXPECT_THAT(refusal("a.x3p", handmade::zip({{"main.xml", xml}, {"bindata/data.bin", x3p.points}})),
+              HasSubstr("main.xml, byte 40: a zero byte"));
+}
+
+TEST(X3p, DecimalCommasAreReadWithANote) {
+  X3p x3p;
+  x3p.data =
+      "<DataList><Datum>1e-6</Datum><Datum>;;2,5e-6</Datum><Datum/><Datum>4e-6</Datum><Datum>5e-6</Datum><Datum>"
+      "6e-6</Datum></DataList>";
+  const SurfaceFile file = read_bytes("a.x3p", x3p_archive(x3p));
+  EXPECT_DOUBLE_EQ(file.map.height_m[1], 2.5e-6);
+  EXPECT_THAT(file.origin.doubts, testing::ElementsAre(HasSubstr("\";;2,5e-6\" has a decimal comma")));
+  x3p.data.replace(x3p.data.find("2,5e-6"), 6, "2,500,0");
+  EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("\"2,500,0\" is not a finite number"));
 }
 
 TEST(X3p, TheMaskOfValidPoints) {
@@ -143,7 +196,8 @@ TEST(X3p, LayersAreChannels) {
 TEST(X3p, CheckSumsAreVerified) {
   X3p x3p = of_type('D', {1e-6, 2e-6, 3e-6, 4e-6, 5e-6, 6e-6});
   x3p.checksum = std::string(32, '0');
-  EXPECT_THAT(refusal("a.x3p", x3p_archive(x3p)), HasSubstr("md5checksum.hex states 000"));
+  EXPECT_THAT(read_bytes("a.x3p", x3p_archive(x3p)).origin.doubts,
+              testing::ElementsAre(HasSubstr("md5checksum.hex states 000")));
   x3p.checksum = "";
   EXPECT_THAT(read_bytes("a.x3p", x3p_archive(x3p)).origin.notes, Contains(HasSubstr("could not be verified")));
   x3p.checksum = "right";

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/formats/binary_writer.hpp"
+#include "ringfilm/instrument/formats/digital_surf_streams.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
 
 namespace ringfilm::instrument {
@@ -61,8 +63,10 @@ struct Header {
   std::size_t points_x = 0;
   std::size_t points_y = 0;
   std::size_t point_bytes = 0;
-  std::size_t comment = 0;  ///< size of the text behind the header [byte]
-  std::size_t data = 0;     ///< offset of the first height
+  std::size_t comment = 0;              ///< size of the text behind the header [byte]
+  std::size_t data = 0;                 ///< offset of the first height, or of the table of packed streams
+  std::optional<PackedHeights> packed;  ///< of a compressed file
+  std::vector<Doubt> doubts;            ///< what the file holds besides the heights
   double step_x = 0, step_y = 0, step_z = 0, offset_z = 0;
   std::string unit_x, unit_y, unit_z;
   bool has_missing = false;
@@ -93,14 +97,40 @@ std::string kind_words(int type) {
   return type >= 3 && place < std::size(kKinds) ? kKinds[place] : "an object of unknown kind";
 }
 
-Header read_header(const BinaryReader& in) {
+/// Kinds of several layers whose first one is the topography: surfaces of several layers, with an intensity image,
+/// with an image in colours.
+constexpr int kLayered[] = {8, 11, 16};
+
+bool is_layered(int type) { return std::find(std::begin(kLayered), std::end(kLayered), type) != std::end(kLayered); }
+
+/// What follows the heights: layers of their kind, or bytes of which the header says nothing. Whole rows of a single
+/// map are heights that its header does not count.
+void doubt_tail(const BinaryReader& in, std::size_t end, int type, Header& header) {
+  if (end >= in.size()) return;
+  const std::size_t more = in.size() - end;
+  const std::string map = fmt::format("the map of {} x {} points", header.points_x, header.points_y);
+  if (is_layered(type)) {
+    header.doubts.push_back(
+        {fmt::format("byte {}: the file holds {} (kind {}); its first layer, the topography, was read, and {} bytes of "
+                     "further layers were not",
+                     end, kind_words(type), type, more),
+         "export any other layer alone"});
+    return;
+  }
+  if (!header.packed && more % (header.points_x * header.point_bytes) == 0) in.end_at(end, map);
+  header.doubts.push_back(
+      {fmt::format("byte {}: {} ends here, and the {} bytes behind it were not read", end, map, more),
+       "if a part of the surface is missing, export the file again"});
+}
+
+Header read_header(const BinaryReader& in, bool is_packed) {
   const int objects = in.number<std::int16_t>(kObjects, "the number of objects");
   const int type = in.number<std::int16_t>(kType, "the kind of object");
-  if (type != 1 && type != 2) {
+  if (type != 1 && type != 2 && !is_layered(type)) {
     in.refuse_at(kType, fmt::format("the file holds {} (kind {})", kind_words(type), type),
                  "export a single surface (kind 2) or profile (kind 1), or as X3P");
   }
-  if (objects != 1) {
+  if (objects != 1 && !is_layered(type)) {
     in.refuse_at(kObjects, fmt::format("the file holds {} objects, and one is read", objects),
                  "export the surface alone, or as X3P");
   }
@@ -135,9 +165,13 @@ Header read_header(const BinaryReader& in) {
   }
   header.comment = static_cast<std::size_t>(comment);
   header.data = kHeaderSize + static_cast<std::size_t>(comment) + static_cast<std::size_t>(own);
-  const std::string map = fmt::format("the map of {} x {} points", points_x, points_y);
-  in.at(header.data, points * header.point_bytes, map);
-  in.end_at(header.data + points * header.point_bytes, map);
+  const std::size_t length = points * header.point_bytes;
+  if (is_packed) {
+    header.packed = packed_heights(in, header.data, length);
+  } else {
+    in.at(header.data, length, fmt::format("the map of {} x {} points", points_x, points_y));
+  }
+  doubt_tail(in, is_packed ? header.packed->end : header.data + length, type, header);
 
   header.step_x = in.number<float>(kStepX, "the step x");
   header.step_y = in.number<float>(kStepY, "the step y");
@@ -227,7 +261,9 @@ void doubt_unreported(const Header& header, const Whole& whole, ChannelValues& v
 template <class Whole>
 void read_heights(const BinaryReader& in, const Header& header, ChannelValues& values) {
   const std::size_t points = header.points_x * header.points_y;
-  const char* raw = in.at(header.data, points * sizeof(Whole), "the map").data();
+  const std::size_t length = points * sizeof(Whole);
+  const std::string unpacked = header.packed ? unpacked_heights(in, *header.packed, length) : std::string();
+  const char* raw = header.packed ? unpacked.data() : in.at(header.data, length, "the map").data();
   const auto whole = [raw, order = in.order()](std::size_t i) {
     return number_at<Whole>(raw + i * sizeof(Whole), order);
   };
@@ -246,22 +282,20 @@ void read_heights(const BinaryReader& in, const Header& header, ChannelValues& v
 }  // namespace
 
 InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const std::string> bytes) {
-  if (bytes->rfind(kCompressed, 0) == 0) {
-    refuse(file, "the file is a compressed one of Digital Surf, which is not read",
-           "save it without compression, or export it as X3P");
-  }
   const BinaryReader probe(file, *bytes);
-  if (probe.at(0, 12, "the signature") != kSurfSignature) {
+  const std::string_view signature = probe.at(0, 12, "the signature");
+  const bool is_packed = signature == kCompressed;
+  if (!is_packed && signature != kSurfSignature) {
     probe.refuse_at(0, "a file of Digital Surf starts with \"DIGITAL SURF\"", "is it the right file?");
   }
   probe.at(0, kHeaderSize, "the header");
   const bool big = probe.number<std::int16_t>(kByteOrder, "the byte order") != 0;
   const BinaryReader in(file, *bytes, big ? ByteOrder::kBig : ByteOrder::kLittle);
-  const Header header = read_header(in);
+  const Header header = read_header(in, is_packed);
 
   InstrumentFile result;
-  result.format =
-      fmt::format("Digital Surf, {} bit, {}", header.point_bytes * 8, big ? "high byte first" : "low byte first");
+  result.format = fmt::format("Digital Surf, {}{} bit, {}", is_packed ? "compressed, " : "", header.point_bytes * 8,
+                              big ? "high byte first" : "low byte first");
   result.instrument = "";
   const int day = in.number<std::int16_t>(kDay, "the day");
   const int month = in.number<std::int16_t>(kDay + 2, "the month");
@@ -280,12 +314,8 @@ InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const 
     values.step_x = header.step_x;
     values.step_y = header.step_y;
     values.step_unit = header.unit_x;
-    if (header.points_y > 1 && header.unit_x != header.unit_y) {
-      refuse(file,
-             fmt::format("byte {}: the units of x and y differ: \"{}\" and \"{}\"", static_cast<std::size_t>(kUnitY),
-                         header.unit_x, header.unit_y),
-             "export the surface with one unit for both");
-    }
+    if (header.points_y > 1 && header.unit_x != header.unit_y) values.step_unit_y = header.unit_y;
+    values.doubts = header.doubts;
     if (header.point_bytes == 2) {
       read_heights<std::int16_t>(data, header, values);
     } else {

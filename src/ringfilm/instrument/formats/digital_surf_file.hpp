@@ -9,9 +9,9 @@
 /// Surfaces and profiles of Digital Surf (.sur, .pro): a header of 512 bytes, a comment, heights as whole numbers.
 namespace ringfilm::instrument {
 
-/// Reads the header. Heights of 16 and 32 bit, both byte orders, one surface or profile. Points that were not measured
-/// are those two below the smallest height, where the header states that there are any. Throws InputError, also for
-/// compressed files and those of several objects or other kinds.
+/// Reads the header. Heights of 16 and 32 bit, both byte orders, as they are or packed (DSCOMPRESSED); one surface or
+/// profile, or the first layer of a surface with further ones. Points that were not measured are those two below the
+/// smallest height, where the header states that there are any. Throws InputError, also for files of other kinds.
 /// @param file name for messages
 InstrumentFile read_digital_surf(const std::string& file, std::shared_ptr<const std::string> bytes);
 

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
@@ -76,6 +79,21 @@ class GwyReader {
     if (!component || component->count == 0) return "";
     const std::size_t start = component->offset;
     return utf8_from(in_.at(start, in_.size() - start, "a text").substr(0, 1000)).substr(0, 1000);
+  }
+
+  /// The objects of a list, which are of the kind `name`.
+  std::vector<Object> objects(const Object& parent, const std::string& key, const std::string& name) const {
+    std::vector<Object> result;
+    const Component* const list = find(parent, key, 'O');
+    if (!list) return result;
+    std::size_t offset = list->offset;
+    for (std::size_t i = 0; i < list->count; ++i) {
+      Component element;
+      const std::size_t start = offset;
+      offset = skip_object(element, offset, in_.size(), 0);
+      result.push_back(object(start, offset, name));
+    }
+    return result;
   }
 
   template <class Number>
@@ -251,6 +269,74 @@ std::map<int, Image> read_images(const GwyReader& reader, const Object& all) {
   return images;
 }
 
+/// A curve of a graph, as gwyddion shows the profiles of styli.
+struct Curve {
+  Channel channel;
+  std::string unit_x;
+  std::size_t x = 0, y = 0;  ///< first number of the places and of the heights [byte]
+};
+
+/// The number of a key such as "/0/graph/graph/3"; nothing else begins so.
+bool graph_number(const std::string& key, int& number) {
+  constexpr std::string_view kBefore = "/0/graph/graph/";
+  if (key.rfind(kBefore, 0) != 0) return false;
+  const auto [rest, error] = std::from_chars(key.data() + kBefore.size(), key.data() + key.size(), number);
+  return error == std::errc{} && rest == key.data() + key.size();
+}
+
+/// Curves of fewer than two points are omitted.
+std::vector<Curve> read_curves(const GwyReader& reader, const Object& all) {
+  std::map<int, Component> graphs;
+  for (const auto& [key, component] : all) {
+    int number = 0;
+    if (component.type == 'o' && graph_number(key, number)) graphs[number] = component;
+  }
+  std::vector<Curve> curves;
+  for (const auto& [number, component] : graphs) {
+    const Object graph = reader.object(component, "GwyGraphModel");
+    for (const Object& model : reader.objects(graph, "curves", "GwyGraphCurveModel")) {
+      const Component *const x = GwyReader::find(model, "xdata", 'D'), *const y = GwyReader::find(model, "ydata", 'D');
+      if (x == nullptr || y == nullptr || x->count != y->count) {
+        reader.refuse_damaged(component.offset, "a curve has not as many heights as places");
+      }
+      if (x->count < 2) continue;
+      checked_points(reader.in().file(), x->count, 1);
+      Curve curve;
+      curve.channel = {reader.text(model, "description"), unit_of(reader, graph, "y_unit"), x->count, 1};
+      curve.unit_x = unit_of(reader, graph, "x_unit");
+      curve.x = x->offset;
+      curve.y = y->offset;
+      curves.push_back(std::move(curve));
+    }
+  }
+  return curves;
+}
+
+/// The points of a curve in the order of their places; those that are not numbers are omitted.
+ChannelValues values_of(const std::string& file, const std::string& bytes, const Curve& curve) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t i = 0; i < curve.channel.points_x; ++i) {
+    const double x = number_at<double>(bytes.data() + curve.x + 8 * i, ByteOrder::kLittle);
+    const double y = number_at<double>(bytes.data() + curve.y + 8 * i, ByteOrder::kLittle);
+    if (std::isfinite(x) && std::isfinite(y)) points.emplace_back(x, y);
+  }
+  if (points.size() > 1 && points.front().first > points.back().first) std::reverse(points.begin(), points.end());
+  ChannelValues values;
+  values.channel = curve.channel;
+  values.channel.points_x = points.size();
+  values.step_unit = curve.unit_x;
+  for (const auto& [x, y] : points) {
+    if (!values.x.empty() && !(x > values.x.back())) {
+      refuse(file, fmt::format("curve \"{}\": its places do not rise at {:g} {}", curve.channel.name, x, curve.unit_x),
+             "a profile requires places that rise or fall: export a single trace");
+    }
+    values.x.push_back(x);
+    values.value.push_back(y);
+  }
+  checked_points(file, points.size(), 1);
+  return values;
+}
+
 /// The kind of file that gwyddion read an image from, by its log: "file::nanoscope(...)" gives "nanoscope".
 std::string source_of(const GwyReader& reader, const Object& all, int number) {
   const Component* const log = GwyReader::find(all, fmt::format("/{}/data/log", number), 'o');
@@ -306,8 +392,16 @@ InstrumentFile read_gwy(const std::string& file, std::shared_ptr<const std::stri
     images.push_back(image);
     result.channels.push_back(image.channel);
   }
-  if (images.empty()) refuse(file, "the file holds no image", "curves and volumes are not read: export them as text");
-  result.values = [bytes, images](std::size_t index) { return values_of(*bytes, images.at(index)); };
+  std::vector<Curve> curves;
+  if (images.empty()) curves = read_curves(reader, all);  // with images they are sections and analyses of them
+  for (const Curve& curve : curves) result.channels.push_back(curve.channel);
+  if (result.channels.empty()) {
+    refuse(file, "the file holds no image and no curve",
+           "volumes and lists of points are not read: export them as text");
+  }
+  result.values = [file, bytes, images, curves](std::size_t index) {
+    return images.empty() ? values_of(file, *bytes, curves.at(index)) : values_of(*bytes, images.at(index));
+  };
   return result;
 }
 

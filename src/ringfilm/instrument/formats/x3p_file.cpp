@@ -10,6 +10,8 @@
 #include <pugixml.hpp>
 
 #include "ringfilm/base/trimmed.hpp"
+#include "ringfilm/instrument/formats/x3p_entries.hpp"
+#include "ringfilm/instrument/formats/x3p_float_scale.hpp"
 #include "ringfilm/instrument/formats/zip_archive.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/instrument/grid/number_from.hpp"
@@ -60,6 +62,9 @@ struct X3pAxis {
 
 struct Description {
   std::string path;
+  std::string folder;     ///< folder of main.xml in the archive, with its slash
+  X3pFloatScale heights;  ///< of heights of the types F and D
+  std::vector<Doubt> doubts;
   X3pAxis x, y, z;
   std::size_t points_x = 0, points_y = 0, layers = 1;
   bool is_profile = false;
@@ -76,10 +81,12 @@ struct Description {
 }
 
 double number_in(const Description& about, const std::string& element, const std::string& written) {
-  const std::string text = trimmed(written);
+  std::string text = trimmed(written);
+  if (const std::size_t comma = text.find(','); comma != std::string::npos) text[comma] = '.';  // check_commas notes it
   const std::optional<double> value = signed_number_from<double>(text);
   if (!value || !std::isfinite(*value)) {
-    refuse_element(about, element, fmt::format("\"{}\" is not a finite number", utf8_from(text.substr(0, 40))),
+    refuse_element(about, element,
+                   fmt::format("\"{}\" is not a finite number", utf8_from(trimmed(written).substr(0, 40))),
                    "a number is required");
   }
   return *value;
@@ -98,15 +105,29 @@ std::string text_of(const pugi::xml_node& parent, const std::string& name) {
   return trimmed(utf8_from(find(parent, name).text().get()));
 }
 
+/// Are its characters of two bytes, or of four?
+bool is_wide(const std::string& xml) {
+  return xml.rfind("\xFE\xFF", 0) == 0 || xml.rfind("\xFF\xFE", 0) == 0 || xml.substr(0, 2).find('\0') < 2;
+}
+
+[[noreturn]] void refuse_doctype(const Description& about) {
+  refuse(about.path, "main.xml has a DOCTYPE, which may hide entities that unfold without end",
+         "no X3P needs one: export the file again");
+}
+
 std::shared_ptr<pugi::xml_document> parsed(const Description& about, const std::string& xml) {
   auto document = std::make_shared<pugi::xml_document>();
-  // The bytes are parsed as check_main saw them. Latin-1 passes too: its markup is ASCII, and utf8_from reads its
-  // texts.
+  // UTF-16 by its mark or its first characters, else UTF-8. Latin-1 passes too: its markup is ASCII, and utf8_from
+  // reads its texts.
   const pugi::xml_parse_result result =
-      document->load_buffer(xml.data(), xml.size(), pugi::parse_default, pugi::encoding_utf8);
+      document->load_buffer(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype,
+                            is_wide(xml) ? pugi::encoding_auto : pugi::encoding_utf8);
   if (!result) {
     refuse(about.path, fmt::format("main.xml, byte {}: {}", result.offset, result.description()),
            "the file was damaged on its way: copy it again from the instrument");
+  }
+  for (const pugi::xml_node& node : document->children()) {
+    if (node.type() == pugi::node_doctype) refuse_doctype(about);
   }
   if (local_name(document->document_element()).rfind("ISO5436", 0) != 0) {
     refuse_element(about, local_name(document->document_element()), "the root is not ISO5436_2",
@@ -121,31 +142,64 @@ std::string lower_case(std::string digits) {
   return digits;
 }
 
-/// The check sum of main.xml is stored in an entry of its own. An archive without it is let through with a note.
-void check_main(const Description& about, const ZipArchive& archive, const std::string& xml,
+/// The check sum of main.xml is stored in an entry of its own. An archive without it, or with another one, is let
+/// through with a note: main.xml is edited by hand, and its points have a check sum of their own.
+void check_main(Description& about, const ZipArchive& archive, const std::string& xml,
                 std::vector<std::string>& notes) {
-  if (const std::size_t zero = xml.find('\0'); zero != std::string::npos) {
-    refuse(about.path, fmt::format("main.xml, byte {}: a zero byte, so that it is not written in UTF-8", zero),
+  if (const std::size_t zero = xml.find('\0'); zero != std::string::npos && !is_wide(xml)) {
+    refuse(about.path,
+           fmt::format("main.xml, byte {}: a zero byte, so that it is written neither in UTF-8 nor in UTF-16", zero),
            "export the file again, with main.xml in UTF-8");
   }
-  if (xml.find("<!DOCTYPE") != std::string::npos) {
-    refuse(about.path, "main.xml has a DOCTYPE, which may hide entities that unfold without end",
-           "no X3P needs one: export the file again");
-  }
-  if (!archive.size("md5checksum.hex")) {
+  if (xml.find("<!DOCTYPE") != std::string::npos) refuse_doctype(about);
+  const std::string sum = stored_entry(archive, about.folder + "md5checksum.hex");
+  if (!archive.size(sum)) {
     notes.push_back("the archive has no md5checksum.hex: main.xml could not be verified");
     return;
   }
-  const std::string line = archive.read("md5checksum.hex", 4096);
+  const std::string line = archive.read(sum, 4096);
   const std::string stated = lower_case(trimmed(line).substr(0, 32));
   io::RunningDigest digest(io::RunningDigest::Kind::kMd5);
   digest.add(xml);
   const std::string found = digest.digits();
   if (stated != found) {
-    refuse(about.path,
-           fmt::format("main.xml has the check sum {}, and md5checksum.hex states {}", found, utf8_from(stated)),
-           "the file was damaged or edited: copy or export it again");
+    about.doubts.push_back(
+        {fmt::format("main.xml has the check sum {}, and md5checksum.hex states {}", found, utf8_from(stated)),
+         "main.xml was edited after the measurement or damaged: compare sizes, steps and instrument with its "
+         "protocol"});
   }
+}
+
+/// Numbers of XML have points. The first one that has a comma in its place is named.
+void check_commas(const pugi::xml_node& root, Description& about) {
+  struct FirstComma : pugi::xml_tree_walker {
+    std::string element, text;
+    bool for_each(pugi::xml_node& node) override {
+      const std::string name = local_name(node);
+      if (name != "Increment" && name != "Offset" && name != "Datum") return true;
+      const std::string value = node.text().get();
+      if (value.find(',') == std::string::npos) return true;
+      element = name;
+      text = value;
+      return false;
+    }
+  } first;
+  pugi::xml_node(root).traverse(first);
+  if (first.element.empty()) return;
+  about.doubts.push_back(
+      {fmt::format("main.xml, {}: \"{}\" has a decimal comma, which was read as a point; so were all "
+                   "others",
+                   first.element, utf8_from(first.text.substr(0, 40))),
+       "where a comma parts numbers, export the file again: XML requires points"});
+}
+
+/// Heights in floating-point numbers are in metres, and the increment has no purpose: it is applied to the whole set of
+/// them or not at all, when they are known.
+void set_aside_float_scale(Description& about) {
+  if (about.z.type != 'F' && about.z.type != 'D') return;
+  about.heights = {about.z.type, about.z.increment, about.z.offset};
+  about.z.increment = 1;
+  about.z.offset = 0;
 }
 
 X3pAxis read_axis(const Description& about, const pugi::xml_node& axes, const std::string& name) {
@@ -218,12 +272,6 @@ void check_increments(const Description& about) {
   }
 }
 
-/// The name of an entry as archives write it, of a link like "bindata\data.bin" or "./bindata/data.bin".
-std::string entry_name(std::string link) {
-  std::replace(link.begin(), link.end(), '\\', '/');
-  return link.rfind("./", 0) == 0 ? link.substr(2) : link;
-}
-
 void read_links(Description& about, const pugi::xml_node& record3) {
   if (const pugi::xml_node link = find(record3, "DataLink")) {
     about.point_entry = entry_name(text_of(link, "PointDataLink"));
@@ -254,6 +302,17 @@ void compare_digest(const Description& about, const std::string& entry, std::str
     refuse(about.path, fmt::format("{} has the check sum {}, and main.xml states {}", entry, found, stated),
            "the file was damaged or edited: copy or export it again");
   }
+}
+
+/// Finds the entries of the points and of the mask, whose links may count from the folder of main.xml.
+void find_entries(Description& about, const ZipArchive& archive) {
+  const auto find_entry = [&](std::string& entry) {
+    if (entry.empty()) return;
+    const std::string beside = stored_entry(archive, about.folder + entry);
+    entry = archive.size(beside) ? beside : stored_entry(archive, entry);
+  };
+  find_entry(about.point_entry);
+  find_entry(about.valid_entry);
 }
 
 /// Compares the stated size with what is there, before any memory is taken for it.
@@ -434,7 +493,7 @@ void read_list(const Description& about, Collector& collector) {
 
 }  // namespace
 
-bool is_x3p(const std::string& path) { return ZipArchive(path).size("main.xml").has_value(); }
+bool is_x3p(const std::string& path) { return !main_entry(ZipArchive(path)).empty(); }
 
 InstrumentFile read_x3p(const std::string& path) {
   Description about;
@@ -444,9 +503,13 @@ InstrumentFile read_x3p(const std::string& path) {
   std::shared_ptr<pugi::xml_document> document;
   {
     const ZipArchive archive(path);
-    const std::string xml = archive.read("main.xml", kMaxXml);
+    const std::string entry = main_entry(archive), name = entry_name(entry);
+    about.folder = name.substr(0, name.size() - std::string_view("main.xml").size());
+    if (!about.folder.empty()) result.notes.push_back("main.xml lies in a folder of the archive: " + about.folder);
+    const std::string xml = archive.read(entry, kMaxXml);
     check_main(about, archive, xml, result.notes);
     document = parsed(about, xml);
+    check_commas(document->document_element(), about);
   }
   const pugi::xml_node root = document->document_element();
   const pugi::xml_node record1 = child_of(about, root, "Record1"), record3 = child_of(about, root, "Record3");
@@ -460,6 +523,7 @@ InstrumentFile read_x3p(const std::string& path) {
   about.is_profile = text_of(record1, "FeatureType") == "PRF";
   read_sizes(about, record3);
   check_increments(about);
+  set_aside_float_scale(about);
   read_links(about, record3);
   read_origin(find(root, "Record2"), result);
   for (std::size_t layer = 0; layer < about.layers; ++layer) {
@@ -467,7 +531,9 @@ InstrumentFile read_x3p(const std::string& path) {
     result.channels.push_back({name, "m", about.points_x, about.points_y});
   }
   if (about.point_entry.empty()) about.document = document;
-  check_size(about, ZipArchive(path));
+  const ZipArchive points(path);
+  find_entries(about, points);
+  check_size(about, points);
   result.values = [about, channels = result.channels](std::size_t layer) {
     Collector collector(about, layer);
     if (about.point_entry.empty()) {
@@ -483,14 +549,8 @@ InstrumentFile read_x3p(const std::string& path) {
       values.channel.points_y = found.points_y;
     }
     values.step_unit = values.channel.unit;  // the standard allows metres only
-    if (about.z.increment != 1 && (about.z.type == 'F' || about.z.type == 'D')) {
-      values.doubts.push_back(
-          {fmt::format(
-               "main.xml, CZ/Increment: heights of type {} are floating-point numbers, which are in metres as a "
-               "rule, and were multiplied by the increment {:g}",
-               about.z.type, about.z.increment),
-           "if the heights come out too small, export the file with an increment of 1"});
-    }
+    values.doubts = about.doubts;
+    apply_float_scale(about.heights, values);
     return values;
   };
   return result;

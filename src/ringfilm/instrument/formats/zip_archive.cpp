@@ -38,6 +38,16 @@ ZipArchive::ZipArchive(const std::string& path) : path_(path), handle_(std::make
 
 ZipArchive::~ZipArchive() = default;
 
+std::vector<std::string> ZipArchive::names() const {
+  std::vector<std::string> result;
+  const zip_int64_t count = zip_get_num_entries(handle_->archive, 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* const name = zip_get_name(handle_->archive, static_cast<zip_uint64_t>(i), 0);
+    if (name != nullptr) result.emplace_back(name);
+  }
+  return result;
+}
+
 std::optional<std::uint64_t> ZipArchive::size(const std::string& name) const {
   zip_stat_t about;
   zip_stat_init(&about);

@@ -19,6 +19,9 @@ class ZipArchive {
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
 
+  /// The names of all entries, in the order of the archive.
+  std::vector<std::string> names() const;
+
   /// The unpacked size that the archive states [byte]; nothing if there is no such entry.
   std::optional<std::uint64_t> size(const std::string& name) const;
 

@@ -38,6 +38,7 @@ struct ChannelValues {
   double step_x = 0.0;                ///< [step_unit]; 0 where the file does not state it
   double step_y = 0.0;                ///< [step_unit]; 0 where the file does not say, and of a profile
   std::string step_unit;              ///< e.g. "m"; empty where the file does not state it
+  std::string step_unit_y;            ///< unit of step_y where it is another one than step_unit; else empty
   std::vector<Fault> step_faults;     ///< what is wrong with the size that the file states
   std::vector<double> x;              ///< [step_unit] places of a profile that need not be even; else empty
   std::vector<double> value;          ///< points_x * points_y [channel.unit]; 0 where missing
