@@ -270,6 +270,31 @@ class OilsTest(StartTest):
             self.assertAlmostEqual(oil["viscosity_150"] / oil["kinematic_viscosity_150"], 765, delta=45)
         self.assertTrue({"SAE 0W-20", "SAE 5W-30", "SAE 10W-40", "SAE 15W-40", "SAE 30", None} <= set(oils))
 
+    def test_the_shipped_grades_keep_the_bounds_of_their_class(self):
+        # SAE J300: kinematic viscosity at 100 degC [mm2/s], least HTHS viscosity [mPa s]. That of 40 is 3.5 of 0W, 5W
+        # and 10W, else 3.7.
+        bounds = {
+            "8": (4.0, 6.1, 1.7),
+            "12": (5.0, 7.1, 2.0),
+            "16": (6.1, 8.2, 2.3),
+            "20": (6.9, 9.3, 2.6),
+            "30": (9.3, 12.5, 2.9),
+            "40": (12.5, 16.3, 3.5),
+            "50": (16.3, 21.9, 3.7),
+        }
+        grades = sorted((program.SOURCES / "data" / "lubricants").glob("sae-*.toml"))
+        self.assertGreaterEqual(len(grades), 10)
+        for grade in grades:
+            words = grade.stem.split("-")
+            low, high, hths = bounds[words[-1]]
+            if words[-1] == "40" and words[1] not in ("0w", "5w", "10w"):
+                hths = 3.7
+            text = grade.read_text()
+            at_100 = float(re.findall(r'value = "([\d.]+) mm2/s"', text)[1])
+            self.assertTrue(low <= at_100 < high, grade.name)
+            stated = re.search(r'hths_viscosity = "([\d.]+) mPa s"', text)
+            self.assertTrue(stated is None or float(stated[1]) >= hths, grade.name)
+
     def test_a_grade_is_the_file_of_that_name(self):
         self.with_oil('file = "data/lubricants/sae-10w-40.toml"\n')
         by_file = json.loads(self.run_well("run", "case.toml", "--json"))

@@ -22,6 +22,7 @@
 #include "ringfilm/base/printable_text.hpp"
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
+#include "ringfilm/io/text/empirical_units.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -42,7 +43,7 @@ std::mutex& udunits_mutex() {
 }
 
 /// Names that engineers write and UDUNITS does not contain, by the names that it contains.
-constexpr std::array<std::pair<const char*, const char*>, 12> kOurNames{{{"cP", "0.001 Pa.s"},
+constexpr std::array<std::pair<const char*, const char*>, 18> kOurNames{{{"cP", "0.001 Pa.s"},
                                                                          {"deg", "degree"},
                                                                          {"degCA", "degree"},
                                                                          {"degreeCA", "degree"},
@@ -53,7 +54,13 @@ constexpr std::array<std::pair<const char*, const char*>, 12> kOurNames{{{"cP", 
                                                                          {"gon", "0.9 degree"},
                                                                          {"bara", "bar"},
                                                                          {"psia", "psi"},
-                                                                         {"mPas", "0.001 Pa.s"}}};
+                                                                         {"mPas", "0.001 Pa.s"},
+                                                                         {"thou", "0.001 inch"},
+                                                                         {"Msi", "1e6 psi"},
+                                                                         {"HV", "9.80665e6 Pa"},
+                                                                         {"HB", "9.80665e6 Pa"},
+                                                                         {"HBS", "9.80665e6 Pa"},
+                                                                         {"HBW", "9.80665e6 Pa"}}};
 
 /// The degree as German exports name it; UDUNITS would read Grad as 1e9 rad. Case matters: the grad of English texts is
 /// another unit, and is refused.
@@ -104,6 +111,30 @@ std::string without_crank(std::string unit) {
     if (is_angle && unit.ends_with(word)) unit.resize(unit.size() - word.size());
   }
   return trimmed(unit);
+}
+
+/// A hardness without the load of its test: "HV10", "HV 0.3" and "HBW 2.5/187.5" as "HV" and "HBW".
+std::string without_test_load(const std::string& unit) {
+  for (const std::string_view name : {"HV", "HBW", "HBS", "HB"}) {
+    if (!unit.starts_with(name)) continue;
+    return unit.find_first_not_of("0123456789./ ", name.size()) == std::string::npos ? std::string(name) : unit;
+  }
+  return unit;
+}
+
+/// The pound of a force: where a force is required, "lb" and "lbs" mean "lbf".
+std::string with_pound_force(const std::string& unit, const std::string& si_unit) {
+  if (!is_one_of(si_unit, {"N", "N/m", "Pa", "N m"})) return unit;
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  std::string result;
+  for (std::size_t i = 0; i < unit.size();) {
+    std::size_t end = i;
+    while (end < unit.size() && is_letter(unit[end])) ++end;
+    const std::string word = unit.substr(i, std::max<std::size_t>(end - i, 1));
+    result += word == "lb" || word == "lbs" ? "lbf" : word;
+    i += word.size();
+  }
+  return result;
 }
 
 /// A unit as people write it that is not read, and the unit that it most likely means.
@@ -241,8 +272,13 @@ Units::Units()
       }()) {}
 
 Scale Units::scale(const std::string& written, const std::string& si_unit) const {
-  const std::string unit = without_crank(in_ascii(trimmed(with_plain_spaces(written))));
-  if (unit == si_unit) return {};
+  const std::string named = without_crank(in_ascii(trimmed(with_plain_spaces(written))));
+  if (named == si_unit) return {};
+  const std::string unit = with_pound_force(without_test_load(named), si_unit);
+  if (is_empirical_unit(unit)) {
+    throw UnitError("has the unit \"" + unit + "\", which no factor converts",
+                    unit == "HRC" ? "write HV, HB or GPa" : "write mm2/s");
+  }
   if (is_gauge(unit)) {
     throw UnitError("is a gauge pressure",
                     "pressures are absolute here: add the atmosphere (1.01325 bar) and write bar");
@@ -294,7 +330,8 @@ double Units::quantity(const std::string& text, const std::string& si_unit, cons
   if (unit.rfind(',', 0) == 0) throw UnitError("has a decimal comma", "write a decimal point; " + requested);
   if (unit.empty()) throw UnitError(si_unit == "1" ? "is a number in quotes" : "has no unit", requested);
   try {
-    const double value_in_si = scale(unit, si_unit).to_si(value);
+    const auto by_table = empirical_quantity(value, in_ascii(unit), si_unit);
+    const double value_in_si = by_table ? *by_table : scale(unit, si_unit).to_si(value);
     if (!std::isfinite(value_in_si)) throw UnitError("is out of the range of numbers", requested);
     return value_in_si;
   } catch (const UnitError& problem) {

@@ -6,8 +6,8 @@
 
 #include "ringfilm/base/display.hpp"
 
-/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, Grad, rev, bara, psia. A
-/// no-break space is a space.
+/// "82.5 mm" to SI and back, by UDUNITS-2 and a few names of engineers: cP, deg, degCA, Grad, rev, bara, psia, thou,
+/// HV, HB, and lb of a force; of quantities also HRC, SUS and degE (empirical_units.hpp). A no-break space is a space.
 namespace ringfilm::io {
 
 /// What is wrong with a quantity, as the end of a sentence ("has no unit"), and what to write instead.

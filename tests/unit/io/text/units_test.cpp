@@ -50,7 +50,9 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"20 deg", "degree", 20}, Reading{"20 degCA", "degree", 20}, Reading{"20 Grad", "degree", 20},
         Reading{"20 GRAD", "degree", 20}, Reading{"20 Grad KW", "degree", 20}, Reading{"20 \u00B0 KW", "degree", 20},
         Reading{"20 deg CA", "degree", 20}, Reading{"3 mrad", "degree", 0.54 / std::numbers::pi},
-        Reading{"0.5 rev", "degree", 180}, Reading{"100 gon", "degree", 90},
+        Reading{"0.5 rev", "degree", 180}, Reading{"100 gon", "degree", 90}, Reading{"5 lb", "kg", 2.26796185},
+        Reading{"5 thou", "m", 127e-6}, Reading{"250 HV", "Pa", 2.4516625e9}, Reading{"250 HV10", "Pa", 2.4516625e9},
+        Reading{"250 HV 0.3", "Pa", 2.4516625e9}, Reading{"250 HBW 2.5/187.5", "Pa", 2.4516625e9},
         Reading{"6 Grad/s", "rad/s", std::numbers::pi / 30}, Reading{"3.14159265358979312 rad", "degree", 180}));
 
 struct Refusal {
@@ -104,6 +106,48 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"120 C", "K", "is not a temperature", "degC"}, Refusal{"10 bar", "K", "is not a temperature", "degC"},
         // UDUNITS by itself turns um2 over into um-2.
         Refusal{"0.097 um2", "m-2", "is not a number per area", "a number per area"}));
+
+TEST(Units, ThePoundOfAForceIsThePoundForce) {
+  const Units units;
+  // 0.45359237 kg times 9.80665 m/s2, and an inch of 25.4 mm; UDUNITS has ten digits of the pound-force.
+  const double pound = 0.45359237 * 9.80665, inch = 0.0254, digits = 1e-9;
+  for (const char* text : {"3 lb", "3 lbs", "3 lbf"}) {
+    EXPECT_NEAR(units.quantity(text, "N", "") / (3 * pound), 1, digits) << text;
+  }
+  EXPECT_NEAR(units.quantity("2 lb/in", "N/m", "") / (2 * pound / inch), 1, digits);
+  EXPECT_NEAR(units.quantity("100 lb/in2", "Pa", "") / (100 * pound / inch / inch), 1, digits);
+  EXPECT_NEAR(units.quantity("30 Msi", "Pa", "") / (30e6 * pound / inch / inch), 1, digits);
+}
+
+TEST(Units, HardnessAfterRockwellByTheTableOfTheStandard) {
+  const Units units;
+  EXPECT_DOUBLE_EQ(units.quantity("60 HRC", "Pa", ""), 697 * 9.80665e6);
+  // ASTM E140 between the rows that are kept: 52 HRC are 544 HV, 62 HRC 746 HV. 1 %: the curve is bent.
+  EXPECT_NEAR(units.quantity("52 HRC", "Pa", ""), 544 * 9.80665e6, 0.01 * 544 * 9.80665e6);
+  EXPECT_NEAR(units.quantity("62 HRC", "Pa", ""), 746 * 9.80665e6, 0.01 * 746 * 9.80665e6);
+  for (const char* text : {"19 HRC", "69 HRC"}) {
+    try {
+      units.quantity(text, "Pa", "2.5 GPa");
+      ADD_FAILURE() << text;
+    } catch (const UnitError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("ASTM E140, of steels converts from 20 to 68 HRC"));
+    }
+  }
+  EXPECT_FALSE(units.measures("HRC", "Pa")) << "no factor converts it";
+}
+
+TEST(Units, ViscositiesOfFlowCups) {
+  const Units units;
+  // ASTM D2161, table of kinematic viscosities at 100 degF: 10 mm2/s are 58.8 SUS, 100 mm2/s 463.5; the digits given.
+  EXPECT_NEAR(units.quantity("58.8 SUS", "m2/s", ""), 10e-6, 0.02e-6);
+  EXPECT_NEAR(units.quantity("463.5 SSU", "m2/s", ""), 100e-6, 0.05e-6);
+  // 7.31 E - 6.31/E by hand.
+  EXPECT_NEAR(units.quantity("5 \u00B0E", "m2/s", ""), 35.288e-6, 1e-12);
+  EXPECT_NEAR(units.quantity("10 degE", "m2/s", ""), 72.469e-6, 1e-12);
+  EXPECT_THROW(units.quantity("1 degE", "m2/s", ""), UnitError);
+  EXPECT_THROW(units.quantity("20 SUS", "m2/s", ""), UnitError);
+  EXPECT_THROW(units.quantity("60 SUS", "Pa s", ""), UnitError);
+}
 
 TEST(Units, RefuseAPageInPlaceOfAUnit) {
   EXPECT_THROW(Units().quantity("1 " + std::string(1 << 20, '('), "m", ""), UnitError);
