@@ -55,7 +55,8 @@ def prepare(
 
     heights: shape (y, x) or (x,) [m]; NaN or masked where nothing was measured. step: [m].
     form: "none", "mean", "tilt", "cylinder", or "polynomial" with its degree. short_cutoff, long_cutoff: nesting
-    indices of the S- and the L-filter [m]. filter: "gaussian" (ISO 16610-21, -61) or "robust-gaussian" (-31, -71).
+    indices of the S- and the L-filter [m]. filter: "gaussian" (ISO 16610-21, -61), "robust-gaussian" (-31, -71)
+    or, of profiles, "valley-suppression" (ISO 13565-1).
 
     Returns new heights of the same shape, NaN where nothing was measured. Raises InputError, TypeError.
     Source: docs/theory, eq-surface-form, eq-surface-gaussian.

@@ -82,7 +82,7 @@ class Kinds(SyntheticTest):
             )
             of = self.measured("a." + ending)
             self.assertLess(of["Ssk"], -1)  # grooves
-            self.assertGreater(of["Rvk"], 10 * of["Rpk"])
+            self.assertGreater(of["Svk"], 10 * of["Spk"])
             self.assertLess(of["min"], -1.5e-6)  # half the mean depth at least
             self.assertGreater(of["min"], -5e-6)  # three halves of it and the plateau
 

@@ -182,6 +182,8 @@ const CLI::Option* add_measuring(CommandOptions& add, MeasuringCommand& command,
   add.quantity("--angle", analysis.angle_rad, "rad", "30 deg", "ANGLE",
                "report slopes and curvatures of a map at this angle to x, too");
   add.length("--cavity-depth", analysis.cavity_depth_m, "2.5 um", "what lies deeper below the median is a cavity");
+  add.length("--ratio-depth", analysis.ratio_depth_m, "1 um",
+             "of the material ratio Rmr (Smr): below the height at 5 %");
   const CLI::Option* sigma = add.choice("--sigma", analysis.sigma_rule, {{"Ra", SigmaRule::ra}, {"Rq", SigmaRule::rq}},
                                         "which roughness is used as sigma: Ra or Rq")
                                  ->default_str(usual_sigma);

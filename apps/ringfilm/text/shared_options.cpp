@@ -132,10 +132,17 @@ CLI::Option* add_map_options(CommandOptions& add, instrument::SurfaceOptions& re
   add.length("--long-cutoff", preparation.long_cutoff_m, "2.5 um", "L-filter: waves longer than this go");
   add.flag("--robust", preparation.filter, surface::FilterKind::robust_gaussian,
            "robust Gaussian filters, which pores and grooves do not pull down");
+  add.flag("--valley-suppression", preparation.filter, surface::FilterKind::valley_suppression,
+           "of profiles: the two-step L-filter of ISO 13565-1, for drawings that name it");
   add.rule([&preparation](Faults& faults) {
-    if (preparation.filter != surface::FilterKind::robust_gaussian) return;
-    if (preparation.short_cutoff_m || preparation.long_cutoff_m) return;
-    faults.refuse("--robust names a filter, but there is no cut-off", "add --short-cutoff or --long-cutoff");
+    using surface::FilterKind;
+    if (preparation.filter == FilterKind::robust_gaussian && !preparation.short_cutoff_m &&
+        !preparation.long_cutoff_m) {
+      faults.refuse("--robust names a filter, but there is no cut-off", "add --short-cutoff or --long-cutoff");
+    }
+    if (preparation.filter == FilterKind::valley_suppression && !preparation.long_cutoff_m) {
+      faults.refuse("--valley-suppression names an L-filter, but there is no long cut-off", "add --long-cutoff");
+    }
   });
   return form->default_str(usual_form);
 }

@@ -22,7 +22,8 @@ const std::map<std::string, FormKind> kFormKinds{{"none", FormKind::none},
                                                  {"cylinder", FormKind::cylinder},
                                                  {"polynomial", FormKind::polynomial}};
 const std::map<std::string, FilterKind> kFilters{{"gaussian", FilterKind::gaussian},
-                                                 {"robust-gaussian", FilterKind::robust_gaussian}};
+                                                 {"robust-gaussian", FilterKind::robust_gaussian},
+                                                 {"valley-suppression", FilterKind::valley_suppression}};
 const std::map<std::string, MomentDirection> kMomentDirections{{"x", MomentDirection::x},
                                                                {"y", MomentDirection::y},
                                                                {"mean", MomentDirection::mean},

@@ -128,7 +128,11 @@ std::string measured_with(const PreparedSurface& surface) {
   for (const surface::FilterApplied& filter : surface.prepared.filters) {
     const bool is_short = filter.choice.side == surface::FilterSide::short_cutoff;
     const bool is_robust = filter.choice.kind == surface::FilterKind::robust_gaussian;
-    filters += fmt::format("{}{}{}-filter {}", filters.empty() ? "" : ", ", is_robust ? "robust " : "",
+    const bool is_two_step = filter.choice.kind == surface::FilterKind::valley_suppression && !is_short;
+    filters += fmt::format("{}{}{}-filter {}", filters.empty() ? "" : ", ",
+                           is_robust     ? "robust "
+                           : is_two_step ? "ISO 13565-1 "
+                                         : "",
                            is_short ? "S" : "L", text_in(filter.choice.cutoff_m, kMicrometre, 4));
   }
   const surface::HeightMap& map = surface.map;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/documents/material_ratio_values.hpp"
 #include "ringfilm/instrument/documents/surface_figures.hpp"
 #include "ringfilm/instrument/documents/surface_side.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
@@ -25,7 +26,8 @@ constexpr std::size_t kEnoughForMaterialRatio = 100;  // points of the probabili
 io::MeasuredGroup height_group(const PreparedSurface& surface) {
   const surface::HeightStatistics heights = height_statistics(surface.map);
   const bool profile = surface.map.is_profile();
-  Group group("Heights", measured_with(surface));
+  Group group("Heights", measured_with(surface) +
+                             (profile ? "; ISO 21920-2 (ISO 4287), over the whole profile" : "; ISO 25178-2"));
   const auto add = [&](const char* tail, const char* words, double value, const char* unit, const char* display) {
     const std::string name = std::string(profile ? "R" : "S") + tail;
     group.add(name, words, name, unit, display, value);
@@ -47,7 +49,8 @@ io::MeasuredGroup sampled_height_group(const PreparedSurface& surface, const Sur
   Group group("Heights, means over sampling lengths",
               measured_with(surface) + "; " +
                   (heights.count == 1 ? "one sampling length of " + length
-                                      : fmt::format("mean of {} sampling lengths of {}", heights.count, length)));
+                                      : fmt::format("mean of {} sampling lengths of {}", heights.count, length)) +
+                  "; ISO 21920-2 (ISO 4287)");
   group.add("Rp", "highest peak above the mean, of each sampling length", "Rp", "m", "um", heights.Rp_m);
   group.add("Rv", "deepest pit below the mean, of each sampling length", "Rv", "m", "um", heights.Rv_m);
   group.add("Rz", "peak to pit of each sampling length", "Rz", "m", "um", heights.Rz_m);
@@ -55,35 +58,6 @@ io::MeasuredGroup sampled_height_group(const PreparedSurface& surface, const Sur
             cutoff ? "the long cut-off" : "a fifth of the profile, without a long cut-off");
   group.add("sampling_lengths", "how many are in the profile", "", "1", "1", static_cast<double>(heights.count),
             "those that fit, in its middle");
-  return group;
-}
-
-io::MeasuredGroup material_ratio_group(const std::vector<double>& falling, const std::optional<double>& cavity_depth_m,
-                                       const std::optional<surface::ProbabilityRoughness>& two_steps,
-                                       const std::string& with) {
-  Group group("Material ratio curve", with);
-  const auto add = [&](const char* name, const char* words, double value, const char* unit, const char* display) {
-    group.add(name, words, name, unit, display, value);
-  };
-  const surface::CoreRoughness core = surface::core_roughness(falling);
-  add("Rk", "core roughness", core.Rk_m, "m", "um");
-  add("Rpk", "reduced peaks", core.Rpk_m, "m", "um");
-  add("Rvk", "reduced valleys", core.Rvk_m, "m", "um");
-  add("Mr1", "material ratio of the peaks", core.Mr1, "1", "%");
-  add("Mr2", "material ratio where valleys begin", core.Mr2, "1", "%");
-  if (two_steps) {
-    add("Rpq", "rms of the plateau", two_steps->Rpq_m, "m", "um");
-    add("Rvq", "rms of the valleys", two_steps->Rvq_m, "m", "um");
-    add("Rmq", "material ratio where plateau and valleys meet", two_steps->Rmq, "1", "%");
-  }
-  const surface::Cavities pores = cavity_depth_m
-                                      ? surface::cavities(falling, surface::CavityRule::below_depth, *cavity_depth_m)
-                                      : surface::cavities(falling, surface::CavityRule::below_plateau);
-  group.remark = cavity_depth_m ? "deeper than " + surface::length_text(*cavity_depth_m) + " below the median"
-                                : "deeper than 3 standard deviations of the plateau below the median";
-  group.add("cavity_area_share", "area share of cavities (porosity)", "", "1", "%", pores.area_share);
-  group.add("cavity_mean_depth", "their mean depth below the median", "", "m", "um", pores.mean_depth_m);
-  group.add("cavity_volume", "their volume for each area", "", "m", "um", pores.volume_m);
   return group;
 }
 
@@ -204,7 +178,7 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
     if (falling.size() >= kEnoughForMaterialRatio) {
       attempt("material ratio parameters", [&] {
         two_steps = surface::probability_roughness(falling);
-        all.groups.push_back(material_ratio_group(falling, analysis.cavity_depth_m, two_steps, with));
+        all.groups.push_back(material_ratio_group(surface, falling, analysis, two_steps));
       });
     }
     all.curves.push_back(profile_curve(surface));
@@ -216,6 +190,7 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   }
   const surface::SpectralMoments* const removed = noise ? &*noise : nullptr;
   attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, removed)); });
+  if (!surface.map.is_profile()) attempt("texture", [&] { all.groups.push_back(texture_group(surface)); });
   attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, removed, all); });
   attempt("plateau", [&] { add_plateau(surface, analysis, removed, two_steps, all); });
   if (!surface.map.is_profile()) {

@@ -40,6 +40,7 @@ struct SurfaceAnalysis {
   std::optional<double> angle_rad;            ///< slopes and curvatures of a map at this angle to x are reported, too
   std::optional<double> hardness;             ///< hardness of the softer face of a pair, for the law of its case [Pa]
   CarryingPart liner = CarryingPart::kWhole;  ///< what carries of the liner of a pair
+  std::optional<double> ratio_depth_m;        ///< depth of the material ratio Rmr below that at 5 %; absent: 1 um
   std::optional<double> cavity_depth_m;       ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 

@@ -130,6 +130,15 @@ std::vector<double> robust(const Smoother& smoother, FilterApplied& applied) {
   return smooth;
 }
 
+/// Mean line of a profile whose valleys were cut off at the mean line of the whole, eq-surface-valley-suppression.
+std::vector<double> valley_suppressed(HeightMap& profile, const Smoother& smoother) {
+  const std::vector<double> heights = profile.height_m, first = smoother.linear();
+  for (std::size_t i = 0; i < profile.points(); ++i) profile.height_m[i] = std::max(heights[i], first[i]);
+  std::vector<double> second = smoother.linear();
+  profile.height_m = heights;
+  return second;
+}
+
 }  // namespace
 
 double gaussian_transmission(double wavelength_m, double cutoff_m) {
@@ -154,10 +163,20 @@ FilterApplied apply_filter(HeightMap& map, const FilterChoice& choice) {
     kind = map.is_profile() ? "robust Gaussian regression of order 0 (after ISO 16610-31)"
                             : "robust Gaussian regression of order 0 (after ISO 16610-71)";
   }
+  const bool is_two_step = choice.kind == FilterKind::valley_suppression && !keeps_long;
+  if (is_two_step) {
+    kind = "valley suppression in two steps (ISO 13565-1)";
+    if (!map.is_profile()) {
+      throw InputError("the two-step filter of ISO 13565-1 is one of profiles, and the map has several rows",
+                       "take the robust filter of maps");
+    }
+  }
   applied.text = std::string(keeps_long ? "S-filter" : "L-filter") + ", " + kind + ", cut-off (nesting index) " +
                  length_text(choice.cutoff_m);
   const Smoother smoother(map, choice.cutoff_m);
-  std::vector<double> smooth = choice.kind == FilterKind::gaussian ? smoother.linear() : robust(smoother, applied);
+  std::vector<double> smooth = is_two_step                                  ? valley_suppressed(map, smoother)
+                               : choice.kind == FilterKind::robust_gaussian ? robust(smoother, applied)
+                                                                            : smoother.linear();
   if (keeps_long) {
     map.height_m = std::move(smooth);
   } else {

@@ -6,8 +6,10 @@
 namespace ringfilm::surface {
 
 /// How waves are parted: the linear Gaussian filter (ISO 16610-21 for profiles, -61 for maps) or the robust Gaussian
-/// regression filter of order 0 (after ISO 16610-31 and -71), which pores and grooves do not pull down.
-enum class FilterKind { gaussian, robust_gaussian };
+/// regression filter of order 0 (after ISO 16610-31 and -71), which pores and grooves do not pull down, or the two-step
+/// filter of @cite iso13565_1 for profiles of old drawings: the mean line of the first step cuts the valleys off, that
+/// of the second, of what is left, is the reference line. Its S-filter is the linear one.
+enum class FilterKind { gaussian, robust_gaussian, valley_suppression };
 
 /// Which waves stay: the S-filter keeps those longer than its nesting index (short cut-off), the L-filter those shorter
 /// (long cut-off).

@@ -147,6 +147,32 @@ std::optional<ProbabilityRoughness> probability_roughness(std::span<const double
                               z.back() + plateau.at_zero, z.back() + plateau.at_zero + plateau.slope * meet};
 }
 
+VolumeParameters volume_parameters(std::span<const double> z, double first, double second) {
+  check_curve(z, kMinPointsOfMaterialRatio);
+  if (!(first >= 0 && first < second && second <= 1)) {
+    throw InputError(
+        "material ratios of " + std::to_string(first) + " and " + std::to_string(second) + " are not two planes",
+        "both lie from 0 to 1, the second above the first");
+  }
+  const double top = height_at(z, first), bottom = height_at(z, second), count = static_cast<double>(z.size());
+  double above_top = 0, above_bottom = 0, below_top = 0, below_bottom = 0;
+  for (const double height : z) {
+    above_top += std::max(0.0, height - top);
+    above_bottom += std::max(0.0, height - bottom);
+    below_top += std::max(0.0, top - height);
+    below_bottom += std::max(0.0, bottom - height);
+  }
+  return {above_top / count, (above_bottom - above_top) / count, (below_top - below_bottom) / count,
+          below_bottom / count};
+}
+
+double material_ratio_at_depth(std::span<const double> z, double reference_ratio, double depth_m) {
+  check_curve(z, kMinPointsOfMaterialRatio);
+  return ratio_at(z, height_at(z, reference_ratio) - depth_m);
+}
+
+double oil_retention_volume(const CoreRoughness& core) { return core.Rvk_m * (1 - core.Mr2) / 2; }
+
 Cavities cavities(std::span<const double> z, CavityRule rule, double depth_m) {
   check_curve(z, kMinPointsOfMaterialRatio);
   const double median = height_at(z, 0.5);

@@ -37,6 +37,26 @@ struct ProbabilityRoughness {
 /// @param falling_heights_m material ratio curve, 100 points or more [m]
 std::optional<ProbabilityRoughness> probability_roughness(std::span<const double> falling_heights_m);
 
+/// Volumes between the surface and planes at two material ratios, per nominal area, @cite iso25178_2;
+/// eq-surface-volumes.
+struct VolumeParameters {
+  double Vmp_m = 0.0;  ///< material above the first plane [m]
+  double Vmc_m = 0.0;  ///< material between both [m]
+  double Vvc_m = 0.0;  ///< void between both [m]
+  double Vvv_m = 0.0;  ///< void below the second plane [m]
+};
+
+/// @param falling_heights_m material ratio curve, 20 points or more [m]
+/// @param first material ratio of the first plane @param second of the second, above it; the usual ones of the standard
+VolumeParameters volume_parameters(std::span<const double> falling_heights_m, double first = 0.1, double second = 0.8);
+
+/// Material ratio Rmr (Smr) at a depth below the height at a reference ratio, 0 to 1; eq-surface-material-ratio.
+/// @param depth_m positive downwards [m]
+double material_ratio_at_depth(std::span<const double> falling_heights_m, double reference_ratio, double depth_m);
+
+/// Oil that the valleys can hold, per nominal area: the triangle below the core, Rvk (1 - Mr2)/2 [m].
+double oil_retention_volume(const CoreRoughness& core);
+
 /// Which points count as cavities (pores, grooves).
 enum class CavityRule {
   below_depth,    ///< deeper than a stated depth below the median height
