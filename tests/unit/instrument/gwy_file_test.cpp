@@ -100,7 +100,7 @@ TEST(Gwy, ACurveIsAProfile) {
   EXPECT_EQ(falling.map.height_m, file.map.height_m);
   EXPECT_THAT(refusal("a.gwy", one_curve({0, 1e-6, 1e-6, 3e-6}, {1, 2, 3, 5})), HasSubstr("its places do not rise"));
   EXPECT_THAT(refusal("a.gwy", one_curve({0, 1e-6}, {1})), HasSubstr("not as many heights as places"));
-  for (std::size_t length = 4; length < bytes.size(); ++length) {
+  for (std::size_t length = 4; length < bytes.size(); length += 7) {
     EXPECT_NE(refusal("a.gwy", bytes.substr(0, length)), "") << length << " of " << bytes.size() << " bytes";
   }
 }

@@ -160,5 +160,29 @@ TEST(Filter, CutOffsBeyondTheMapAreRefused) {
   EXPECT_THROW(apply_filter(map, short_filter(4e-6)), InputError);
 }
 
+TEST(Filter, ValleySuppressionLeavesThePlateauWhereDeepValleysPullTheLinearFilterDown) {
+  const auto valleys = [](double x, double) { return std::fmod(x, 100e-6) < 20e-6 ? -5e-6 : 0.0; };
+  const HeightMap profile = map_of(2000, 1, 1e-6, 1e-6, valleys);
+  const auto plateau_after = [&](FilterKind kind) {
+    HeightMap map = profile;
+    apply_filter(map, {kind, FilterSide::long_cutoff, 400e-6});
+    return map.height_m[1060];  // in the middle of a plateau
+  };
+  // The cut-off is four valleys apart: the linear mean line lies at their mean, 1 um deep. Cut off there they are 1 um
+  // deep over a fifth of the length, and the second line lies at 0.2 um. 10 %: what passes of a wave of 100 um.
+  EXPECT_NEAR(plateau_after(FilterKind::gaussian), 1e-6, 0.1e-6);
+  EXPECT_NEAR(plateau_after(FilterKind::valley_suppression), 0.2e-6, 0.02e-6);
+  HeightMap map = map_of(64, 64, 1e-6, 1e-6, valleys);
+  EXPECT_THROW(apply_filter(map, {FilterKind::valley_suppression, FilterSide::long_cutoff, 20e-6}), InputError);
+}
+
+TEST(Filter, ValleySuppressionHasTheLinearSFilter) {
+  const HeightMap profile = map_of(400, 1, 1e-6, 1e-6, [](double x, double) { return 1e-7 * std::sin(2e5 * x); });
+  HeightMap linear = profile, two_step = profile;
+  apply_filter(linear, {FilterKind::gaussian, FilterSide::short_cutoff, 8e-6});
+  apply_filter(two_step, {FilterKind::valley_suppression, FilterSide::short_cutoff, 8e-6});
+  EXPECT_EQ(linear.height_m, two_step.height_m);
+}
+
 }  // namespace
 }  // namespace ringfilm::surface

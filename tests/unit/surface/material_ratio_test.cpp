@@ -115,5 +115,40 @@ TEST(Bearing, CurvesThatAreNoneAreRefused) {
   EXPECT_THROW(probability_roughness(curve([](double m) { return -m; }, 99)), InputError);
 }
 
+/// Falling heights of a triangle wave of this height: their material ratio curve is a straight line.
+std::vector<double> straight_curve(std::size_t points, double height_m) {
+  std::vector<double> z(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    z[i] = height_m * (1 - (static_cast<double>(i) + 0.5) / static_cast<double>(points));
+  }
+  return z;
+}
+
+TEST(MaterialRatio, AStraightCurveHasTheVolumesOfItsTriangles) {
+  const double H = 2e-6;
+  const VolumeParameters of = volume_parameters(straight_curve(10000, H));
+  // Triangles with the sides p and H p; sums of 10000 points for the integrals.
+  EXPECT_NEAR(of.Vmp_m, H * 0.1 * 0.1 / 2, 1e-6 * H);
+  EXPECT_NEAR(of.Vmc_m, H * (0.8 * 0.8 - 0.1 * 0.1) / 2, 1e-6 * H);
+  EXPECT_NEAR(of.Vvc_m, H * (0.9 * 0.9 - 0.2 * 0.2) / 2, 1e-6 * H);
+  EXPECT_NEAR(of.Vvv_m, H * 0.2 * 0.2 / 2, 1e-6 * H);
+  EXPECT_NEAR(material_ratio_at_depth(straight_curve(10000, H), 0.05, 0.5e-6), 0.05 + 0.25, 1e-9);
+  EXPECT_THROW(volume_parameters(straight_curve(100, H), 0.8, 0.1), InputError);
+}
+
+TEST(MaterialRatio, TheOilOfValleysIsTheirTriangle) {
+  // A plateau of a tenth of the height over 80 % of the area, and valleys that fall straight to the full depth.
+  std::vector<double> z;
+  for (int i = 0; i < 10000; ++i) {
+    const double ratio = (i + 0.5) / 10000;
+    z.push_back(ratio < 0.8 ? -1e-7 * ratio / 0.8 : -1e-7 - 9e-7 * (ratio - 0.8) / 0.2);
+  }
+  const CoreRoughness core = core_roughness(z);
+  // The core line continues the plateau to 100 %, at -1.25e-7; below it the valleys hold the triangle to -1e-6.
+  EXPECT_NEAR(core.lower_m, -1.25e-7, 1e-10);
+  const double area = (1e-6 - 1.25e-7) / 2 * (1 - core.Mr2);
+  EXPECT_NEAR(oil_retention_volume(core), area, 1e-3 * area);
+}
+
 }  // namespace
 }  // namespace ringfilm::surface
