@@ -69,9 +69,9 @@ struct RingSetup {
   LandPressures lands;                                ///< gas above and below
   OilSetup oil;                                       ///< oil of the ring's film
   film::FactorLaws factors;                           ///< flow factors of the ring's film
-  std::optional<models::TwistingRing> twisting = {  models::RadialCollapse collapse = {};  ///< of the ring, where gas presses it off the liner
-};  ///< section that turns over the cycle; nothing: it does not
-  double mass = 0;  ///< mass of a ring that twists; 0: not known, without inertia [kg]
+  std::optional<models::TwistingRing> twisting = {};  ///< section that turns over the cycle; nothing: it does not
+  double mass = 0;                       ///< mass of a ring that twists; 0: not known, without inertia [kg]
+  models::RadialCollapse collapse = {};  ///< of the ring, where gas presses it off the liner
 };
 
 /// A case of one ring, set up for time integration: models built, traces joined. Immutable; may be used from several
