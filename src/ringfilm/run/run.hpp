@@ -20,7 +20,10 @@ namespace ringfilm::run {
 /// What a run is to find out beside the result itself; of rings alone.
 struct Options {
   bool ledger = false;          ///< the other choice for every assumption that can be lifted
-  bool error_estimate = false;  ///< other grids; where solver.accuracy is stated they are computed all the same
+  bool error_estimate = false;  ///< other grids
+  /// Are the other grids computed all the same where solver.accuracy is stated? Who computes one case after the other
+  /// asks for it of the last.
+  bool accuracy_estimate = true;
   int threads = 0;              ///< for both; 0: as many as the machine runs at once
   /// Does the document of one ring describe its case: inputs, contact curves, assumptions? That takes as long as a
   /// cycle. Else Outcome::input has it, for io::result_document.
@@ -49,7 +52,8 @@ struct Request {
   std::string name;             ///< for the progress
   bool ledger = false;          ///< as in Options
   bool error_estimate = false;  ///< as in Options
-  bool describe = true;         ///< as in Options
+  bool describe = true;           ///< as in Options
+  bool accuracy_estimate = true;  ///< as in Options
 };
 
 /// One engine cycle, and why its integration stopped early if it did; the document then holds all up to there.

@@ -49,9 +49,8 @@ void check_options(const cycle::Case& c, const Options& options, const OptionNam
 
 Outcome run_case(const cycle::Case& c, const Options& options, Observer* observer, const std::string& name) {
   if (is_of_rings(c)) {
-    CycleOutcome cycle = std::move(
-        run_cycles({{c, name, options.ledger, options.error_estimate, options.describe}}, options.threads, observer)
-            .front());
+    const Request request{c, name, options.ledger, options.error_estimate, options.describe, options.accuracy_estimate};
+    CycleOutcome cycle = std::move(run_cycles({request}, options.threads, observer).front());
     return {std::move(cycle.document), std::move(cycle.stopped), std::move(cycle.input)};
   }
   check_options(c, options);

@@ -138,7 +138,7 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     Request& ring = rings.requests.emplace_back(requested);
     ring.input = found.input.is_pack() ? std::move(found.input.rings[i]) : std::move(found.input);
-    if (!are_together && ring.input.solver.accuracy) ring.error_estimate = true;
+    if (requested.accuracy_estimate && !are_together && ring.input.solver.accuracy) ring.error_estimate = true;
     CycleOutcome& done = rings.outcomes.emplace_back();
     if (outcomes[i].stop) done.stopped = ConvergenceError(outcomes[i].stop->message, outcomes[i].stop->crank_angle_deg);
     if (requested.describe || of.n_rings > 0) {
