@@ -33,7 +33,7 @@ SECTIONS = [
             "measurement-files",
         ],
     ),
-    ("Many cases", ["study", "docs/manual/guide/life", "performance"]),
+    ("Many cases", ["study", "fit", "optimise", "serve", "docs/manual/guide/life", "performance"]),
     (
         "Other films",
         [

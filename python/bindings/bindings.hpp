@@ -17,6 +17,7 @@ void bind_batch(py::module_& module);
 void bind_pad(py::module_& module);
 void bind_study(py::module_& module);
 void bind_life(py::module_& module);
+void bind_inverse(py::module_& module);
 void bind_surface(py::module_& module);
 /// Into the part `surface`.
 void bind_contact_law(py::module_& part);

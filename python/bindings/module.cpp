@@ -12,6 +12,7 @@ PYBIND11_MODULE(_ringfilm, module) {
   bind_batch(module);
   bind_study(module);
   bind_life(module);
+  bind_inverse(module);
   bind_surface(module);
   bind_conform(module);
   bind_face(module);

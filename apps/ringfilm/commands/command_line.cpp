@@ -32,6 +32,8 @@ constexpr const char* kProgramFooter = R"(Examples:
   ringfilm synthetic honed liner.x3p --hatch-angle "45 degree" --seed 7
   ringfilm reproduce measured
   ringfilm study cases/studies/new_ring_uncertainty.toml -o uncertainty
+  ringfilm fit cases/inverse/fit_friction.toml -o fit
+  ringfilm optimise cases/inverse/rayleigh_step.toml -o step
 
 Exit codes: 0 done, 1 internal error, 2 bad input, 3 no balance found, 4 a check failed, 5 could not write.
 )";
@@ -67,6 +69,9 @@ void add_commands(Program& program) {
   add_reproduce_command(program);
   add_verify_command(program);
   add_study_command(program);
+  add_fit_command(program);
+  add_optimise_command(program);
+  add_serve_command(program);
   add_life_command(program);
   add_surface_commands(program);
   add_contact_command(program);

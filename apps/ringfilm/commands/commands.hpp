@@ -19,12 +19,15 @@ void add_conform_command(Program& program);
 void add_contact_command(Program& program);
 void add_data_commands(Program& program);  ///< fields, oils, pairs, new
 void add_face_command(Program& program);
+void add_fit_command(Program& program);
 void add_gas_command(Program& program);
 void add_lateral_force_command(Program& program);
 void add_life_command(Program& program);
+void add_optimise_command(Program& program);
 void add_report_command(Program& program);
 void add_reproduce_command(Program& program);
 void add_run_command(Program& program);
+void add_serve_command(Program& program);
 void add_study_command(Program& program);
 void add_surface_commands(Program& program);  ///< surface, pair
 void add_synthetic_command(Program& program);

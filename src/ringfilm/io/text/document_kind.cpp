@@ -33,7 +33,12 @@ const std::vector<KnownKind>& kinds() {
       {DocumentKind::kOil,
        "an oil",
        "a case names it: lubricant.file = \"{}\"",
-       {"kinematic_viscosity", "density", "pressure_viscosity_coefficient", "hths_viscosity"}}};
+       {"kinematic_viscosity", "density", "pressure_viscosity_coefficient", "hths_viscosity"}},
+      {DocumentKind::kFit, "a fit", "compute it with ringfilm fit {}", {"parameter", "fit", "case"}},
+      {DocumentKind::kOptimisation,
+       "an optimisation",
+       "compute it with ringfilm optimise {}",
+       {"objective", "constraint", "variable", "optimise", "case"}}};
   return all;
 }
 

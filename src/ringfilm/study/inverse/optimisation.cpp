@@ -144,11 +144,11 @@ class Optimiser {
       const MeritFunction merit = [&](const std::vector<double>& places) -> std::optional<Merit> {
         const Design design = computed(task, places, trace);
         if (!design.is_solved()) return std::nullopt;
-        Merit merit{objectives(design), {}};
+        Merit found{objectives(design), {}};
         for (std::size_t k = 0; with_constraints && k < problem_.constraints.size(); ++k) {
-          merit.constraints.push_back(excess_of(k, design) + kMargin);
+          found.constraints.push_back(excess_of(k, design) + kMargin);
         }
-        return merit;
+        return found;
       };
       search_from(task.places, merit, options);
     });

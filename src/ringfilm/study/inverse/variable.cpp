@@ -161,6 +161,16 @@ std::optional<double> VariedCases::value_of_base(std::size_t i, std::size_t j) c
   return std::nullopt;
 }
 
+std::vector<double> VariedCases::own_places() const {
+  std::vector<double> places;
+  for (std::size_t j = 0; j < variables_.size(); ++j) {
+    const std::optional<double> value = value_of_base(0, j);
+    const double place = value ? place_of(variables_[j], *value) : -1;
+    places.push_back(place > 0 && place < 1 ? place : 0.5);
+  }
+  return places;
+}
+
 cycle::Case VariedCases::at(std::size_t base, const std::vector<double>& values) const {
   Point point{base, {}};
   for (const std::size_t i : factors_) point.values.push_back(values.at(i));

@@ -54,6 +54,9 @@ class VariedCases {
   /// The value that a base has of a variable; nothing where it has none, 1 or 0 of one that scales or adds.
   std::optional<double> value_of_base(std::size_t base, std::size_t variable) const;
 
+  /// The places of the values of the first base; the middle where it has none between the bounds.
+  std::vector<double> own_places() const;
+
   /// The case of a base with these values [SI]. Throws InputError with every rule that it breaks.
   cycle::Case at(std::size_t base, const std::vector<double>& values) const;
 
