@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kStages = 3;
 constexpr double kStageStep = 0.1;       // of the step of the stage before
+constexpr double kStageEnd = 0.05;       // of its first step, where a stage ends that is not the last; assumed
 constexpr double kConstraintTolerance = 1e-9;
-constexpr double kUnsolvedConstraint = 1;  // of a design without a solution: as far from its limit as the limit is large
+constexpr double kUnsolvedConstraint = 1;  // relative excess of a design without a solution
 
 /// A stage of a search, with the callbacks that NLopt takes. Unknowns are the places and, of several objectives, their
 /// largest.
@@ -115,6 +116,7 @@ std::vector<double> search_from(const std::vector<double>& places, const MeritFu
   for (int i = 0; i < kStages; ++i) {
     const std::optional<Merit> first = merit(x);
     if (!first) return x;
+    stage.place_tolerance = i + 1 < kStages ? kStageEnd * stage.first_step : options.place_tolerance;
     x = Stage(merit, *first, x.size()).run(x, first->objectives, stage);
     stage.first_step *= kStageStep;
   }
