@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "ringfilm/base/error.hpp"
-#include "scratch_folder.hpp"
+#include "../scratch_folder.hpp"
 
 namespace {
 
