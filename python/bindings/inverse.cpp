@@ -15,8 +15,7 @@ template <class Work>
 py::object without_lock(const py::object& points, const py::object& threads, const Work& work) {
   run::InverseOptions options;
   options.threads = threads_of(threads);
-  const std::optional<std::string> path =
-      points.is_none() ? std::nullopt : std::optional(path_of("points", points));
+  const std::optional<std::string> path = points.is_none() ? std::nullopt : std::optional(path_of("points", points));
   Interruptible all;
   options.pulse = [&all] { all.pulse(); };
   std::string json;

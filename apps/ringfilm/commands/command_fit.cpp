@@ -30,9 +30,10 @@ std::string fit_summary(const io::FitDocument& document) {
   for (std::size_t j = 0; j < result.parameters.size(); ++j) {
     const study::FitParameter& parameter = document.file.problem.parameters[j];
     const study::FittedParameter& fitted = result.parameters[j];
-    rows.push_back({parameter.name(), shown(units, fitted.value, parameter), shown(units, fitted.low, parameter),
-                    "to " + shown(units, fitted.high, parameter) + (fitted.at_lower || fitted.at_upper ? " (bound)" : ""),
-                    fitted.identified ? "yes" : "NO"});
+    rows.push_back(
+        {parameter.name(), shown(units, fitted.value, parameter), shown(units, fitted.low, parameter),
+         "to " + shown(units, fitted.high, parameter) + (fitted.at_lower || fitted.at_upper ? " (bound)" : ""),
+         fitted.identified ? "yes" : "NO"});
   }
   text += aligned_table(rows);
   text += fmt::format("residuals: {} times the stated deviations, root mean square of {} values\n",
@@ -103,7 +104,8 @@ void declare_fit(CommandOptions& add, InverseRequest& request) {
   add_threads(add, request.threads);
   add.rule([=, &request](Faults&) {
     if (request.resume && request.overwrite) {
-      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew", "keep one of the two");
+      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew",
+                       "keep one of the two");
     }
     if (!is_stated(output)) request.output = std::filesystem::path(request.path).stem().string();
   });

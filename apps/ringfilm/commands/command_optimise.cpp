@@ -85,8 +85,8 @@ std::string optimisation_summary(const io::OptimisationDocument& document) {
   } else {
     text += "design nearest to the constraints\n" + design_table(document.file, *result.nearest);
   }
-  return text + fmt::format("{} designs were looked at, {} cases were computed\n", result.designs.size(),
-                            document.n_computed);
+  return text +
+         fmt::format("{} designs were looked at, {} cases were computed\n", result.designs.size(), document.n_computed);
 }
 
 void write_optimisation(const InverseRequest& request, const io::OptimisationDocument& document) {
@@ -136,7 +136,8 @@ void declare_optimise(CommandOptions& add, InverseRequest& request) {
   add_threads(add, request.threads);
   add.rule([=, &request](Faults&) {
     if (request.resume && request.overwrite) {
-      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew", "keep one of the two");
+      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew",
+                       "keep one of the two");
     }
     if (!is_stated(output)) request.output = std::filesystem::path(request.path).stem().string();
   });

@@ -23,7 +23,8 @@ each: "values" in SI, or "errors". docs/manual/serve.md describes both.
 
 void declare_serve(CommandOptions& add, ServeRequest& request) {
   add.text("CASE.toml", request.base, "", "case of requests that name none");
-  const CLI::Option* stdio = add.flag("--stdio", request.stdio, "requests from standard input, answers to standard output");
+  const CLI::Option* stdio =
+      add.flag("--stdio", request.stdio, "requests from standard input, answers to standard output");
   add.require(stdio, "ringfilm serve has one way to take requests", "add --stdio");
 }
 

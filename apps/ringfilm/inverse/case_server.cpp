@@ -49,7 +49,8 @@ class CaseText {
 std::string text_of(const ordered_json& request, const std::string& key) {
   const ordered_json& value = request.at(key);
   if (value.is_string()) return value.get<std::string>();
-  throw InputError(fmt::format("{} = {} is not a text", key, value.dump()), fmt::format("for example \"{}\": \"...\"", key));
+  throw InputError(fmt::format("{} = {} is not a text", key, value.dump()),
+                   fmt::format("for example \"{}\": \"...\"", key));
 }
 
 std::vector<std::string> texts_of(const ordered_json& request, const std::string& key) {
@@ -84,7 +85,8 @@ std::vector<io::Override> settings_of(const ordered_json& request) {
   if (!request.contains("set")) return settings;
   const ordered_json& set = request.at("set");
   if (!set.is_object()) {
-    throw InputError("set = " + set.dump() + " is not an object", R"(for example "set": {"operating.speed": "3000 rpm"})");
+    throw InputError("set = " + set.dump() + " is not an object",
+                     R"(for example "set": {"operating.speed": "3000 rpm"})");
   }
   // null takes a key out of the case, as an empty value of --set does.
   for (const auto& [key, value] : set.items()) {

@@ -9,7 +9,7 @@ namespace ringfilm::app {
 
 /// The options of fits and optimisations.
 struct InverseRequest {
-  std::string path;    ///< of the fit or the optimisation
+  std::string path;    ///< file of the fit or the optimisation
   std::string output;  ///< folder
   int threads = 0;
   bool json = false;

@@ -24,7 +24,7 @@ struct Options {
   /// Are the other grids computed all the same where solver.accuracy is stated? Who computes one case after the other
   /// asks for it of the last.
   bool accuracy_estimate = true;
-  int threads = 0;              ///< for both; 0: as many as the machine runs at once
+  int threads = 0;  ///< for both; 0: as many as the machine runs at once
   /// Does the document of one ring describe its case: inputs, contact curves, assumptions? That takes as long as a
   /// cycle. Else Outcome::input has it, for io::result_document.
   bool describe = true;
@@ -48,10 +48,10 @@ class Observer : public cycle::Observer, public pad::Observer {
 
 /// A case of one ring or of a ring pack, with what is to be known of it.
 struct Request {
-  cycle::Case input;            ///< a cycle, not a pad, a closure or gas alone
-  std::string name;             ///< for the progress
-  bool ledger = false;          ///< as in Options
-  bool error_estimate = false;  ///< as in Options
+  cycle::Case input;              ///< a cycle, not a pad, a closure or gas alone
+  std::string name;               ///< for the progress
+  bool ledger = false;            ///< as in Options
+  bool error_estimate = false;    ///< as in Options
   bool describe = true;           ///< as in Options
   bool accuracy_estimate = true;  ///< as in Options
 };

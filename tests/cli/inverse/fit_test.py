@@ -1,4 +1,4 @@
-"""`ringfilm fit`: hidden parameters recovered, what cannot be told apart, files, refusals."""
+"""`ringfilm fit`: hidden parameters recovered, what cannot be distinguished, files, refusals."""
 
 import json
 import math

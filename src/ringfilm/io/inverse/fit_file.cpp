@@ -20,13 +20,12 @@ using study::Discrepancy;
 using study::Measured;
 
 constexpr std::size_t kMaxFitStarts = 1000;
-constexpr std::size_t kMaxValues = 5000;  // of a series: the discrepancy takes a matrix of as many rows
+constexpr std::size_t kMaxValues = 5000;  // values of a series: the discrepancy takes a matrix of as many rows
 constexpr const char* kAngleColumn = "crank_angle";
 
 const std::vector<std::string> kMeasuredKeys = {
-    "file",   "quantity", "column",      "value", "standard_deviation", "relative_error",
-    "offset", "scale",    "angle_shift", "at",    "crank_range",        "discrepancy",
-    "discrepancy_length"};
+    "file",  "quantity",    "column", "value",       "standard_deviation", "relative_error",    "offset",
+    "scale", "angle_shift", "at",     "crank_range", "discrepancy",        "discrepancy_length"};
 
 class FitReader : VariedDocumentReader {
  public:
@@ -134,8 +133,8 @@ class FitReader : VariedDocumentReader {
     const bool is_value = find_by_name(known_values_, measured.quantity.name) != nullptr;
     if (angle && is_curve) return read_curve(table, csv, *angle, values, measured);
     if (is_value) return read_values(table, csv, *found, values, measured);
-    table.refuse(csv.source.mark(csv.header_line), fmt::format("{} is a curve, and there is no column {}",
-                                                               measured.quantity.name, kAngleColumn),
+    table.refuse(csv.source.mark(csv.header_line),
+                 fmt::format("{} is a curve, and there is no column {}", measured.quantity.name, kAngleColumn),
                  fmt::format("the columns are {}", csv.names()));
   }
 
@@ -172,9 +171,9 @@ class FitReader : VariedDocumentReader {
     }
     if (measured.values.empty()) {
       const SourceMark mark = csv.source.mark(csv.header_line);
-      table.refuse(mark, n_finite == 0 ? fmt::format("the column {} has no number", csv.columns[angle_column].name)
-                                       : fmt::format("not one of {} measured crank angles lies within crank_range",
-                                                     n_finite),
+      table.refuse(mark,
+                   n_finite == 0 ? fmt::format("the column {} has no number", csv.columns[angle_column].name)
+                                 : fmt::format("not one of {} measured crank angles lies within crank_range", n_finite),
                    "measurement and model must overlap");
     } else if (measured.values.size() > kMaxValues) {
       table.refuse(csv.source.mark(csv.header_line),
@@ -211,7 +210,7 @@ class FitReader : VariedDocumentReader {
     }
     if (keys.empty() && values.size() > 1) {
       table.refuse(csv.source.mark(csv.header_line),
-                   fmt::format("{} has {} values, and no column is a key of the case that tells them apart",
+                   fmt::format("{} has {} values, and no column is a key of the case that distinguishes them",
                                measured.quantity.name, values.size()),
                    "name columns as keys, for example operating.speed [rpm]");
       return;

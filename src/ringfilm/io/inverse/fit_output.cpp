@@ -57,10 +57,8 @@ ordered_json predictions_object(const FitDocument& document) {
   ordered_json object = ordered_json::object();
   for (std::size_t i = 0; i < document.predicted.size(); ++i) {
     const study::PredictedValue& value = document.result.predicted[i];
-    object[document.predicted[i].name] = {{"value", value.value},
-                                          {"low", value.low},
-                                          {"high", value.high},
-                                          {"unit", document.predicted[i].unit}};
+    object[document.predicted[i].name] = {
+        {"value", value.value}, {"low", value.low}, {"high", value.high}, {"unit", document.predicted[i].unit}};
   }
   return object;
 }
@@ -76,22 +74,14 @@ std::string with_unit(double value, const std::string& unit) {
 
 std::string fit_json(const FitDocument& document) {
   const study::FitResult& result = document.result;
-  ordered_json object = {{"title", document.file.problem.title},
-                         {"parameters", parameters_array(document)},
-                         {"residual_rms", result.residual_rms},
-                         {"sum_of_squares", result.sum_of_squares},
-                         {"measured_values", result.n_values},
-                         {"not_identified", result.not_identified},
-                         {"correlation", result.correlation},
-                         {"measured", measured_array(document)},
-                         {"predictions", predictions_object(document)},
-                         {"notes", result.notes},
-                         {"converged", result.has_converged},
-                         {"starts", document.file.problem.starts},
-                         {"starts_agreed", result.n_starts_agreed},
-                         {"derivative_error", result.derivative_error},
-                         {"cases_computed", document.n_computed},
-                         {"cases_stored", document.n_stored}};
+  ordered_json object = {{"title", document.file.problem.title},        {"parameters", parameters_array(document)},
+                         {"residual_rms", result.residual_rms},         {"sum_of_squares", result.sum_of_squares},
+                         {"measured_values", result.n_values},          {"not_identified", result.not_identified},
+                         {"correlation", result.correlation},           {"measured", measured_array(document)},
+                         {"predictions", predictions_object(document)}, {"notes", result.notes},
+                         {"converged", result.has_converged},           {"starts", document.file.problem.starts},
+                         {"starts_agreed", result.n_starts_agreed},     {"derivative_error", result.derivative_error},
+                         {"cases_computed", document.n_computed},       {"cases_stored", document.n_stored}};
   put_provenance(this_program(), object);
   return json_text(object);
 }
@@ -119,16 +109,15 @@ std::string fit_study(const FitDocument& document, const std::string& case_name)
       quoted(document.file.problem.title), quoted(case_name));
   std::vector<std::size_t> numbers;
   for (std::size_t j = 0; j < parameters.size(); ++j) {
-    // A number of a list and the size of a unit are no factors of studies.
+    // Studies have no factor for a number of a list or the size of a unit.
     if (parameters[j].item || parameters[j].how != study::FactorMode::kSet) continue;
     numbers.push_back(j);
     const study::FittedParameter& fitted = result.parameters[j];
     text += fmt::format(
         "\n[[factor]]\nkey = \"{}\"\ndistribution = \"normal\"\nmean = {}\ndeviation = {}\ntruncate = [{}, {}]\n"
         "source = \"fitted: {}\"\n",
-        parameters[j].key, with_unit(fitted.value, parameters[j].unit),
-        with_unit(fitted.deviation, parameters[j].unit), with_unit(parameters[j].lower, parameters[j].unit),
-        with_unit(parameters[j].upper, parameters[j].unit),
+        parameters[j].key, with_unit(fitted.value, parameters[j].unit), with_unit(fitted.deviation, parameters[j].unit),
+        with_unit(parameters[j].lower, parameters[j].unit), with_unit(parameters[j].upper, parameters[j].unit),
         fitted.identified ? "identified by the measurement" : "NOT identified by the measurement");
   }
   for (std::size_t a = 0; a < numbers.size(); ++a) {

@@ -16,8 +16,9 @@ struct FitDocument {
   std::size_t n_stored = 0;                ///< cases that were there before
 };
 
-/// The fit as JSON, SI with angles in degrees: `parameters` (list of `key`, `value`, `low`, `high`, `unit`, `deviation`,
-/// `identified`), `residual_rms`, `not_identified`, `correlation`, `nuisances`, `measured`, `predictions`, `notes`, ...
+/// The fit as JSON, SI with angles in degrees: `parameters` (list of `key`, `value`, `low`, `high`, `unit`,
+/// `deviation`, `identified`), `residual_rms`, `not_identified`, `correlation`, `nuisances`, `measured`, `predictions`,
+/// `notes`, ...
 std::string fit_json(const FitDocument& document);
 
 /// Measured and computed values with their bands, one row for each measured value.

@@ -34,8 +34,7 @@ ordered_json design_object(const Optimisation& problem, const DesignQuantities& 
   ordered_json object = {{"variables", variables_object(problem, one.design)}};
   ordered_json objectives = ordered_json::array(), constraints = ordered_json::array();
   for (std::size_t k = 0; k < problem.objectives.size(); ++k) {
-    objectives.push_back(
-        {{"quantity", problem.objectives[k].quantity.name}, {"value", one.design.objectives[k]}});
+    objectives.push_back({{"quantity", problem.objectives[k].quantity.name}, {"value", one.design.objectives[k]}});
   }
   for (std::size_t k = 0; k < problem.constraints.size(); ++k) {
     const study::Constraint& constraint = problem.constraints[k];

@@ -19,8 +19,8 @@ struct DesignQuantities {
 struct OptimisationDocument {
   OptimisationFile file;
   study::OptimisationResult result;
-  std::optional<DesignQuantities> best;    ///< nothing: no design meets all constraints
-  std::optional<DesignQuantities> nearest; ///< the design that breaks them the least, where none meets them
+  std::optional<DesignQuantities> best;     ///< nothing: no design meets all constraints
+  std::optional<DesignQuantities> nearest;  ///< the design that breaks them the least, where none meets them
   std::vector<DesignQuantities> front;
   std::size_t n_computed = 0;  ///< cases that were computed
   std::size_t n_stored = 0;    ///< cases that were there before

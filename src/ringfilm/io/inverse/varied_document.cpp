@@ -121,8 +121,7 @@ std::optional<study::Variable> VariedDocumentReader::read_variable(TomlTable& ta
     return std::nullopt;
   }
   if (!(variable.lower < variable.upper)) {
-    table.refuse_value("lower",
-                       fmt::format("is not below upper = {}", table.find("upper")->as_written()),
+    table.refuse_value("lower", fmt::format("is not below upper = {}", table.find("upper")->as_written()),
                        "lower must be below upper; are they exchanged?");
     return std::nullopt;
   }

@@ -153,8 +153,8 @@ study::Study with_curves(const cycle::Case& c, const std::vector<std::string>& q
 
 /// All curves that rings of a pack have.
 std::vector<std::string> pack_curves() {
-  return {"total_friction", "friction_on_liner", "boundary_friction",  "viscous_friction",
-          "power_loss",     "applied_load",      "hydrodynamic_load",  "asperity_load",
+  return {"total_friction", "friction_on_liner",  "boundary_friction",  "viscous_friction",
+          "power_loss",     "applied_load",       "hydrodynamic_load",  "asperity_load",
           "lambda_ratio",   "min_film_thickness", "peak_film_pressure", "archard_wear_load_rate"};
 }
 

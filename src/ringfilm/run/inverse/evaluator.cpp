@@ -36,8 +36,7 @@ Evaluator::Evaluator(const study::VariedCases& cases, std::vector<std::string> c
                      std::function<void()> pulse)
     : cases_(cases), curves_(std::move(curves)), store_(store), pulse_(std::move(pulse)) {
   const io::Provenance program = io::this_program();
-  program_ = program.program + " " + program.commit + " " + program.compiler + " " +
-             std::string(film::kernels().name);
+  program_ = program.program + " " + program.commit + " " + program.compiler + " " + std::string(film::kernels().name);
   for (const std::string& curve : curves_) program_ += " " + curve;
 }
 

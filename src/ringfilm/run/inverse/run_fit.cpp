@@ -115,7 +115,8 @@ io::FitDocument run_fit(io::FitFile file, io::PointStore& store, const InverseOp
   FitModel model(file, cases, store, options);
   const std::size_t n_before = store.n_added();
   io::FitDocument document;
-  document.result = study::fit(file.problem, cases.own_places(), [&model](const auto& places) { return model(places); });
+  document.result =
+      study::fit(file.problem, cases.own_places(), [&model](const auto& places) { return model(places); });
   std::vector<double> values;
   for (const study::FittedParameter& parameter : document.result.parameters) values.push_back(parameter.value);
   document.fitted = cases.at(0, values);

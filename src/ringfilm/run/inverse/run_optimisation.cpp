@@ -88,7 +88,9 @@ io::OptimisationDocument run_optimisation(io::OptimisationFile file, io::PointSt
   io::OptimisationDocument document;
   document.result = study::optimise(
       file.problem, cases.own_places(),
-      [&model](std::size_t combination, const std::vector<double>& places) { return model.design(combination, places); },
+      [&model](std::size_t combination, const std::vector<double>& places) {
+        return model.design(combination, places);
+      },
       options.threads);
   if (document.result.best) document.best = model.quantities(*document.result.best);
   if (document.result.nearest) document.nearest = model.quantities(*document.result.nearest);

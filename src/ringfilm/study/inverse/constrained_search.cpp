@@ -13,8 +13,8 @@ namespace ringfilm::study {
 namespace {
 
 constexpr int kStages = 3;
-constexpr double kStageStep = 0.1;       // of the step of the stage before
-constexpr double kStageEnd = 0.05;       // of its first step, where a stage ends that is not the last; assumed
+constexpr double kStageStep = 0.1;  // part of the step of the stage before
+constexpr double kStageEnd = 0.05;  // part of its first step at which a stage before the last ends; assumed
 constexpr double kConstraintTolerance = 1e-9;
 constexpr double kUnsolvedConstraint = 1;  // relative excess of a design without a solution
 
@@ -23,8 +23,11 @@ constexpr double kUnsolvedConstraint = 1;  // relative excess of a design withou
 class Stage {
  public:
   Stage(const MeritFunction& merit, const Merit& first, std::size_t n_places)
-      : merit_(merit), n_places_(n_places), n_objectives_(first.objectives.size()),
-        n_constraints_(first.constraints.size()), worst_(first.objectives) {}
+      : merit_(merit),
+        n_places_(n_places),
+        n_objectives_(first.objectives.size()),
+        n_constraints_(first.constraints.size()),
+        worst_(first.objectives) {}
 
   /// @returns where it ended
   std::vector<double> run(std::vector<double> places, const std::vector<double>& objectives,

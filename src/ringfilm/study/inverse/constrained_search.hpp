@@ -20,8 +20,8 @@ using MeritFunction = std::function<std::optional<Merit>(const std::vector<doubl
 /// How a search is carried out.
 struct SearchOptions {
   std::size_t max_evaluations = 200;  ///< in each of the three stages; assumed
-  double first_step = 0.2;            ///< of the places in the first stage, a tenth of it in each later one; assumed
-  double place_tolerance = 1e-6;      ///< of the places where the last stage ends; assumed
+  double first_step = 0.2;            ///< step of the places in the first stage, a tenth in each later one; assumed
+  double place_tolerance = 1e-6;      ///< step of the places at which the last stage ends; assumed
 };
 
 /// Searches from places on: by quadratic models (BOBYQA @cite powell2009) where there is one objective without

@@ -20,12 +20,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kTolerance = 1e-6;   // of the sum of squares: a thousandth of a standard deviation
-constexpr double kSameSum = 0.1;      // sums that differ by less are of one minimum
-constexpr int kRefits = 3;            // with the discrepancy estimated anew; it settles at once
-constexpr double kHalfBand = 1.959964;  // of a 95 % band in standard deviations
-constexpr double kTooLarge = 2;       // mean square of the residuals from which on the model does not fit; assumed
-constexpr double kMinRank = 30;       // values from which on that mean says something
+constexpr double kTolerance = 1e-6;     // change of the sum of squares: a thousandth of a standard deviation
+constexpr double kSameSum = 0.1;        // sums that differ by less are of one minimum
+constexpr int kRefits = 3;              // with the discrepancy estimated anew; it settles at once
+constexpr double kHalfBand = 1.959964;  // half a 95 % band in standard deviations
+constexpr double kTooLarge = 2;         // mean square of the residuals from which on the model does not fit; assumed
+constexpr double kMinRank = 30;         // values from which on that mean is a measure
 
 class Fitting {
  public:
@@ -137,11 +137,10 @@ class Fitting {
     for (Index j = 0; j < n; ++j) {
       const FitParameter& parameter = fit_.parameters[static_cast<std::size_t>(j)];
       const double deviation = std::sqrt(sure.covariance(j, j));
-      const PlaceInterval interval =
-          fit_.intervals == Intervals::kProfile
-              ? profile_interval(problem_, best_, jacobian, j, deviation)
-              : PlaceInterval{std::max(best_.x[j] - kHalfBand * deviation, 0.),
-                              std::min(best_.x[j] + kHalfBand * deviation, 1.)};
+      const PlaceInterval interval = fit_.intervals == Intervals::kProfile
+                                         ? profile_interval(problem_, best_, jacobian, j, deviation)
+                                         : PlaceInterval{std::max(best_.x[j] - kHalfBand * deviation, 0.),
+                                                         std::min(best_.x[j] + kHalfBand * deviation, 1.)};
       FittedParameter fitted;
       fitted.value = value_at(parameter, best_.x[j]);
       fitted.low = value_at(parameter, interval.low);
@@ -181,8 +180,8 @@ class Fitting {
 
   /// Standard deviation of what is computed for a series, by the parameters.
   VectorXd band(const Identifiability& sure, const Derivatives& derivatives, std::size_t k) const {
-    const MatrixXd slopes = residuals_.restored(derivatives.of_residuals, k)
-                                .leftCols(static_cast<Index>(residuals_.n_parameters()));
+    const MatrixXd slopes =
+        residuals_.restored(derivatives.of_residuals, k).leftCols(static_cast<Index>(residuals_.n_parameters()));
     return (slopes * sure.covariance).cwiseProduct(slopes).rowwise().sum().cwiseMax(0).cwiseSqrt();
   }
 

@@ -22,15 +22,15 @@ enum class Discrepancy {
 /// A measured curve over crank angle, or values of cycles at operating points.
 struct Measured {
   cycle::Quantity quantity;                ///< quantity that is measured
-  std::vector<double> crank_angle_deg;     ///< of each value, -360 to 360; empty: values of cycles [degree]
-  std::vector<std::size_t> bases;          ///< of each value the case at its operating point; of a curve one
+  std::vector<double> crank_angle_deg;     ///< angle of each value, -360 to 360; empty: values of cycles [degree]
+  std::vector<std::size_t> bases;          ///< case of each value at its operating point; one for a curve
   std::vector<double> values, deviations;  ///< measured values and their standard deviations [SI]
   std::optional<double> offset;            ///< standard deviation of an unknown error common to all values [SI]
   std::optional<double> scale;             ///< standard deviation of an unknown relative error of all values [-]
   std::optional<double> angle_shift_deg;   ///< standard deviation of an unknown error of all crank angles [degree]
   Discrepancy discrepancy = Discrepancy::kNone;
-  double discrepancy_deviation = 0;        ///< where it is stated [SI]
-  double discrepancy_length_deg = 30;      ///< along a curve; assumed [degree]
+  double discrepancy_deviation = 0;    ///< where it is stated [SI]
+  double discrepancy_length_deg = 30;  ///< along a curve; assumed [degree]
 
   bool is_curve() const { return !crank_angle_deg.empty(); }
 };
@@ -58,35 +58,35 @@ struct Fit {
 /// What the model gives at values of the parameters.
 struct ModelOutput {
   std::vector<std::vector<double>> axes;    ///< crank angles of the curve of each Measured; empty for values [degree]
-  std::vector<std::vector<double>> values;  ///< of each Measured: the curve, or a value for each measured one [SI]
-  std::vector<double> predicted;            ///< values of which bands are wanted [SI]
+  std::vector<std::vector<double>> values;  ///< curve of each Measured, or a value for each measured one [SI]
+  std::vector<double> predicted;            ///< values for which bands are requested [SI]
 };
 
-/// Computes the model at several places of the parameters between their bounds, in parallel; nothing where a case has no
-/// solution.
+/// Computes the model at several places of the parameters between their bounds, in parallel; nothing where a case has
+/// no solution.
 using Model = std::function<std::vector<std::optional<ModelOutput>>(const std::vector<std::vector<double>>& places)>;
 
 /// A parameter after the fit.
 struct FittedParameter {
-  double value = 0, low = 0, high = 0;  ///< with its 95 % interval [SI]
-  double deviation = 0;                 ///< standard deviation by the covariance [SI]
-  bool identified = false;              ///< does the measurement bound it within its bounds?
+  double value = 0, low = 0, high = 0;      ///< with its 95 % interval [SI]
+  double deviation = 0;                     ///< standard deviation by the covariance [SI]
+  bool identified = false;                  ///< does the measurement bound it within its bounds?
   bool at_lower = false, at_upper = false;  ///< does its interval end at a bound?
 };
 
 /// A common error of a measured series after the fit.
 struct FittedNuisance {
-  std::size_t measured = 0;  ///< place in Fit::measured
-  std::string name;          ///< "offset", "scale", "angle_shift"
+  std::size_t measured = 0;         ///< place in Fit::measured
+  std::string name;                 ///< "offset", "scale", "angle_shift"
   double value = 0, deviation = 0;  ///< [SI], angles [degree]
 };
 
 /// A measured series after the fit.
 struct FittedSeries {
-  std::vector<double> computed;             ///< model with offset, scale and shift, at each measured value [SI]
-  std::vector<double> band;                 ///< half the width of its 95 % band by the parameters [SI]
-  double residual_rms = 0;                  ///< root mean square of computed less measured [SI]
-  double discrepancy = 0;                   ///< standard deviation of the discrepancy [SI]
+  std::vector<double> computed;  ///< model with offset, scale and shift, at each measured value [SI]
+  std::vector<double> band;      ///< half the width of its 95 % band by the parameters [SI]
+  double residual_rms = 0;       ///< root mean square of computed less measured [SI]
+  double discrepancy = 0;        ///< standard deviation of the discrepancy [SI]
 };
 
 struct PredictedValue {
@@ -95,17 +95,17 @@ struct PredictedValue {
 
 struct FitResult {
   std::vector<FittedParameter> parameters;
-  std::vector<std::vector<double>> correlation;  ///< of the parameters
+  std::vector<std::vector<double>> correlation;  ///< correlation of the parameters
   std::vector<FittedNuisance> nuisances;
   std::vector<FittedSeries> series;
   std::vector<PredictedValue> predicted;
   std::vector<std::string> not_identified;  ///< directions that are not determined, in words
   std::vector<std::string> notes;           ///< what must be known about the fit
-  double residual_rms = 0;       ///< root mean square of all residuals over their standard deviations [-]
-  double sum_of_squares = 0;     ///< of residuals and priors over their standard deviations [-]
-  std::size_t n_values = 0;      ///< measured values
-  std::size_t n_starts_agreed = 0;  ///< starts that ended at the best sum
-  double derivative_error = 0;   ///< norm of the error of the derivatives over the norm of these [-]
+  double residual_rms = 0;                  ///< root mean square of all residuals over their standard deviations [-]
+  double sum_of_squares = 0;                ///< sum over residuals and priors, in standard deviations [-]
+  std::size_t n_values = 0;                 ///< measured values
+  std::size_t n_starts_agreed = 0;          ///< starts that ended at the best sum
+  double derivative_error = 0;              ///< norm of the error of the derivatives over the norm of these [-]
   bool has_converged = false;
 };
 

@@ -11,9 +11,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kStep = 1. / 512;       // of differences between the bounds; assumed
-constexpr double kNuisanceStep = 1e-3;   // of differences, in standard deviations
-constexpr double kMaxNuisance = 8;       // standard deviations; farther out it is no error of the measurement
+constexpr double kStep = 1. / 512;      // step of differences between the bounds; assumed
+constexpr double kNuisanceStep = 1e-3;  // step of differences, in standard deviations
+constexpr double kMaxNuisance = 8;      // standard deviations; an error of the measurement is not larger
 
 std::vector<double> places_in(const VectorXd& x, std::size_t n) { return {x.data(), x.data() + n}; }
 
@@ -23,9 +23,7 @@ struct Difference {
 };
 
 /// The places of a difference about x that stay within the bounds.
-Difference difference_about(double x, double step) {
-  return {std::max(x - step, 0.), std::min(x + step, 1.)};
-}
+Difference difference_about(double x, double step) { return {std::max(x - step, 0.), std::min(x + step, 1.)}; }
 
 }  // namespace
 
@@ -72,8 +70,9 @@ SeriesErrors FitResiduals::errors_of(std::size_t series, const VectorXd& x) cons
     const Nuisance& nuisance = nuisances_[k];
     if (nuisance.measured != series) continue;
     const double value = x[static_cast<Index>(n_parameters() + k)] * nuisance.deviation;
-    (nuisance.name == "offset" ? errors.offset : nuisance.name == "scale" ? errors.scale : errors.angle_shift_deg) =
-        value;
+    (nuisance.name == "offset"  ? errors.offset
+     : nuisance.name == "scale" ? errors.scale
+                                : errors.angle_shift_deg) = value;
   }
   return errors;
 }

@@ -21,7 +21,7 @@ struct Nuisance {
 /// Derivatives of the residuals, and how far they can be off.
 struct Derivatives {
   Eigen::MatrixXd of_residuals;  ///< with respect to all unknowns
-  Eigen::MatrixXd of_predicted;  ///< of ModelOutput::predicted with respect to the parameters
+  Eigen::MatrixXd of_predicted;  ///< derivatives of ModelOutput::predicted with respect to the parameters
   double error = 0;              ///< norm of the error of those with respect to the parameters
 };
 

@@ -14,11 +14,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHalfWidth = 1.959964;     // of a 95 % interval in standard deviations of a normal distribution
-constexpr double kMinPart = 0.1;            // of a direction, below which a parameter is not named; assumed
-constexpr double kMinShare = 0.05;          // of a direction in a parameter, above which it is not determined; assumed
-constexpr double kSameSize = 0.05;          // relative difference up to which two changes form a product or a ratio
-constexpr double kUniformVariance = 1. / 12;  // of a place that may be anywhere between the bounds
+constexpr double kHalfWidth = 1.959964;       // half a 95 % interval in standard deviations of a normal distribution
+constexpr double kMinPart = 0.1;              // part of a direction below which a parameter is not named; assumed
+constexpr double kMinShare = 0.05;            // part of a direction above which a parameter is not determined; assumed
+constexpr double kSameSize = 0.05;            // relative difference up to which two changes form a product or a ratio
+constexpr double kUniformVariance = 1. / 12;  // variance of a place that may be anywhere between the bounds
 
 /// A parameter in a direction.
 struct Part {
@@ -55,8 +55,8 @@ std::string direction_words(const VectorXd& direction, const std::vector<NamedPa
     std::sort(names.begin(), names.end());
     return "only the ratio " + names[0] + " / " + names[1] + " is determined";
   }
-  std::string words = "only a combination is determined: what was measured hardly changes when " + parts[0].name +
-                      " rises by 1 %";
+  std::string words =
+      "only a combination is determined: what was measured hardly changes when " + parts[0].name + " rises by 1 %";
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const double change = parts[k].change / parts[0].change;  // in percent for 1 %
     words += std::string(k + 1 == parts.size() ? " and " : ", ") + parts[k].name +

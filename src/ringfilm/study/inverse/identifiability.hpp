@@ -8,16 +8,16 @@ namespace ringfilm::study {
 
 /// A direction in which the parameters can move without a change of what was measured.
 struct FreeDirection {
-  std::vector<double> parts;  ///< of each parameter, of length 1 together, in places between the bounds
+  std::vector<double> parts;  ///< part of each parameter, in places between the bounds; length 1 together
   std::string words;          ///< "only the product A x B is determined"
 };
 
 /// How sure the parameters are, as places between their bounds.
 struct Identifiability {
-  Eigen::MatrixXd covariance;            ///< finite: what is not determined scatters within the bounds
-  std::vector<double> deviations;        ///< by the measurement alone; infinite where nothing is determined
-  std::vector<FreeDirection> directions; ///< which are not determined
-  std::vector<bool> is_determined;       ///< of each parameter: its 95 % interval is narrower than its bounds
+  Eigen::MatrixXd covariance;             ///< finite: what is not determined scatters within the bounds
+  std::vector<double> deviations;         ///< by the measurement alone; infinite where nothing is determined
+  std::vector<FreeDirection> directions;  ///< which are not determined
+  std::vector<bool> is_determined;        ///< is the 95 % interval of each parameter narrower than its bounds?
 };
 
 /// A parameter as the words name it.

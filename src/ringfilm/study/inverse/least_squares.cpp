@@ -13,11 +13,11 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kMaxSteps = 100;
-constexpr int kMaxUpdates = 5;            // of the derivatives before they are computed again; assumed
-constexpr double kFirstDamping = 1e-3;    // as usual
-constexpr double kMaxDamping = 1e12;      // where steps are far below rounding
-constexpr double kMinGain = 1e-4;         // part of the promised reduction with which a step is accepted
-constexpr double kGoodGain = 0.25;        // below it the derivatives are computed again
+constexpr int kMaxUpdates = 5;          // updates of the derivatives before they are computed again; assumed
+constexpr double kFirstDamping = 1e-3;  // as usual
+constexpr double kMaxDamping = 1e12;    // where steps are far below rounding
+constexpr double kMinGain = 1e-4;       // part of the promised reduction with which a step is accepted
+constexpr double kGoodGain = 0.25;      // below it the derivatives are computed again
 
 /// A step and by how much it lowers the sum of squares of the linear model.
 struct Step {

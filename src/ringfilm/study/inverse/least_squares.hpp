@@ -19,8 +19,8 @@ struct LeastSquares {
 struct LeastSquaresSolution {
   Eigen::VectorXd x;
   Eigen::VectorXd residuals;  ///< empty: they could not be computed at the start
-  Eigen::MatrixXd jacobian;   ///< of the last steps; exact where it was computed at x, else updated after Broyden
-  double sum = 0;             ///< of the squares
+  Eigen::MatrixXd jacobian;   ///< derivatives; exact where they were computed at x, else updated after Broyden
+  double sum = 0;             ///< sum of the squares
   bool has_converged = false;
 };
 

@@ -56,9 +56,9 @@ VectorXd computed_series(const Measured& measured, const ModelOutput& output, st
   VectorXd computed(static_cast<Eigen::Index>(measured.values.size()));
   for (Eigen::Index k = 0; k < computed.size(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    const double value = measured.is_curve() ? at_angle(output.axes[i], values,
-                                                        measured.crank_angle_deg[at] + errors.angle_shift_deg)
-                                             : values[at];
+    const double value = measured.is_curve()
+                             ? at_angle(output.axes[i], values, measured.crank_angle_deg[at] + errors.angle_shift_deg)
+                             : values[at];
     computed[k] = (1 + errors.scale) * value + errors.offset;
   }
   return computed;

@@ -14,10 +14,10 @@
 namespace ringfilm::study {
 namespace {
 
-constexpr double kMargin = 1e-6;      // relative, by which searches stay within constraints, so that designs meet them
-constexpr double kAtLimit = 1e-3;     // relative distance up to which a constraint binds
-constexpr double kAtBound = 1e-4;     // place up to which a variable is at its bound
-constexpr double kAugmentation = 1e-3;   // weight of the sum of the objectives beside their largest; assumed
+constexpr double kMargin = 1e-6;   // relative, by which searches stay within constraints, so that designs meet them
+constexpr double kAtLimit = 1e-3;  // relative distance up to which a constraint binds
+constexpr double kAtBound = 1e-4;  // place up to which a variable is at its bound
+constexpr double kAugmentation = 1e-3;  // weight of the sum of the objectives beside their largest; assumed
 
 /// A search from a start.
 struct Task {
@@ -172,13 +172,14 @@ class Optimiser {
     Design best = lowest(value);
     if (!is_feasible(problem_, best)) {
       // First to where the constraints are met, then on from there.
-      search({{best.combination, best.places}},
-             [&](const Design& design) {
-               std::vector<double> all;
-               for (std::size_t i = 0; i < problem_.constraints.size(); ++i) all.push_back(excess_of(i, design));
-               return all;
-             },
-             false);
+      search(
+          {{best.combination, best.places}},
+          [&](const Design& design) {
+            std::vector<double> all;
+            for (std::size_t i = 0; i < problem_.constraints.size(); ++i) all.push_back(excess_of(i, design));
+            return all;
+          },
+          false);
       best = lowest(value);
       if (is_feasible(problem_, best)) search({{best.combination, best.places}}, alone, true);
       best = lowest(value);

@@ -46,8 +46,8 @@ struct Optimisation {
   std::vector<ChoiceVariable> choices;
   std::vector<WeightedPoint> points;  ///< one without a name: the case as it is
   std::size_t starts = 4;             ///< places from which the search of each combination of choices starts; assumed
-  std::uint64_t seed = 1;             ///< of the places after the first
-  std::size_t front_points = 11;      ///< of a front, as many as this for two objectives; assumed
+  std::uint64_t seed = 1;             ///< seed of the places after the first
+  std::size_t front_points = 11;      ///< points of a front of two objectives; assumed
   std::size_t max_evaluations = 200;  ///< in each stage of a search; assumed
 
   std::size_t n_combinations() const;
@@ -58,8 +58,8 @@ struct Optimisation {
 /// A design that was computed.
 struct Design {
   std::size_t combination = 0;
-  std::vector<double> places;       ///< of the variables, 0 to 1
-  std::vector<double> values;       ///< of the variables [SI]
+  std::vector<double> places;       ///< places of the variables, 0 to 1
+  std::vector<double> values;       ///< values of the variables [SI]
   std::vector<double> objectives;   ///< [SI]; empty: it has no solution
   std::vector<double> constraints;  ///< values of their quantities [SI]
   std::string reason;               ///< why it has no solution
@@ -84,7 +84,7 @@ struct OptimisationResult {
   std::vector<Design> designs;         ///< all that were computed, in the order of the searches
   std::optional<Design> best;          ///< nothing: no design meets all constraints
   std::optional<Design> nearest;       ///< the design that breaks its constraints the least, where none meets them
-  std::vector<Design> front;           ///< of several objectives, by the first of them
+  std::vector<Design> front;           ///< designs of several objectives, by the first of them
   std::vector<std::size_t> binding;    ///< constraints at their limit in the best design
   std::vector<std::string> at_bounds;  ///< variables at a bound in the best design: "KEY at its upper bound"
 };

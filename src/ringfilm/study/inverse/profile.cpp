@@ -15,8 +15,8 @@ using Eigen::VectorXd;
 
 constexpr double kCoverage = 0.95;
 constexpr int kMaxTries = 12;
-constexpr double kCloseEnough = 0.02;  // relative, of the square root of the rise: of the width of the interval, too
-constexpr double kInnerTolerance = 1e-3;  // of the sum, far below its rise
+constexpr double kCloseEnough = 0.02;     // relative, of the square root of the rise: of the width of the interval, too
+constexpr double kInnerTolerance = 1e-3;  // change of the sum, far below its rise
 
 double rise_at_end() { return boost::math::quantile(boost::math::chi_squared(1), kCoverage); }
 

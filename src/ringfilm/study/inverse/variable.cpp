@@ -45,8 +45,8 @@ struct NumberPlace {
 bool is_own(const Variable& variable) {
   const cycle::Field* field = field_of_key(variable.key);
   if (field == nullptr) return false;
-  const bool is_face_unit = std::holds_alternative<cycle::UnitNameKind>(field->kind) &&
-                            field->key.find(".face.") != std::string::npos;
+  const bool is_face_unit =
+      std::holds_alternative<cycle::UnitNameKind>(field->kind) && field->key.find(".face.") != std::string::npos;
   return is_face_unit || (variable.item && std::holds_alternative<cycle::NumberListKind>(field->kind));
 }
 
@@ -127,10 +127,10 @@ std::vector<Fault> VariedCases::faults() const {
     if (!is_own(variable)) continue;
     check_own(variable, base(0), faults);
     if (variable.lower >= variable.upper) {
-      faults.push_back({variable.mark,
-                        variable.name() + " has bounds from " + number_text(variable.lower) + " to " +
-                            number_text(variable.upper),
-                        "lower must be below upper"});
+      faults.push_back(
+          {variable.mark,
+           variable.name() + " has bounds from " + number_text(variable.lower) + " to " + number_text(variable.upper),
+           "lower must be below upper"});
     }
   }
   for (const Factor& factor : study_.factors) {

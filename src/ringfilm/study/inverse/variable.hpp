@@ -15,9 +15,9 @@ namespace ringfilm::study {
 struct Variable {
   std::string key;                     ///< "ring.face.crown_height"; in a pack "ring.2.end_gap"
   FactorMode how = FactorMode::kSet;   ///< the number itself, times or plus that of the case
-  std::optional<std::size_t> item;     ///< of a key that is a list: which of its numbers is set, from 1
+  std::optional<std::size_t> item;     ///< number of a list that is set, from 1
   double lower = 0, upper = 0;         ///< bounds [unit]
-  Spacing spacing = Spacing::kLinear;  ///< of the search between the bounds
+  Spacing spacing = Spacing::kLinear;  ///< spacing of the search between the bounds
   std::string unit;                    ///< SI; "1" for a dimensionless number and for factors
   std::string display_unit;            ///< unit in which people read it
   SourceMark mark = {};                ///< place in the file that states it
@@ -62,8 +62,8 @@ class VariedCases {
 
  private:
   std::vector<Variable> variables_;
-  Study study_;                        ///< the variables that studies have, too, as factors
-  std::vector<std::size_t> factors_;   ///< indices of these variables
+  Study study_;                       ///< the variables that studies have, too, as factors
+  std::vector<std::size_t> factors_;  ///< indices of these variables
 };
 
 }  // namespace ringfilm::study

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ringfilm/base/error.hpp"
 #include "../scratch_folder.hpp"
+#include "ringfilm/base/error.hpp"
 
 namespace {
 

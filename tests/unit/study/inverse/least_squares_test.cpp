@@ -16,9 +16,7 @@ LeastSquares valley(double lower, double upper) {
   LeastSquares problem;
   problem.lower = VectorXd::Constant(2, lower);
   problem.upper = VectorXd::Constant(2, upper);
-  problem.residuals = [](const VectorXd& x) {
-    return VectorXd{{10 * (x[1] - x[0] * x[0]), 1 - x[0]}};
-  };
+  problem.residuals = [](const VectorXd& x) { return VectorXd{{10 * (x[1] - x[0] * x[0]), 1 - x[0]}}; };
   problem.jacobian = [](const VectorXd& x, const VectorXd&) { return MatrixXd{{-20 * x[0], 10.}, {-1., 0.}}; };
   return problem;
 }
