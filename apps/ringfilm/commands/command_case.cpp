@@ -144,6 +144,7 @@ struct NewOptions {
   std::optional<std::string> engine, pack;  ///< one of io::start_engines(); the first of them if both are absent
   std::optional<std::string> load, state;   ///< one of io::start_loads(), one of io::start_states()
   std::optional<std::string> trace;         ///< file of the cylinder pressure
+  io::TableReading table;                   ///< how the trace is read
   std::optional<std::string> points;        ///< file of a study of operating points, written as well
 };
 
@@ -157,6 +158,7 @@ io::StartOptions start_options(const NewOptions& options) {
   start.load = options.load.value_or(start.load);
   start.state = options.state.value_or(start.state);
   start.trace = options.trace;
+  start.trace_table = options.table;
   start.case_folder = std::filesystem::path(options.path).parent_path().string();
   return start;
 }
@@ -258,6 +260,7 @@ void declare_new(CommandOptions& add, NewOptions& options) {
   add.text("--points", options.points, "POINTS.toml",
            "a study of the case at weighted operating points, written as well; must not exist yet");
   add.text("--trace", options.trace, "X.csv", "file of the cylinder pressure, whose columns and units are read");
+  add_table(add, options.table);
 }
 
 }  // namespace

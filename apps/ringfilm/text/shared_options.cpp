@@ -110,7 +110,23 @@ void add_outputs(CommandOptions& add, MeasurementOutputs& outputs, bool with_fra
   add.json(outputs.summary, "print JSON, SI units, instead of the table");
 }
 
+void add_table(CommandOptions& add, io::TableReading& table) {
+  add.text("--columns", table.columns, "\"x [um], -, z [um]\"",
+           "of a text file: names and units of all its columns; - is not used");
+  add.read("--skip-lines", "N", "of a text file: lines in front of the table", [&table](const std::string& text) {
+    constexpr std::uint64_t kMost = 1000000;
+    const std::optional<std::uint64_t> lines = whole_number(text);
+    if (!lines || *lines > kMost) {
+      throw InputError("--skip-lines " + text + ": this is not a number of lines", "for example --skip-lines 12");
+    }
+    table.skip_lines = static_cast<std::size_t>(*lines);
+  });
+}
+
 void add_channel_and_unit(CommandOptions& add, instrument::SurfaceOptions& reading) {
+  add_table(add, reading.table);
+  add.texts("--missing", reading.table.missing, "WORD",
+            "of a text file: a word or number that marks a missing height; may be repeated");
   add.text("--channel", reading.channel, "N", "which channel of the file: its number from 1, or its name");
   add.text("--unit", reading.height_unit, "UNIT", "unit of the heights, where the file does not state it");
 }

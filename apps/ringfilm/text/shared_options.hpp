@@ -22,6 +22,8 @@ CLI::Option* add_settings(CommandOptions& add, std::vector<io::Override>& settin
 void add_outputs(CommandOptions& add, MeasurementOutputs& outputs, bool with_fragment);
 
 /// --channel and --unit of every command that reads files of instruments.
+/// --columns and --skip-lines: how a text file is read.
+void add_table(CommandOptions& add, io::TableReading& table);
 void add_channel_and_unit(CommandOptions& add, instrument::SurfaceOptions& reading);
 
 /// Options of every command that reads height maps: what the file does not state, form and filters.

@@ -96,6 +96,13 @@ struct Gas {
   std::optional<std::string> angle_column;             ///< name in the header; absent: the only crank angle in the file
   std::optional<std::string> pressure_unit;            ///< for a header that does not carry it
   std::optional<std::string> angle_unit;               ///< for a header that does not carry it
+  std::optional<std::string> columns;                  ///< names and units of all columns, for a file without a header
+  int skip_lines = 0;                                  ///< lines of the file in front of the table
+  std::optional<std::string> cycle;  ///< of several cycles: "mean", "median" or a number; absent: their mean
+  double pressure_offset = 0;        ///< added to the trace of the cylinder [Pa]
+  double angle_offset_deg = 0;       ///< added to the crank angles of the trace of the cylinder [degree]
+  Pegging pegging = Pegging::kNone;  ///< how the zero of the trace of the cylinder is found
+  double polytropic_index = 1.32;    ///< of the compression, for pegging; typical, assumed [-]
   // model = "wiebe"; angles 0 = firing TDC
   double compression_ratio = 10.5;         ///< largest over smallest cylinder volume [-]
   double peak_pressure = 62e5;             ///< [Pa] absolute

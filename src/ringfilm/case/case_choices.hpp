@@ -55,6 +55,13 @@ enum class AngleZero {
   kGasExchangeTdc  ///< the dead centre of the gas exchange, 360 degree off
 };
 
+/// `gas.pegging`: how the zero of the pressures of a cylinder's trace is found.
+enum class Pegging {
+  kNone,       ///< as the trace and gas.pressure_offset have it
+  kIntake,     ///< the pressure at bottom dead centre after intake is gas.intake_pressure
+  kPolytropic  ///< compression follows gas.polytropic_index
+};
+
 /// `gas.trace_origin`: where a trace comes from.
 enum class TraceOrigin {
   kNotStated,  ///< not stated in the case

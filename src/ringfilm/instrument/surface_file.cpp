@@ -14,14 +14,16 @@
 #include "ringfilm/instrument/formats/gwyddion_program.hpp"
 #include "ringfilm/instrument/formats/sdf_file.hpp"
 #include "ringfilm/instrument/formats/simple_field_file.hpp"
+#include "ringfilm/instrument/formats/trade_table_file.hpp"
 #include "ringfilm/instrument/formats/x3p_file.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/instrument/grid/even_places.hpp"
 #include "ringfilm/instrument/grid/height_checks.hpp"
 #include "ringfilm/instrument/grid/number_from.hpp"
 #include "ringfilm/instrument/grid/regular_grid.hpp"
-#include "ringfilm/instrument/table/text_cells.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
+#include "ringfilm/io/text/text_encoding.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -38,13 +40,23 @@ InstrumentFile through_gwyddion(const std::string& path) {
 
 /// Refuses text that is not a table of heights, nor of a format that gwyddion reads.
 [[noreturn]] void refuse_text(const std::string& path, const TextHead& head, const InputError& of_gwyddion) {
+  const std::string numbers =
+      head.numbers_line > 1
+          ? fmt::format(
+                "; the numbers seem to begin in line {}: --skip-lines {} skips the lines before them, and "
+                "--columns \"x [um], z [um]\" names all columns, - one that is not used",
+                head.numbers_line, head.numbers_line - 1)
+          : "";
   throw InputError(std::vector<Fault>{
       {{path, head.line, 1, head.words},
        "this line starts neither numbers nor columns of heights, and " + of_gwyddion.faults().front().message,
        "text is read as a matrix of heights, as points x, y, z, or as a profile x, z. Write the heights of a matrix "
        "alone, without numbers of rows, axes or counts, or name the columns in the first line, for example: "
-       "x [um],y [um],z [nm]; start any other line before them with #"}});
+       "x [um],y [um],z [nm]; start any other line before them with #" +
+           numbers}});
 }
+
+bool is_text_format(const std::string& format) { return format.starts_with("text, "); }
 
 InstrumentFile text_through_gwyddion(const std::string& path, const TextHead& head) {
   try {
@@ -294,6 +306,33 @@ void scale_heights(const std::string& path, ChannelValues& values, const Scale& 
   }
 }
 
+/// Two numbers in front of the heights of a profile, its length [mm] and how many heights follow, are its head where
+/// they give the step that the user states.
+void drop_length_and_count(ChannelValues& values, const SurfaceOptions& options, const io::Units& units) {
+  constexpr std::size_t kHead = 2;
+  const bool is_list = values.channel.points_y == 1 && values.x.empty() && values.step_x == 0;
+  if (!is_list || !options.step_x || values.value.size() < kHead + 2) return;
+  const auto count = static_cast<double>(values.value.size() - kHead);
+  if (values.value[1] != count) return;
+  double step_m = 0;
+  try {
+    step_m = units.quantity(*options.step_x, "m", "0.5 um");
+  } catch (const io::UnitError&) {
+    return;  // is reported where the step is read
+  }
+  const double length_m = 1e-3 * values.value[0];
+  const auto is_step = [step_m](double step) { return std::abs(step / step_m - 1) <= kSameStep; };
+  if (!is_step(length_m / count) && !is_step(length_m / (count - 1))) return;
+  values.notes.push_back(
+      fmt::format("the first two values, {:.6g} and {:.0f}, are the length in mm and the number of "
+                  "the heights behind them, by the stated step, and were omitted",
+                  values.value[0], values.value[1]));
+  values.value.erase(values.value.begin(), values.value.begin() + kHead);
+  if (!values.missing.empty()) values.missing.erase(values.missing.begin(), values.missing.begin() + kHead);
+  values.channel.points_x = values.value.size();
+  values.doubts = count_doubts(values.value);
+}
+
 struct Loaded {
   ChannelValues values;  ///< heights in metres
   SurfaceOrigin origin;
@@ -304,7 +343,7 @@ struct Loaded {
 };
 
 Loaded load(const std::string& path, const SurfaceOptions& options, const io::Units& units) {
-  const InstrumentFile file = open_instrument_file(path, options.layout);
+  const InstrumentFile file = open_instrument_file(path, options.layout, options.table);
   Loaded loaded;
   SurfaceOrigin& origin = loaded.origin;
   origin.path = path;
@@ -318,6 +357,7 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
   origin.channel_number = index + 1;
   loaded.values = file.values(index);
   turn_column(loaded.values);
+  if (is_text_format(file.format)) drop_length_and_count(loaded.values, options, units);
   origin.notes.insert(origin.notes.end(), loaded.values.notes.begin(), loaded.values.notes.end());
   loaded.doubts = loaded.values.doubts;
   Record record = loaded.record();
@@ -355,7 +395,7 @@ std::string shown_length(double length_m) {
 
 }  // namespace
 
-InstrumentFile open_instrument_file(const std::string& path, TableLayout layout) {
+InstrumentFile open_instrument_file(const std::string& path, TableLayout layout, const io::TableReading& stated) {
   auto bytes = std::make_shared<const std::string>(file_bytes(path, kMaxInstrumentFile));
   if (starts_with(*bytes, "PK\x03\x04")) {
     bytes.reset();
@@ -368,12 +408,21 @@ InstrumentFile open_instrument_file(const std::string& path, TableLayout layout)
   if (starts_with(*bytes, "DIGITAL SURF") || starts_with(*bytes, "DSCOMPRESSED")) return read_digital_surf(path, bytes);
   if (starts_with(*bytes, "Gwyddion Simple Field 1.0")) return read_simple_field(path, bytes);
   if (starts_with(*bytes, "GWYP")) return read_gwy(path, bytes);
-  if (std::optional<std::string> text = from_utf16(*bytes)) {
-    bytes = std::make_shared<const std::string>(std::move(*text));
+  std::vector<std::string> notes;
+  if (std::optional<io::DecodedText> text = io::decoded(*bytes)) {
+    bytes = std::make_shared<const std::string>(std::move(text->text));
+    notes.push_back("the file is " + text->encoding + " text and was read so");
   }
-  const TextHead head = text_head(*bytes);
+  const TextHead head = text_head(*bytes, stated);
+  const auto noted = [&notes](InstrumentFile file) {
+    file.notes.insert(file.notes.begin(), notes.begin(), notes.end());
+    return file;
+  };
+  if (head.kind != TextKind::kNone && !stated.columns && !stated.skip_lines) {
+    if (std::optional<InstrumentFile> file = read_trade_table(path, *bytes)) return noted(std::move(*file));
+  }
   if (layout != TableLayout::kByContent || head.kind == TextKind::kTable) {
-    return read_height_table(path, *bytes, layout);
+    return noted(read_height_table(path, *bytes, layout, stated));
   }
   bytes.reset();
   return head.kind == TextKind::kOther ? text_through_gwyddion(path, head) : through_gwyddion(path);
@@ -384,7 +433,13 @@ SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& opt
   ChannelValues& values = loaded.values;
   Record record = loaded.record();
   set_step_of_places(values, options, record);
-  if (!values.x.empty() && values.step_x == 0 && !options.step_x) {
+  if (!values.x.empty() && values.step_x == 0 && !options.step_x && is_text_format(loaded.origin.format)) {
+    const std::size_t n_notes = values.notes.size();
+    resample_evenly(values);
+    // The heights are in metres by now.
+    loaded.origin.notes.insert(loaded.origin.notes.end(), values.notes.begin() + static_cast<std::ptrdiff_t>(n_notes),
+                               values.notes.end());
+  } else if (!values.x.empty() && values.step_x == 0 && !options.step_x) {
     refuse(path, "the places of the profile are not even, and a map requires even steps",
            "resample it in the program that wrote it");
   }

@@ -29,6 +29,7 @@ struct SurfaceOptions {
   std::optional<std::string> step_x;             ///< --step-x: e.g. "0.5 um"
   std::optional<std::string> step_y;             ///< --step-y: the same as --step-x if omitted
   TableLayout layout = TableLayout::kByContent;  ///< --layout: of a text file
+  io::TableReading table;                        ///< --columns, --skip-lines, --missing: of a text file
   OptionNames names;                             ///< for errors
 };
 
@@ -63,13 +64,15 @@ struct TraceFile {
 
 /// Opens a file of any known format: X3P, SDF, SUR, GSF, .gwy and text by our own readers, all else through the program
 /// gwyddion. Throws InputError with file, place, rule and remedy.
-InstrumentFile open_instrument_file(const std::string& path, TableLayout layout = TableLayout::kByContent);
+/// @param stated what the user states of a text
+InstrumentFile open_instrument_file(const std::string& path, TableLayout layout = TableLayout::kByContent,
+                                    const io::TableReading& stated = {});
 
 /// Reads one map of heights. In a file of several channels it is the chosen one, else the only one whose unit is a
 /// length. Rows and columns are oriented as gwyddion shows them: row 0 is the upper edge of its picture. A map of one
-/// column is turned into a profile. Throws InputError: no such channel or several to choose from, a unit or a step that
-/// neither the file nor the user states, no measured point, heights beyond 1 m or otherwise certainly not those of a
-/// surface, and all faults of the file.
+/// column is turned into a profile, and a profile of uneven places in a text is resampled, with a note. Throws
+/// InputError: no such channel or several to choose from, a unit or a step that neither the file nor the user states,
+/// no measured point, heights beyond 1 m or otherwise certainly not those of a surface, and all faults of the file.
 SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& options, const io::Units& units);
 
 /// Reads a profile, whose places need not be even. Throws InputError also for a map of more than one row.

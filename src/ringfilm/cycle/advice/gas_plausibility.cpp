@@ -9,6 +9,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
+#include "ringfilm/cycle/setup/trace_zero.hpp"
 #include "ringfilm/models/crank_slider.hpp"
 
 namespace ringfilm::cycle {
@@ -102,17 +103,6 @@ constexpr UsualAngle kValveAngles[] = {{"gas.exhaust_valve_opening", &Gas::exhau
                                        {"gas.intake_valve_opening", &Gas::intake_valve_opening_deg, 280, 440},
                                        {"gas.intake_valve_closing", &Gas::intake_valve_closing_deg, 440, 660}};
 
-double rise_of_reference(const Gas& gas) {
-  return gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
-}
-
-/// Crank angle of an angle of the trace, in [-360, 360), 0 = firing TDC [degree].
-double from_firing(const Gas& gas, double trace_angle_deg) {
-  const double zero = gas.angle_zero == AngleZero::kGasExchangeTdc ? kCycleDeg / 2 : 0;
-  const double angle = wrapped(trace_angle_deg + zero);
-  return angle < kCycleDeg / 2 ? angle : angle - kCycleDeg;
-}
-
 /// Volume above the piston, in strokes.
 double volume_above(const Case& c, double crank_angle_deg, double compression_ratio) {
   const models::CrankSlider crank{c.engine.stroke / 2, c.engine.connecting_rod_length};
@@ -131,6 +121,7 @@ class GasNotes {
   }
 
   void append() {
+    append_pegging();
     const std::size_t notes_before = notes_.size();
     if (is_wiebe()) append_angles();
     append_place_of_peak();
@@ -149,11 +140,12 @@ class GasNotes {
 
   void look_at_trace(const SampledTrace& trace) {
     const auto [low, high] = std::minmax_element(trace.value.begin(), trace.value.end());
-    lowest_ = *low + rise_of_reference(gas_);
-    highest_ = *high + rise_of_reference(gas_);
-    peak_deg_ = from_firing(gas_, trace.crank_angle_deg[static_cast<std::size_t>(high - trace.value.begin())]);
+    const double rise = rise_of_cylinder_trace(case_);
+    lowest_ = *low + rise;
+    highest_ = *high + rise;
+    peak_deg_ = from_firing_deg(gas_, trace.crank_angle_deg[static_cast<std::size_t>(high - trace.value.begin())]);
     is_whole_ = models::covers_cycle(trace.crank_angle_deg);
-    first_deg_ = from_firing(gas_, trace.crank_angle_deg.front());
+    first_deg_ = from_firing_deg(gas_, trace.crank_angle_deg.front());
   }
 
   void look_at_cycle() {
@@ -192,6 +184,12 @@ class GasNotes {
 
   bool is_compressed() const { return highest_ >= kMinCompression * lowest_; }
   bool is_peak_in_place() const { return peak_deg_ >= kEarliestPeakDeg && peak_deg_ <= kLatestPeakDeg; }
+
+  void append_pegging() {
+    if (is_wiebe() || gas_.pegging == Pegging::kNone) return;
+    note("gas-pegged", "the cylinder pressure was pegged (gas.pegging): " + text_in(pegging_shift(case_), kBar, 3) +
+                           " was added to the trace");
+  }
 
   void append_place_of_peak() {
     if (!is_compressed() || is_peak_in_place()) return;
@@ -415,7 +413,7 @@ std::optional<double> peak_of_compression(const Gas& gas) {
   const std::vector<double>& values = gas.cylinder_pressure->value;
   if (values.empty()) return std::nullopt;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const double rise = rise_of_reference(gas);
+  const double rise = rise_of_traces(gas) + gas.pressure_offset;
   return *high + rise >= kMinCompression * (*low + rise) ? std::optional(*high + rise) : std::nullopt;
 }
 
@@ -427,12 +425,12 @@ std::optional<TraceStart> trace_start(const Case& c) {
   const bool is_joined = gas.model == GasModel::kTrace && !trace.value.empty() && gas.intake_pressure &&
                          !models::covers_cycle(trace.crank_angle_deg);
   if (!is_joined) return std::nullopt;
-  const double angle = from_firing(gas, trace.crank_angle_deg.front());
+  const double angle = from_firing_deg(gas, trace.crank_angle_deg.front());
   if (angle > 0) return std::nullopt;
   const double bottom = -kCycleDeg / 4;  // compression begins there
   const double rise =
       std::pow(volume_above(c, bottom, kMaxRatio) / volume_above(c, std::max(angle, bottom), kMaxRatio), kAdiabatic);
-  return TraceStart{angle, trace.value.front() + rise_of_reference(gas), *gas.intake_pressure,
+  return TraceStart{angle, trace.value.front() + rise_of_cylinder_trace(c), *gas.intake_pressure,
                     *gas.intake_pressure * rise};
 }
 

@@ -105,6 +105,25 @@ bool refuse_short_trace(const std::vector<double>& angles, Breaches& breaches) {
   return true;
 }
 
+void check_pegging(const Case& c, Breaches& breaches) {
+  const Gas& gas = c.gas;
+  if (gas.pegging == Pegging::kNone) return;
+  if (gas.pressure_offset != 0) {
+    breaches.push_back({"gas.pressure_offset", "gas.pressure_offset and gas.pegging are both stated",
+                        "each of them determines the zero of the trace: keep one"});
+  }
+  if (gas.pegging == Pegging::kIntake && !gas.intake_pressure) {
+    breaches.push_back(
+        {"gas.intake_pressure", "gas.intake_pressure is not stated, and gas.pegging = \"intake\" requires it",
+         "the absolute pressure at bottom dead centre after intake, for example \"0.95 bar\"", kMissingKey});
+  }
+  if (gas.pegging == Pegging::kPolytropic && !c.stated.contains("gas.compression_ratio")) {
+    breaches.push_back({"gas.compression_ratio",
+                        "gas.compression_ratio is not stated, and gas.pegging = \"polytropic\" requires it",
+                        "largest over smallest cylinder volume, for example 10.5", kMissingKey});
+  }
+}
+
 void check_trace(const Case& c, Breaches& breaches) {
   const Gas& gas = c.gas;
   const auto& angles = gas.cylinder_pressure->crank_angle_deg;
@@ -113,6 +132,7 @@ void check_trace(const Case& c, Breaches& breaches) {
                         "the key gas.cylinder_pressure is missing: " + find_field("gas.cylinder_pressure")->help,
                         "gas.model = \"trace\" requires a trace"});
   }
+  check_pegging(c, breaches);
   if (angles.empty() || models::covers_cycle(angles)) return;
   if (refuse_short_trace(angles, breaches)) return;
   const double missing = angles.front() + kCycleDeg - angles.back();

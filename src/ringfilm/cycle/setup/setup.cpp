@@ -16,13 +16,13 @@
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 #include "ringfilm/cycle/setup/ring_conditions.hpp"
 #include "ringfilm/cycle/setup/ring_section.hpp"
+#include "ringfilm/cycle/setup/trace_zero.hpp"
 
 namespace ringfilm::cycle {
 namespace {
 
-models::CyclePressure absolute_trace(const Case& c, SampledTrace trace) {
-  const double turn = c.gas.angle_zero == AngleZero::kGasExchangeTdc ? 360.0 : 0.0;
-  const double rise = c.gas.pressure_reference == PressureReference::kGauge ? base::kAtmosphere : 0.0;
+/// @param turn to add to the angles [degree]  @param rise to add to the pressures [Pa]
+models::CyclePressure absolute_trace(const Case& c, SampledTrace trace, double turn, double rise) {
   for (double& angle : trace.crank_angle_deg) angle += turn;
   for (double& p : trace.value) p += rise;
   if (models::covers_cycle(trace.crank_angle_deg)) return {std::move(trace.crank_angle_deg), std::move(trace.value)};
@@ -89,13 +89,17 @@ Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
 
 models::CyclePressure land_pressure(const Case& c, const LandPressure& land) {
   if (land.computed) return computed_pressure(**land.computed);
-  return land.trace ? absolute_trace(c, **land.trace) : models::CyclePressure(land.constant.value());
+  return land.trace ? absolute_trace(c, **land.trace, turn_of_traces_deg(c.gas), rise_of_traces(c.gas))
+                    : models::CyclePressure(land.constant.value());
 }
 
 models::CrankSlider crank_slider(const Case& c) { return {c.engine.stroke / 2, c.engine.connecting_rod_length}; }
 
 models::CyclePressure cylinder_pressure(const Case& c) {
-  if (c.gas.model == GasModel::kTrace) return absolute_trace(c, *c.gas.cylinder_pressure);
+  if (c.gas.model == GasModel::kTrace) {
+    return absolute_trace(c, *c.gas.cylinder_pressure, turn_of_traces_deg(c.gas) + c.gas.angle_offset_deg,
+                          rise_of_cylinder_trace(c));
+  }
   const Gas& g = c.gas;
   return models::wiebe_pressure({crank_slider(c), g.compression_ratio, g.peak_pressure, g.peak_angle_deg,
                                  g.burn_duration_deg, g.intake_pressure.value_or(Gas::kWiebeIntakePressure),
@@ -104,8 +108,9 @@ models::CyclePressure cylinder_pressure(const Case& c) {
 }
 
 models::CyclePressure crankcase_pressure(const Case& c) {
-  return c.gas.crankcase_trace ? absolute_trace(c, **c.gas.crankcase_trace)
-                               : models::CyclePressure(c.gas.crankcase_pressure);
+  return c.gas.crankcase_trace
+             ? absolute_trace(c, **c.gas.crankcase_trace, turn_of_traces_deg(c.gas), rise_of_traces(c.gas))
+             : models::CyclePressure(c.gas.crankcase_pressure);
 }
 
 std::optional<models::WallTemperatures> wall_temperatures(const Thermal& thermal) {

@@ -7,82 +7,52 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string_view>
+#include <utility>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/instrument/grid/height_checks.hpp"
 #include "ringfilm/instrument/grid/regular_grid.hpp"
+#include "ringfilm/instrument/table/height_columns.hpp"
 #include "ringfilm/instrument/table/table_comments.hpp"
-#include "ringfilm/instrument/table/text_cells.hpp"
-#include "ringfilm/io/text/csv_file.hpp"
+#include "ringfilm/io/table/text_table.hpp"
 
 namespace ringfilm::instrument {
 namespace {
 
-constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kSniffed = 65536;
 constexpr std::size_t kMaxHeadColumns = 3;    // columns of a matrix whose first values may be counts
 constexpr std::size_t kMaxPointColumns = 8;   // columns of points with normals, colours or numbers
 constexpr std::size_t kMinListedPoints = 12;  // fewest points of a list: small whole numbers fill a grid by chance
 
-bool names_place_or_height(const std::string& name) {
-  return name == "x" || name == "y" || name == "z" || name == "height" || name == "h";
-}
-
-class TableReader {
+/// Heights of one table of a text.
+class TableHeights {
  public:
-  TableReader(const std::string& file, const std::string& bytes) : file_(file), text_(bytes) {
-    if (bytes.rfind("\xEF\xBB\xBF", 0) == 0) text_.remove_prefix(3);
+  TableHeights(const std::string& file, io::TextTable table)
+      : file_(file),
+        table_(std::move(table)),
+        stated_(TableComments(file, table_.comments).stated()),
+        n_columns_(table_.n_columns) {
+    table_.columns = with_lengths_in_names(std::move(table_.columns));
+    columns_ = height_columns(table_.columns);
   }
 
-  /// All tables of the file: a comment that repeats one of the comments in front of a table begins another.
-  std::vector<ChannelValues> read(TableLayout layout, std::string& format) {
-    std::vector<ChannelValues> tables;
-    do {
-      begin_table();
-      if (!next_line()) {
-        if (!tables.empty()) break;  // comments behind the last row
-        refuse(file_, "the file has no row of numbers", "is it the right file?");
-      }
-      tables.push_back(read_table(layout, format));
-    } while (place_ < text_.size());
-    return tables;
-  }
-
- private:
-  void begin_table() {
-    comments_ = TableComments(file_);
-    has_rows_ = false;
-    header_.clear();
-    notes_.clear();
-    blank_line_ = parted_at_ = 0;
-    n_parted_ = 0;
-    separator_ = ',';
-  }
-
-  ChannelValues read_table(TableLayout layout, std::string& format) {
-    separator_ = separator_of(line_);
-    decimal_commas_ = separator_ != ',';
-    read_header();
-    if (header_.empty()) {
-      n_columns_ = count_cells();
-    } else {
-      n_columns_ = header_.size();
-      const auto next_row = [this] {
-        if (!next_line()) refuse(file_, "the file has no row of numbers", "is it the right file?");
-      };
-      next_row();
-      if (read_units()) next_row();
-    }
-    has_rows_ = true;
-    stated_ = comments_.stated();
+  ChannelValues read(TableLayout layout, std::string& format) {
     if (layout == TableLayout::kByContent) layout = layout_by_content();
     ChannelValues values = read_heights(layout, format);
     values.channel.name = stated_.name.empty() ? "heights" : stated_.name;
-    values.notes.insert(values.notes.begin(), notes_.begin(), notes_.end());
+    std::vector<std::string> notes;
+    if (table_.units_line > 0) notes.push_back(fmt::format("the row of units in line {} was used", table_.units_line));
+    if (const std::string account = table_.account(); !account.empty()) notes.push_back(account);
+    if (layout != TableLayout::kMatrix && !columns_.account.empty()) {
+      notes.push_back("taken by their names: " + columns_.account);
+    }
+    values.notes.insert(values.notes.begin(), notes.begin(), notes.end());
     return values;
   }
+
+ private:
+  bool is_named() const { return !table_.columns.empty(); }
 
   ChannelValues read_heights(TableLayout layout, std::string& format) {
     if (layout == TableLayout::kMatrix) {
@@ -97,164 +67,42 @@ class TableReader {
     return read_profile();
   }
 
-  /// Goes to the next line with content of the table; comments are looked into.
-  bool next_line() {
-    while (place_ < text_.size()) {
-      const std::size_t begin = place_, end = std::min(text_.find('\n', place_), text_.size());
-      line_ = text_.substr(place_, end - place_);
-      place_ = end + 1;
-      ++number_;
-      const std::string_view content = without_blanks(line_);
-      // Where tabulators separate the values, a line of tabulators is a row of missing heights.
-      const bool row_of_none = content.empty() && separator_ == '\t' && line_.find('\t') != std::string_view::npos;
-      if (content.empty() && !row_of_none) {
-        blank_line_ = number_;
-        continue;
-      }
-      if (row_of_none || !is_comment(content)) {
-        if (has_rows_ && blank_line_ > 0) {
-          ++n_parted_;
-          if (parted_at_ == 0) parted_at_ = blank_line_;
-        }
-        blank_line_ = 0;
-        return true;
-      }
-      if (has_rows_ && comments_.repeats(content)) {
-        place_ = begin;
-        --number_;
-        return false;
-      }
-      comments_.add(content, number_);
-    }
-    return false;
-  }
-
-  void read_header() {
-    Cells cells(line_, separator_);
-    std::string_view cell;
-    bool numbers = true, first = true;
-    std::vector<Column> header;
-    // A unit in brackets may be separate from its name: "x [um] z [um]" is two columns.
-    while (cells.next(cell)) {
-      if (first) numbers = is_missing_word(cell) || number_of(cell, decimal_commas_).has_value();
-      first = false;
-      if (separator_ == ' ' && !header.empty() && (cell.front() == '[' || cell.front() == '(')) {
-        header.back().unit = column_of(cell).unit;
-      } else {
-        header.push_back(column_of(cell));
-      }
-    }
-    if (!numbers) header_ = std::move(header);
-  }
-
-  /// Does the line below the header state units? They are taken over.
-  bool read_units() {
-    std::vector<std::string> texts;
-    std::vector<int> places;
-    Cells cells(line_, separator_);
-    for (std::string_view cell; cells.next(cell);) {
-      if (!cell.empty() && is_missing_word(cell)) return false;
-      texts.push_back(utf8_from(cell));
-      places.push_back(cells.column());
-    }
-    const std::optional<io::StatedUnits> units = io::row_of_units(texts, header_.size());
-    if (!units) return false;
-    for (std::size_t k = 0; k < units->size(); ++k) {
-      const std::optional<std::string>& below = (*units)[k];
-      std::string& unit = header_[k].unit;
-      if (below && !unit.empty() && unit != *below) {
-        refuse_here(
-            places[k],
-            fmt::format("the unit of {} is {} here and {} in the header", utf8_from(header_[k].name), *below, unit),
-            "keep the right one; below the header a row of text is read as units");
-      }
-      if (below) unit = *below;
-    }
-    notes_.push_back(fmt::format("the row of units in line {} was used", number_));
-    return true;
-  }
-
-  std::size_t count_cells() const {
-    Cells cells(line_, separator_);
-    std::string_view cell;
-    std::size_t count = 0;
-    while (cells.next(cell)) ++count;
-    const bool ends = separator_ != ' ' && count > 1 && cell.empty() && stripped(line_).back() == separator_;
-    return ends && separators_end_rows() ? count - 1 : count;
-  }
-
-  /// Does a separator end each of the rows to come? If not, an empty cell at the end is a missing height.
-  bool separators_end_rows() const {
-    for (std::size_t begin = place_; begin < text_.size();) {
-      const std::size_t end = std::min(text_.find('\n', begin), text_.size());
-      const std::string_view row = stripped(text_.substr(begin, end - begin));
-      begin = end + 1;
-      if (!row.empty() && !is_comment(row) && row.back() != separator_) return false;
-    }
-    return true;
-  }
-
   TableLayout layout_by_content() const {
-    if (!header_.empty()) return find({"y"}) && find({"x"}) ? TableLayout::kPoints : TableLayout::kProfile;
+    if (is_named()) {
+      return columns_.y && columns_.x && !is_one_row() ? TableLayout::kPoints : TableLayout::kProfile;
+    }
     if (stated_.width && stated_.height)
       return TableLayout::kMatrix;  // a header of Gwyddion, whatever the number of columns
     if (n_columns_ <= 2) return TableLayout::kProfile;
     return n_columns_ == 3 ? TableLayout::kPoints : TableLayout::kMatrix;
   }
 
-  std::optional<std::size_t> find(std::initializer_list<const char*> names) const {
-    for (std::size_t i = 0; i < header_.size(); ++i) {
-      if (std::any_of(names.begin(), names.end(), [&](const char* name) { return header_[i].name == name; })) return i;
+  /// A second encoder that did not move: a profile.
+  bool is_one_row() const {
+    if (io::heading_of(table_.columns[*columns_.y].name).name.size() < 2) return false;  // y itself
+    for (std::size_t i = 1; i < table_.rows(); ++i) {
+      if (table_.at(i, *columns_.y) != table_.at(0, *columns_.y)) return false;
     }
-    return std::nullopt;
+    return true;
   }
 
-  [[noreturn]] void refuse_here(int column, const std::string& message, const std::string& remedy) const {
-    throw InputError(std::vector<Fault>{{{file_, number_, column, utf8_from(line_.substr(0, 2000))}, message, remedy}});
-  }
-
-  /// All cells of the line as numbers, NaN where a height is missing.
-  void read_cells(std::vector<double>& row) const {
-    row.clear();
-    Cells cells(line_, separator_);
-    std::string_view cell;
-    while (cells.next(cell)) {
-      if (is_missing_word(cell)) {
-        row.push_back(kMissing);
-        continue;
-      }
-      const std::optional<double> value = number_of(cell, decimal_commas_);
-      if (!value) {
-        refuse_here(cells.column(), fmt::format("\"{}\" is not a finite number", utf8_from(cell.substr(0, 40))),
-                    "a number is required here, or nothing where no height was measured");
-      }
-      row.push_back(*value);
-    }
-    if (row.size() == n_columns_ + 1 && cell.empty()) row.pop_back();
-    if (row.size() != n_columns_) {
-      refuse_here(1, fmt::format("the row has {} values, and {} are required", row.size(), n_columns_),
-                  separator_ == ',' && row.size() == 2 * n_columns_
-                      ? "with decimal commas, part the columns by semicolons"
-                      : "give every row as many values as the first; start lines before the heights, for example one "
-                        "of counts, with #");
-    }
+  [[noreturn]] void refuse_row(std::size_t row, const std::string& message, const std::string& remedy) const {
+    throw InputError(std::vector<Fault>{{{file_, table_.row_lines[row], 1, ""}, message, remedy}});
   }
 
   ChannelValues read_matrix() {
-    if (!header_.empty()) {
-      refuse_here(1, "a matrix of heights has no header",
-                  "start the line of names with #, and remove columns and rows that number the heights");
+    if (is_named()) {
+      throw InputError(
+          std::vector<Fault>{{{file_, table_.header_line, 1, ""},
+                              "a matrix of heights has no header",
+                              "start the line of names with #, and remove columns and rows that number the heights"}});
     }
     ChannelValues values;
-    std::vector<double> row;
-    do {
-      read_cells(row);
-      values.value.insert(values.value.end(), row.begin(), row.end());
-      ++values.channel.points_y;
-      if (values.value.size() > kMaxPoints) refuse_here(1, "the matrix has too many points", "cut it into parts");
-    } while (next_line());
     values.channel.points_x = n_columns_;
+    values.channel.points_y = table_.rows();
     values.channel.unit = stated_.unit;
+    values.value = std::move(table_.cells);
+    if (values.value.size() > kMaxPoints) refuse(file_, "the matrix has too many points", "cut it into parts");
     check_places_in_columns(values);
     values.set_missing_where_nan();
     for (double& height : values.value) height *= stated_.height_factor;
@@ -296,8 +144,8 @@ class TableReader {
                                            stated_.points_y.value_or(found.points_y), found.points_x, found.points_y),
                                "copy or export the file again"});
     }
-    if (parted_at_ > 0 && 2 * n_parted_ < found.points_y) {  // else they part all rows
-      values.doubts.push_back({fmt::format("the blank line {} parts rows that were read as one map", parted_at_),
+    if (table_.parted_at > 0 && 2 * table_.n_parted < found.points_y) {  // else they part all rows
+      values.doubts.push_back({fmt::format("the blank line {} parts rows that were read as one map", table_.parted_at),
                                "if several maps follow each other, write each to a file of its own"});
     }
   }
@@ -326,42 +174,45 @@ class TableReader {
     for (Doubt& doubt : count_doubts(values.value)) values.doubts.push_back(std::move(doubt));
   }
 
-  /// The column of that name, or the one of that place where the file names none.
-  std::size_t column(std::initializer_list<const char*> names, std::size_t place) const {
-    if (header_.empty()) return place;
-    const std::optional<std::size_t> found = find(names);
-    if (!found) {
-      std::string all;
-      for (const Column& c : header_) all += (all.empty() ? "" : ", ") + utf8_from(c.name);
-      refuse(file_, fmt::format("there is no column {} among: {}", *names.begin(), all.substr(0, 400)),
-             "name the columns x, y and z, for example: x [um],y [um],z [nm]");
-    }
-    return *found;
+  /// The column of that meaning, or the one of that place where the file names none.
+  std::size_t column(const std::optional<std::size_t>& named, const char* name, std::size_t place) const {
+    if (!is_named()) return place;
+    if (named) return *named;
+    std::string all;
+    for (const io::Heading& c : table_.columns) all += (all.empty() ? "" : ", ") + c.name;
+    refuse(file_, fmt::format("there is no column {} among: {}", name, all.substr(0, 400)),
+           "name the columns x, y and z, for example: x [um],y [um],z [nm]; or state their names with --columns");
   }
 
-  std::string unit_of(std::size_t column) const { return column < header_.size() ? header_[column].unit : ""; }
+  std::string unit_of(std::size_t column) const {
+    return column < table_.columns.size() ? table_.columns[column].unit.value_or("") : "";
+  }
 
-  void check_place(double place, const char* name) const {
+  double place_at(std::size_t row, std::size_t column, const char* name) const {
+    const double place = table_.at(row, column);
     if (std::isnan(place))
-      refuse_here(1, fmt::format("the row has no {}", name), "a place is required for each height");
+      refuse_row(row, fmt::format("the row has no {}", name), "a place is required for each height");
+    return place;
+  }
+
+  /// NaN where the column of validity is 0.
+  double height_at(std::size_t row, std::size_t column) const {
+    const bool is_valid = !columns_.valid || table_.at(row, *columns_.valid) != 0;
+    return is_valid ? table_.at(row, column) : std::numeric_limits<double>::quiet_NaN();
   }
 
   ChannelValues read_points() {
-    if (n_columns_ < 3) refuse_here(1, "points need three columns", "x, y and the height");
-    const std::size_t x = column({"x"}, 0), y = column({"y"}, 1), z = column({"z", "height", "h"}, 2);
+    if (n_columns_ < 3) refuse_row(0, "points need three columns", "x, y and the height");
+    const std::size_t x = column(columns_.x, "x", 0), y = column(columns_.y, "y", 1), z = column(columns_.z, "z", 2);
     if (unit_of(x) != unit_of(y)) {
       refuse(file_, fmt::format("x is in \"{}\" and y in \"{}\"", unit_of(x), unit_of(y)), "give both the same unit");
     }
     ListedPoints points;
-    std::vector<double> row;
-    do {
-      read_cells(row);
-      check_place(row[x], "x");
-      check_place(row[y], "y");
-      points.x.push_back(row[x]);
-      points.y.push_back(row[y]);
-      points.value.push_back(row[z]);
-    } while (next_line());
+    for (std::size_t i = 0; i < table_.rows(); ++i) {
+      points.x.push_back(place_at(i, x, "x"));
+      points.y.push_back(place_at(i, y, "y"));
+      points.value.push_back(height_at(i, z));
+    }
     check_head_of_points(points);
     ChannelValues values = on_regular_grid(file_, points);
     values.channel.unit = unit_of(z);
@@ -371,7 +222,7 @@ class TableReader {
 
   /// Three numbers in front of the points may count them.
   void check_head_of_points(const ListedPoints& points) const {
-    if (!header_.empty() || points.value.size() < 3) return;
+    if (is_named() || points.value.size() < 3) return;
     const double head[] = {points.x[0], points.y[0], points.value[0]};
     const auto rest = static_cast<double>(points.value.size() - 1);
     const auto outside = [](const std::vector<double>& of) {
@@ -388,28 +239,24 @@ class TableReader {
   }
 
   ChannelValues read_profile() {
-    const bool has_places = header_.empty() ? n_columns_ > 1 : find({"x"}).has_value();
-    const std::size_t x = has_places ? column({"x"}, 0) : 0;
-    const std::size_t z = column({"z", "height", "h"}, has_places ? 1 : 0);
+    const bool has_places = is_named() ? columns_.x.has_value() : n_columns_ > 1;
+    const std::size_t x = has_places ? column(columns_.x, "x", 0) : 0;
+    const std::size_t z = column(columns_.z, "z", has_places ? 1 : 0);
     ChannelValues values;
-    std::vector<double> row;
     bool falls = false;
-    do {
-      read_cells(row);
-      if (has_places) {
-        check_place(row[x], "x");
-        if (values.x.size() == 1) falls = row[x] < values.x.back();
-        if (!values.x.empty() && !(falls ? row[x] < values.x.back() : row[x] > values.x.back())) {
-          refuse_here(1,
-                      fmt::format("x {} or repeats: {} after {}", falls ? "rises" : "falls", row[x], values.x.back()),
-                      values.x.size() <= 2 && header_.empty()
-                          ? "if the first line is not part of the profile, start it with #; else sort the rows by x"
-                          : "sort the rows by x; give each place one height");
-        }
-        values.x.push_back(row[x]);
+    for (std::size_t i = 0; i < table_.rows(); ++i) {
+      values.value.push_back(height_at(i, z));
+      if (!has_places) continue;
+      const double place = place_at(i, x, "x");
+      if (i == 1) falls = place < values.x.back();
+      if (i > 0 && !(falls ? place < values.x.back() : place > values.x.back())) {
+        refuse_row(i, fmt::format("x {} or repeats: {} after {}", falls ? "rises" : "falls", place, values.x.back()),
+                   values.x.size() <= 2 && !is_named()
+                       ? "if the first line is not part of the profile, start it with #; else sort the rows by x"
+                       : "sort the rows by x; give each place one height");
       }
-      values.value.push_back(row[z]);
-    } while (next_line());
+      values.x.push_back(place);
+    }
     if (falls) {
       std::reverse(values.x.begin(), values.x.end());
       std::reverse(values.value.begin(), values.value.end());
@@ -420,64 +267,42 @@ class TableReader {
     values.channel.unit = unit_of(z);
     values.step_unit = has_places ? unit_of(x) : "";
     values.set_missing_where_nan();
-    if (!has_places && header_.empty()) add_count_doubts(values);
+    if (!has_places && !is_named()) add_count_doubts(values);
     return values;
   }
 
-  std::string file_;
-  std::string_view text_;
-  std::size_t place_ = 0;
-  std::string_view line_;
-  int number_ = 0;
-  char separator_ = ',';
-  bool decimal_commas_ = false;
-  std::vector<Column> header_;
-  std::size_t n_columns_ = 0;
-  TableComments comments_{""};
+  const std::string& file_;
+  io::TextTable table_;
   StatedMap stated_;
-  bool has_rows_ = false;     ///< have the rows of the present table begun?
-  int blank_line_ = 0;        ///< last blank line before the line; 0: none
-  int parted_at_ = 0;         ///< first blank line between rows; 0: none
-  std::size_t n_parted_ = 0;  ///< how often blank lines part rows
-  std::vector<std::string> notes_;
+  std::size_t n_columns_;
+  HeightColumns columns_;
 };
 
 }  // namespace
 
-TextHead text_head(const std::string& bytes) {
+TextHead text_head(const std::string& bytes, const io::TableReading& stated) {
   const std::string_view head = std::string_view(bytes).substr(0, kSniffed);
   for (const char c : head) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F) return {};
   }
-  TextHead found{TextKind::kOther, 0, ""};
-  for (std::size_t start = head.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0; start < head.size();) {
-    const std::size_t end = std::min(head.find('\n', start), head.size());
-    const std::string_view line = without_blanks(head.substr(start, end - start));
-    start = end + 1;
-    ++found.line;
-    if (line.empty() || is_comment(line)) continue;
-    std::size_t n_cells = 0, named = 0;
-    bool is_number = false;
-    Cells cells(line, separator_of(line));
-    for (std::string_view cell; cells.next(cell); ++n_cells) {
-      if (n_cells == 0) is_number = is_missing_word(cell) || number_of(cell, true);
-      const bool is_name = names_place_or_height(column_of(cell).name);
-      if (is_name) named += n_cells == 0 ? 2 : 1;
-    }
-    if (n_cells == 0) continue;
-    // The first name alone, or two behind a column of another name, as in "id,x,y,z".
-    if (is_number || named >= 2) found.kind = TextKind::kTable;
-    found.words = utf8_from(line.substr(0, 200));
-    return found;
-  }
-  return found;
+  // The last line may be cut.
+  const std::size_t end = head.size() < bytes.size() ? head.rfind('\n') : head.size();
+  const io::TextOutline outline = io::outline_of_text(head.substr(0, end), stated);
+  const bool is_table = outline.starts_with_numbers || stated.columns ||
+                        (stated.skip_lines && outline.numbers_line > 0) || name_heights(outline.columns);
+  return {is_table ? TextKind::kTable : TextKind::kOther, outline.line, outline.words, outline.numbers_line};
 }
 
-InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout) {
+InstrumentFile read_height_table(const std::string& file, const std::string& bytes, TableLayout layout,
+                                 const io::TableReading& stated) {
   InstrumentFile result;
-  const auto parsed =
-      std::make_shared<const std::vector<ChannelValues>>(TableReader(file, bytes).read(layout, result.format));
+  std::vector<ChannelValues> channels;
+  for (io::TextTable& table :
+       io::read_text_tables(file, bytes, {io::TableHeader::kOptional, io::Gaps::kKept}, stated)) {
+    channels.push_back(TableHeights(file, std::move(table)).read(layout, result.format));
+  }
+  const auto parsed = std::make_shared<const std::vector<ChannelValues>>(std::move(channels));
   for (const ChannelValues& table : *parsed) {
     checked_points(file, table.channel.points_x, table.channel.points_y);
     result.channels.push_back(table.channel);

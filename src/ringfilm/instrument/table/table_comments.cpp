@@ -7,11 +7,15 @@
 #include <utility>
 
 #include "ringfilm/base/trimmed.hpp"
-#include "ringfilm/instrument/grid/binary_reader.hpp"
-#include "ringfilm/instrument/table/text_cells.hpp"
+#include "ringfilm/io/table/table_head.hpp"
+#include "ringfilm/io/table/text_cells.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::instrument {
+
+using io::lower;
+using io::number_of;
+
 namespace {
 
 /// As Gwyddion writes its four comments in the languages of its interface; ASCII letters in lower case.
@@ -52,31 +56,11 @@ void share_unit_of_sides(StatedMap& map) {
 
 }  // namespace
 
-std::optional<TableComments::Entry> TableComments::entry_of(std::string_view line, int number) {
-  const std::string_view content = without_blanks(line);
-  if (content.size() < 2 || content.size() > 200) return std::nullopt;
-  std::size_t end = content.find_first_of(":="), length = 1;
-  if (const std::size_t wide = content.find("："); wide < end) {
-    end = wide;
-    length = 3;  // bytes of the wide colon
+TableComments::TableComments(std::string file, const std::vector<io::TextLine>& comments) : file_(std::move(file)) {
+  for (const io::TextLine& comment : comments) {
+    const std::optional<io::CommentEntry> entry = io::comment_entry(comment.text);
+    if (entry) entries_.push_back({entry->name, lower(entry->name), entry->value, comment.number, comment.text});
   }
-  if (end == std::string_view::npos) return std::nullopt;
-  Entry entry;
-  entry.name = trimmed(utf8_from(content.substr(1, end - 1)));
-  entry.key = lower(entry.name);
-  entry.value = trimmed(utf8_from(content.substr(end + length)));
-  entry.number = number;
-  entry.line = utf8_from(line.substr(0, 2000));
-  return entry;
-}
-
-void TableComments::add(std::string_view line, int number) {
-  if (std::optional<Entry> entry = entry_of(line, number)) entries_.push_back(std::move(*entry));
-}
-
-bool TableComments::repeats(std::string_view line) const {
-  const std::optional<Entry> entry = entry_of(line, 0);
-  return entry && find(entry->key) != nullptr;
 }
 
 const TableComments::Entry* TableComments::find(std::string_view key) const {

@@ -7,6 +7,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/grid/channel.hpp"
+#include "ringfilm/io/table/text_table.hpp"
 
 /// What the comments in front of a matrix of heights state: those of Gwyddion, in any of its languages, and of SPIP.
 namespace ringfilm::instrument {
@@ -30,16 +31,10 @@ struct StatedMap {
   std::vector<Doubt> doubts;
 };
 
-/// Collects the comments of one map, line by line.
+/// The comments of one map. Only lines "name: value" and "name = value" count.
 class TableComments {
  public:
-  explicit TableComments(std::string file) : file_(std::move(file)) {}
-
-  /// Takes a line that starts with # or %. Only lines "name: value" and "name = value" count.
-  void add(std::string_view line, int number);
-
-  /// Has the name of this comment been there before, as where the head of another map begins?
-  bool repeats(std::string_view line) const;
+  TableComments(std::string file, const std::vector<io::TextLine>& comments);
 
   /// All that they state together.
   StatedMap stated() const;
@@ -53,7 +48,6 @@ class TableComments {
     std::string line;
   };
 
-  static std::optional<Entry> entry_of(std::string_view line, int number);
   const Entry* find(std::string_view key) const;
   std::optional<StatedLength> side(const Entry& entry, const std::string& usual_unit, StatedMap& map) const;
 

@@ -72,10 +72,13 @@ class DataFiles {
 
  private:
   static TraceColumns trace_columns(const cycle::Gas& gas, TracePlace place) {
-    TraceColumns columns{{}, {}, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place};
+    TraceColumns columns{{}, {}, gas.pressure_unit, gas.angle_unit, gas.pressure_reference, place, {}, {}};
     if (place == TracePlace::kCylinder) {
       columns.pressure_column = gas.pressure_column;
       columns.angle_column = gas.angle_column;
+      columns.cycle = gas.cycle;
+      columns.table.columns = gas.columns;
+      if (gas.skip_lines > 0) columns.table.skip_lines = static_cast<std::size_t>(gas.skip_lines);
     }
     return columns;
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "ringfilm/cycle/setup/oil_setup.hpp"
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 
 namespace ringfilm::io {
 namespace {

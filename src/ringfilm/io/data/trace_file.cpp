@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/data/trace_cycles.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
+#include "ringfilm/io/table/text_cells.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"
 
 namespace ringfilm::io {
@@ -18,21 +19,38 @@ namespace {
 constexpr double kNotedMismatch = 1e-3, kMaxMismatch = 0.05;
 /// The peak of any engine's trace lies between these; outside, the unit is wrong [Pa].
 constexpr double kMinPeak = 5e4, kMaxPeak = 1e8;
-
-std::string in_small_letters(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name;
-}
+/// Rows without a number are omitted up to this share, else they are faults; assumed.
+constexpr double kMaxGapShare = 0.01;
 
 bool sounds_like_angle(const std::string& written) {
-  const std::string name = in_small_letters(written);
+  const std::string name = lower(written);
   return name == "phi" || name == "theta" || name.find("angle") != std::string::npos ||
          name.find("crank") != std::string::npos || name.find("cad") != std::string::npos ||
-         name.find("degca") != std::string::npos;
+         name.find("degca") != std::string::npos || name == "ca" || name == "kw";
+}
+
+bool counts_cycles(const std::string& written) {
+  const std::string name = lower(written);
+  for (const char* word : {"cycle", "cycle number", "cycle_number", "cycle no", "cyc", "zyklus", "zyklusnummer"}) {
+    if (name == word) return true;
+  }
+  return false;
+}
+
+/// Does a name match a pattern in which * stands for any text?
+bool matches(std::string_view pattern, std::string_view name) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return pattern == name;
+  const std::string_view behind = pattern.substr(star + 1);
+  if (!name.starts_with(pattern.substr(0, star))) return false;
+  for (std::size_t i = star; i <= name.size(); ++i) {
+    if (matches(behind, name.substr(i))) return true;
+  }
+  return false;
 }
 
 bool sounds_like_pressure(const std::string& written) {
-  const std::string name = in_small_letters(written);
+  const std::string name = lower(written);
   return name == "p" || name.rfind("p_", 0) == 0 || name.rfind("p ", 0) == 0 || name.rfind("pcyl", 0) == 0 ||
          name.find("press") != std::string::npos;
 }
@@ -51,8 +69,9 @@ struct Role {
 class TraceReader {
  public:
   TraceReader(const NamedFile& file, const TraceColumns& stated, const Units& units)
-      : csv_(read_csv(file)),
+      : csv_(read_csv(file, Gaps::kListed, stated.table)),
         place_(stated.place),
+        choice_(stated.cycle),
         units_(units),
         angle_{"crank angle", "degree",          "gas.angle_column",  "gas.angle_unit", "crank_angle [degree]",
                kAngleUnits,   sounds_like_angle, stated.angle_column, stated.angle_unit},
@@ -65,8 +84,8 @@ class TraceReader {
                   sounds_like_pressure,
                   stated.pressure_column,
                   stated.pressure_unit} {
-    csv_.read_units_in_parentheses([this](const std::string& text) {
-      return units_.measures(text, "degree") || units_.measures(text, "Pa") || is_gauge(text);
+    csv_.read_units_in_names([this](const std::string& text) {
+      return units_.measures(text, "degree") || units_.measures(text, "Pa") || is_gauge(text) || is_any_unit(text);
     });
   }
 
@@ -78,28 +97,36 @@ class TraceReader {
     TraceOutline seen;
     for (const std::size_t i : angles) seen.angle.push_back({csv_.columns[i].name, csv_.columns[i].unit});
     for (const std::size_t i : pressures) seen.pressure.push_back({csv_.columns[i].name, csv_.columns[i].unit});
-    if (angles.size() == 1) outline_angles(angles.front(), seen);
-    if (pressures.size() == 1) outline_pressures(pressures.front(), seen);
+    if (angles.size() == 1) outline_samples(angles.front(), pressures, seen);
     if (!faults_.empty()) throw InputError(faults_);
+    seen.notes = notes_;
     return seen;
   }
 
   TraceFile read(cycle::PressureReference reference) {
     reference_ = reference;
-    const auto i_angle = column_for(angle_);
-    const auto i_pressure = column_for(pressure_);
-    TraceFile trace;
-    if (i_angle && i_pressure) {
-      trace.samples = {values(*i_angle, angle_), values(*i_pressure, pressure_)};
-      if (!faults_.empty()) throw TraceKeyError(faults_);
-      check_angles(trace.samples.crank_angle_deg, *i_angle);
-      if (faults_.empty()) {
-        check_pressures(trace.samples.value, *i_pressure);
-        if (!faults_.empty()) throw TraceKeyError(faults_);
-      }
-      if (faults_.empty()) check_repetition(trace.samples.crank_angle_deg, trace.samples.value, *i_pressure);
+    const std::vector<std::size_t> angle_columns = columns_for(angle_), pressure_columns = columns_for(pressure_);
+    if (angle_columns.empty() || pressure_columns.empty()) throw TraceKeyError(faults_);
+    if (!choice_.is_valid()) {
+      faults_.push_back({csv_.source.mark(0), "gas.cycle chooses one of several cycles",
+                         "\"mean\", \"median\" or the number of a cycle, from \"1\""});
     }
-    if (!i_angle || !i_pressure) throw TraceKeyError(faults_);
+    const std::size_t i_angle = angle_columns.front(), i_pressure = pressure_columns.front();
+    TraceRows rows;
+    rows.crank_angle_deg = values(i_angle, angle_);
+    for (const std::size_t i : pressure_columns) rows.pressure.push_back(values(i, pressure_));
+    if (!faults_.empty()) throw TraceKeyError(faults_);
+    make_one_cycle(rows, i_angle, pressure_columns, 1.0);
+    TraceFile trace;
+    if (faults_.empty()) {
+      trace.samples = {std::move(rows.crank_angle_deg), std::move(rows.pressure.front())};
+      check_angles(trace.samples.crank_angle_deg, i_angle);
+    }
+    if (faults_.empty()) {
+      check_pressures(trace.samples.value, i_pressure);
+      if (!faults_.empty()) throw TraceKeyError(faults_);
+      check_repetition(trace.samples.crank_angle_deg, trace.samples.value, i_pressure);
+    }
     if (!faults_.empty()) throw InputError(faults_);
     trace.sha256 = csv_.source.sha256;
     trace.notes = csv_.notes;
@@ -108,31 +135,98 @@ class TraceReader {
   }
 
  private:
-  void outline_angles(std::size_t i_column, TraceOutline& seen) {
-    const CsvColumn& column = csv_.columns[i_column];
-    const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
-    seen.is_degree_by_span = !column.unit && *high - *low > models::kMaxSpanInRadians;
-    if (column.unit) {
-      seen.crank_angle_deg = in_si(column, units_.scale(*column.unit, angle_.si_unit));
-    } else if (seen.is_degree_by_span) {
-      seen.crank_angle_deg = column.values;
+  /// Looks at the samples as far as their units are known.
+  void outline_samples(std::size_t i_angle, const std::vector<std::size_t>& pressures, TraceOutline& seen) {
+    const CsvColumn& angle = csv_.columns[i_angle];
+    const auto [low, high] = std::minmax_element(angle.values.begin(), angle.values.end(), NanIsLess());
+    seen.is_degree_by_span = !angle.unit && *high - *low > models::kMaxSpanInRadians;
+    const bool is_one = pressures.size() == 1;
+    const CsvColumn& pressure = csv_.columns[pressures.front()];
+    if (is_one && pressure.unit && is_gauge(*pressure.unit)) {
+      seen.reference_of_unit = cycle::PressureReference::kGauge;
     }
-    if (!seen.crank_angle_deg.empty()) check_angles(seen.crank_angle_deg, i_column);
+    if (is_one && pressure.unit && is_absolute(*pressure.unit)) {
+      seen.reference_of_unit = cycle::PressureReference::kAbsolute;
+    }
+    TraceRows rows;
+    if (angle.unit) {
+      rows.crank_angle_deg = in_si(angle, units_.scale(*angle.unit, angle_.si_unit));
+    } else if (seen.is_degree_by_span) {
+      rows.crank_angle_deg = angle.values;
+    } else {
+      return;
+    }
+    const bool is_in_pascal = is_one && pressure.unit.has_value();
+    if (is_in_pascal) {
+      const std::string unit = is_gauge(*pressure.unit) ? without_gauge(*pressure.unit) : *pressure.unit;
+      rows.pressure.push_back(in_si(pressure, units_.scale(unit, pressure_.si_unit)));
+    } else {
+      rows.pressure.push_back(pressure.values);
+    }
+    make_one_cycle(rows, i_angle, {pressures.front()}, is_in_pascal ? std::optional(1.0) : std::nullopt);
+    if (!faults_.empty()) return;
+    seen.crank_angle_deg = rows.crank_angle_deg;
+    check_angles(seen.crank_angle_deg, i_angle);
+    if (!is_one || !faults_.empty()) return;
+    seen.is_in_pascal = is_in_pascal;
+    seen.pressure_values = rows.pressure.front();
+    if (!seen.is_in_pascal) return;
+    reference_ = seen.reference_of_unit;
+    check_pressures(seen.pressure_values, pressures.front());
+    if (faults_.empty()) check_repetition(seen.crank_angle_deg, seen.pressure_values, pressures.front());
   }
 
-  void outline_pressures(std::size_t i_column, TraceOutline& seen) {
-    const CsvColumn& column = csv_.columns[i_column];
-    if (column.unit && is_gauge(*column.unit)) seen.reference_of_unit = cycle::PressureReference::kGauge;
-    if (column.unit && is_absolute(*column.unit)) seen.reference_of_unit = cycle::PressureReference::kAbsolute;
-    if (seen.crank_angle_deg.empty() || !faults_.empty()) return;
-    seen.is_in_pascal = column.unit.has_value();
-    seen.pressure_values = column.values;
-    if (!seen.is_in_pascal) return;
-    const std::string unit = is_gauge(*column.unit) ? without_gauge(*column.unit) : *column.unit;
-    seen.pressure_values = in_si(column, units_.scale(unit, pressure_.si_unit));
-    reference_ = seen.reference_of_unit;
-    check_pressures(seen.pressure_values, i_column);
-    if (faults_.empty()) check_repetition(seen.crank_angle_deg, seen.pressure_values, i_column);
+  struct NanIsLess {
+    bool operator()(double a, double b) const { return std::isnan(a) ? !std::isnan(b) : a < b; }
+  };
+
+  /// Omits the rows without a number, turns those whose angle falls, and takes one of several cycles.
+  void make_one_cycle(TraceRows& rows, std::size_t i_angle, const std::vector<std::size_t>& pressures,
+                      std::optional<double> pressure_scale) {
+    rows.row.resize(csv_.row_lines.size());
+    for (std::size_t i = 0; i < rows.row.size(); ++i) rows.row[i] = i;
+    omit_gaps(rows, i_angle, pressures);
+    if (!faults_.empty()) return;
+    turn_falling(rows);
+    const std::size_t n_cycles = join_cycles(rows, choice_, csv_.source.path, pressure_scale);
+    if (choice_.number() && *choice_.number() > n_cycles) {
+      faults_.push_back({csv_.source.mark(0),
+                         fmt::format("gas.cycle is {}, and the file has {} cycle{}", *choice_.number(), n_cycles,
+                                     n_cycles == 1 ? "" : "s"),
+                         "choose one of them, \"mean\" or \"median\""});
+    }
+    for (const std::string& note : rows.notes) {
+      notes_.push_back(note.starts_with(csv_.source.path) ? note : csv_.source.path + ": " + note);
+    }
+    rows_ = rows.row;
+  }
+
+  void omit_gaps(TraceRows& rows, std::size_t i_angle, const std::vector<std::size_t>& pressures) {
+    std::vector<const Gap*> gaps;
+    for (const Gap& gap : csv_.gaps) {
+      if (gap.column == i_angle || std::find(pressures.begin(), pressures.end(), gap.column) != pressures.end()) {
+        if (gaps.empty() || gaps.back()->row != gap.row) gaps.push_back(&gap);
+      }
+    }
+    if (gaps.empty()) return;
+    const auto n_rows = static_cast<double>(rows.row.size());
+    if (csv_.n_gaps > csv_.gaps.size() || static_cast<double>(gaps.size()) > kMaxGapShare * n_rows) {
+      constexpr std::size_t kMaxReported = 10;
+      for (std::size_t k = 0; k < std::min(gaps.size(), kMaxReported); ++k) faults_.push_back(gaps[k]->fault);
+      return;
+    }
+    notes_.push_back(fmt::format("{}: {} row{} without a number, the first in line {}, were omitted", csv_.source.path,
+                                 gaps.size(), gaps.size() == 1 ? "" : "s", csv_.row_lines[gaps.front()->row]));
+    for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap) {
+      const auto place = static_cast<std::ptrdiff_t>((*gap)->row);
+      rows.crank_angle_deg.erase(rows.crank_angle_deg.begin() + place);
+      for (std::vector<double>& column : rows.pressure) column.erase(column.begin() + place);
+      rows.row.erase(rows.row.begin() + place);
+    }
+  }
+
+  SourceMark sample_mark(std::size_t sample, std::size_t i_column) const {
+    return csv_.cell_mark(rows_[sample], i_column);
   }
 
   bool may_be(const CsvColumn& column, const Role& role) const {
@@ -141,11 +235,17 @@ class TraceReader {
   }
 
   std::vector<std::size_t> candidates(const Role& role) const {
-    std::vector<std::size_t> found;
+    std::vector<std::size_t> found, with_unit;
     for (std::size_t i = 0; i < csv_.columns.size(); ++i) {
-      if (may_be(csv_.columns[i], role)) found.push_back(i);
+      const CsvColumn& column = csv_.columns[i];
+      if (counts_cycles(column.name) || !may_be(column, role)) continue;
+      if (column.unit || role.sounds_like(column.name)) with_unit.push_back(i);
+      found.push_back(i);
     }
-    return found;
+    // Columns of other quantities without a unit are not candidates beside one that has its unit.
+    const bool has_unit = std::any_of(with_unit.begin(), with_unit.end(),
+                                      [this](std::size_t i) { return csv_.columns[i].unit.has_value(); });
+    return has_unit ? with_unit : found;
   }
 
   static std::vector<double> in_si(const CsvColumn& column, const Scale& scale) {
@@ -186,9 +286,15 @@ class TraceReader {
                              role.column_key});
     }
     if (faults_.size() > n_faults) return;
-    faults_.push_back({csv_.source.mark(csv_.header_line, 1),
-                       "no column of the file is a " + role.words + ": " + why_none_is(role),
-                       "a header such as " + role.header_example + " is required, or " + role.column_key});
+    const bool has_time =
+        &role == &angle_ && std::any_of(csv_.columns.begin(), csv_.columns.end(),
+                                        [this](const auto& c) { return c.unit && units_.measures(*c.unit, "s"); });
+    faults_.push_back(
+        {csv_.source.mark(csv_.header_line, 1), "no column of the file is a " + role.words + ": " + why_none_is(role),
+         has_time ? "a crank angle is required: at n rpm it grows by 6 n degree per second, from the angle of "
+                    "the first sample on, which the file does not state; write it as " +
+                        role.header_example
+                  : "a header such as " + role.header_example + " is required, or " + role.column_key});
   }
 
   std::string why_none_is(const Role& role) const {
@@ -205,25 +311,33 @@ class TraceReader {
     return reasons;
   }
 
-  std::optional<std::size_t> column_for(const Role& role) {
+  /// One column, or several pressures where the case names them by a pattern; empty, with a fault, where it is unclear.
+  std::vector<std::size_t> columns_for(const Role& role) {
     const SourceMark header = csv_.source.mark(csv_.header_line, 1);
+    if (role.column && &role == &pressure_ && role.column->find('*') != std::string::npos) {
+      std::vector<std::size_t> found;
+      for (std::size_t i = 0; i < csv_.columns.size(); ++i) {
+        if (matches(*role.column, csv_.columns[i].name)) found.push_back(i);
+      }
+      if (!found.empty()) return found;
+    }
     if (role.column) {
       const auto found = csv_.find(*role.column);
       if (!found) {
         faults_.push_back({header, "the file has no column " + *role.column + " (" + role.column_key + ")",
                            "it has: " + csv_.names()});
       }
-      return found;
+      return found ? std::vector{*found} : std::vector<std::size_t>();
     }
-    const std::vector<std::size_t> found = candidates(role);
-    if (found.size() == 1) return found.front();
+    std::vector<std::size_t> found = candidates(role);
+    if (found.size() == 1) return found;
     if (found.empty()) {
       refuse_all_columns(role);
     } else {
       faults_.push_back({header, fmt::format("{} columns of the file may be the {}", found.size(), role.words),
                          "name one of them with " + role.column_key + "; the file has: " + csv_.names()});
     }
-    return std::nullopt;
+    return {};
   }
 
   std::vector<double> values(std::size_t i_column, const Role& role) {
@@ -260,7 +374,8 @@ class TraceReader {
   }
 
   void check_angles(const std::vector<double>& angle, std::size_t i_column) {
-    if (const auto fault = crank_angle_fault(csv_, i_column, angle)) {
+    const auto place = [&](std::size_t sample) { return sample_mark(sample, i_column); };
+    if (const auto fault = crank_angle_fault(angle, place)) {
       faults_.push_back(*fault);
     } else {
       check_holes(angle, i_column);
@@ -278,7 +393,7 @@ class TraceReader {
         n_holes == 1 ? ""
                      : fmt::format(", nor in {} more steps over {} degree", n_holes - 1, models::kMaxSampleDistanceDeg);
     faults_.push_back(
-        {csv_.cell_mark(first, i_column),
+        {sample_mark(first, i_column),
          fmt::format("no samples between {:.8g} and {:.8g} degree{}", angle[first - 1], angle[first], others),
          fmt::format(
              "samples may be {} degree apart at the most, since the pressure between them is interpolated; give "
@@ -298,7 +413,7 @@ class TraceReader {
         fmt::format("the pressure is {} at {:.8g} degree and {} one cycle later, at {:.8g} degree",
                     text_in(p.front(), kBar), angle.front(), text_in(p.back(), kBar), angle.back());
     if (mismatch > kMaxMismatch) {
-      faults_.push_back({csv_.cell_mark(angle.size() - 1, i_column), message,
+      faults_.push_back({sample_mark(angle.size() - 1, i_column), message,
                          "a cycle repeats itself; take the last sample out, or average the cycles"});
     } else {
       notes_.push_back(csv_.source.path + ": " + message);
@@ -310,7 +425,7 @@ class TraceReader {
     const auto first = std::find_if(p.begin(), p.end(), is_impossible);
     if (first != p.end()) {
       const bool is_alone = std::count_if(p.begin(), p.end(), is_impossible) == 1;
-      faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(first - p.begin()), i_column),
+      faults_.push_back({sample_mark(static_cast<std::size_t>(first - p.begin()), i_column),
                          fmt::format("the pressure is {:.6g} Pa; {}", *first, rule_of_reference()),
                          remedy_of_low(*first, is_alone)});
       return;
@@ -318,7 +433,7 @@ class TraceReader {
     if (place_ == TracePlace::kCrankcase) return;
     const auto peak = std::max_element(p.begin(), p.end());
     if (*peak < kMinPeak || *peak > kMaxPeak) {
-      faults_.push_back({csv_.cell_mark(static_cast<std::size_t>(peak - p.begin()), i_column),
+      faults_.push_back({sample_mark(static_cast<std::size_t>(peak - p.begin()), i_column),
                          "the highest pressure of the trace is " + text_in(*peak, kBar),
                          fmt::format("is its unit right? That of engines is between {:.6g} and {}",
                                      number_in(kMinPeak, kBar), text_in(kMaxPeak, kBar))});
@@ -343,11 +458,13 @@ class TraceReader {
 
   CsvFile csv_;
   TracePlace place_;
+  CycleChoice choice_;
   const Units& units_;
   Role angle_, pressure_;
   std::optional<cycle::PressureReference> reference_;  ///< nothing where it is not known
   std::vector<Fault> faults_;
   std::vector<std::string> notes_;
+  std::vector<std::size_t> rows_;  ///< row in the file of each sample
 };
 
 }  // namespace
@@ -356,8 +473,9 @@ bool TraceOutline::has_lone_low_pressure() const {
   return std::count_if(pressure_values.begin(), pressure_values.end(), [](double p) { return p <= 0; }) == 1;
 }
 
-TraceOutline trace_outline(const NamedFile& file, const Units& units) {
-  const TraceColumns nothing_stated;
+TraceOutline trace_outline(const NamedFile& file, const Units& units, const TableReading& stated) {
+  TraceColumns nothing_stated;
+  nothing_stated.table = stated;
   return TraceReader(file, nothing_stated, units).outline();
 }
 

@@ -5,6 +5,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/case.hpp"
+#include "ringfilm/io/table/text_table.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/units.hpp"
 
@@ -19,6 +20,8 @@ struct TraceColumns {
   std::optional<std::string> pressure_unit, angle_unit;  ///< for a header without units
   cycle::PressureReference reference{};
   TracePlace place = TracePlace::kCylinder;
+  std::optional<std::string> cycle{};  ///< of several: "mean", "median" or its number; their mean where not stated
+  TableReading table{};
 };
 
 /// A trace in SI and degrees; pressures absolute or gauge, angles with their own zero, both as the file has them.
@@ -53,6 +56,7 @@ struct TraceOutline {
   std::vector<double> crank_angle_deg;  ///< empty unless one column is the angle, in a unit that is known
   std::vector<double> pressure_values;  ///< empty where the angles are, or several columns may be the pressure
   bool is_in_pascal = false;            ///< the pressures; else as written, without unit
+  std::vector<std::string> notes;       ///< what was omitted, turned or averaged
 
   /// Is one pressure alone not above zero, as a disturbed sample is? Many are in a gauge trace.
   bool has_lone_low_pressure() const;
@@ -60,9 +64,11 @@ struct TraceOutline {
 
 /// Looks at a trace. Throws InputError for a file that is not a table of numbers, and with the faults of read_trace
 /// that hold whatever a case states.
-TraceOutline trace_outline(const NamedFile& file, const Units& units);
+TraceOutline trace_outline(const NamedFile& file, const Units& units, const TableReading& stated = {});
 
-/// Reads pressure [Pa] against crank angle [degree] from a CSV file. Throws InputError with all faults of the file:
+/// Reads pressure [Pa] against crank angle [degree] from a CSV file. Of several cycles, one after the other or in the
+/// columns that a pattern names (p_*), one is made (trace_cycles.hpp); rows whose angle falls are turned about; up to
+/// 1 % of rows without a number are omitted. Throws InputError with all faults of the file:
 /// those of read_csv, columns that cannot be distinguished, units missing, contradictory or of the wrong kind, angles
 /// that do not increase, leave a hole or span over 720 degrees, pressures that cannot be absolute (or gauge) or do not
 /// repeat after a cycle; TraceKeyError where another column, unit or reference may be right.

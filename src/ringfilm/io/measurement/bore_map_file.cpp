@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/gas/trace_span.hpp"
 

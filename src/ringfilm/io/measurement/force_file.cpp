@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 
 namespace ringfilm::io {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 
 namespace ringfilm::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 
 namespace ringfilm::io {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/text/csv_file.hpp"
+#include "ringfilm/io/table/csv_file.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 /// The gap of a pad over x and y, from a table of points or from NetCDF.

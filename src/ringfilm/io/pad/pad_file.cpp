@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ringfilm/io/pad/gap_map_file.hpp"
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 
 namespace ringfilm::io {
 namespace {

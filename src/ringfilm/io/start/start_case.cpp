@@ -126,7 +126,8 @@ StartCase start_case(const StartOptions& options) {
   append(start_walls(point), values);
   if (options.trace) {
     const Units units;
-    TraceKeys trace = trace_keys(*options.trace, options.case_folder, dimensions(engine, units), units);
+    TraceKeys trace =
+        trace_keys(*options.trace, options.case_folder, dimensions(engine, units), units, options.trace_table);
     append(trace.values, values);
     start.found = std::move(trace.found);
     start.missing = std::move(trace.missing);

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/io/table/text_table.hpp"
+
 /// Cases to start from (`ringfilm new`).
 namespace ringfilm::io {
 
@@ -15,6 +17,7 @@ struct StartOptions {
   std::optional<std::string> trace{};    ///< file of the cylinder pressure, as named in the working folder
   /// Folder of the case, to which its path of the trace is relative; empty: the working folder.
   std::string case_folder{};
+  TableReading trace_table{};  ///< how the trace is read
 };
 
 /// A case as text, and what a trace does not show.

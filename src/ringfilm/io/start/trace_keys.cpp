@@ -11,6 +11,7 @@
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
+#include "ringfilm/cycle/setup/trace_zero.hpp"
 #include "ringfilm/io/data/trace_file.hpp"
 #include "ringfilm/io/text/toml_tree.hpp"
 #include "ringfilm/models/gas/gas.hpp"
@@ -34,11 +35,20 @@ std::string names_of(const std::vector<TraceColumn>& columns) {
 /// Gathers what a trace shows and what it does not.
 class TraceAnswers {
  public:
-  TraceAnswers(TraceOutline seen, const cycle::Engine& engine) : seen_(std::move(seen)) { case_.engine = engine; }
+  TraceAnswers(TraceOutline seen, const cycle::Engine& engine, const TableReading& stated)
+      : seen_(std::move(seen)), stated_(stated) {
+    case_.engine = engine;
+  }
 
   TraceKeys answers(const std::string& name) {
     state("gas.model", quoted("trace"), "the cylinder pressure of a file");
     state("gas.cylinder_pressure", quoted(name), "relative to the folder of this file");
+    if (stated_.columns) state("gas.columns", quoted(*stated_.columns), "of the file, as stated");
+    if (stated_.skip_lines) {
+      state("gas.skip_lines", std::to_string(*stated_.skip_lines),
+            "lines of the file in front of its table, as stated");
+    }
+    for (const std::string& note : seen_.notes) keys_.found.push_back(note);
     column("gas.pressure_column", "gas.pressure_unit", "pressure", kPressureUnits, seen_.pressure);
     if (seen_.is_degree_by_span) {
       state("gas.angle_unit", quoted("degree"), kFromFile + ": radians would span more than a cycle");
@@ -48,7 +58,10 @@ class TraceAnswers {
     reference();
     const bool has_zero = zero();
     span();
-    if (has_zero && seen_.is_in_pascal && models::covers_cycle(seen_.crank_angle_deg)) pressures();
+    if (has_zero && seen_.is_in_pascal && models::covers_cycle(seen_.crank_angle_deg)) {
+      indicated_pressure();
+      pressures();
+    }
     return std::move(keys_);
   }
 
@@ -126,6 +139,16 @@ class TraceAnswers {
     return false;
   }
 
+  /// Mean indicated pressure of the whole cycle: the work on the piston, whatever the zero of the pressures.
+  void indicated_pressure() {
+    std::vector<double> angles;
+    for (const double angle : seen_.crank_angle_deg) angles.push_back(cycle::from_firing_deg(case_.gas, angle));
+    keys_.found.push_back(
+        "indicated mean effective pressure of the cycle " +
+        text_in(cycle::indicated_mean_pressure(case_.engine, angles, seen_.pressure_values), kBar, 4) +
+        " (IMEP, with the crank of this engine): compare it with the one stated for the trace");
+  }
+
   /// Notes where no reference that the pressures can have makes them probable; those of the first one.
   void pressures() {
     using enum cycle::PressureReference;
@@ -163,6 +186,7 @@ class TraceAnswers {
   }
 
   TraceOutline seen_;
+  const TableReading& stated_;
   cycle::Case case_;  ///< case with engine and gas alone
   TraceKeys keys_;
 };
@@ -190,10 +214,10 @@ void check_span(const std::string& path, const std::vector<double>& crank_angle_
 }  // namespace
 
 TraceKeys trace_keys(const std::string& path, const std::string& case_folder, const cycle::Engine& engine,
-                     const Units& units) {
-  TraceOutline seen = trace_outline({path, path}, units);
+                     const Units& units, const TableReading& stated) {
+  TraceOutline seen = trace_outline({path, path}, units, stated);
   check_span(path, seen.crank_angle_deg);
-  return TraceAnswers(std::move(seen), engine).answers(named_from(case_folder, path));
+  return TraceAnswers(std::move(seen), engine, stated).answers(named_from(case_folder, path));
 }
 
 }  // namespace ringfilm::io

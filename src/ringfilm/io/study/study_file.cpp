@@ -13,7 +13,7 @@
 #include "ringfilm/io/study/study_factor.hpp"
 #include "ringfilm/io/study/study_points.hpp"
 #include "ringfilm/io/study/study_reading.hpp"
-#include "ringfilm/io/text/csv_file.hpp"
+#include "ringfilm/io/table/csv_file.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 #include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/io/text/units.hpp"

@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <string_view>
 
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
+#include "ringfilm/io/text/text_encoding.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -59,29 +61,9 @@ std::string read_source_bytes(const std::string& path, const std::string& shown,
 
 namespace {
 
-/// Length of the well-formed UTF-8 sequence at `i`, 0 if there is none (Unicode 15, table 3-7).
-std::size_t utf8_length(const std::string& s, std::size_t i) {
-  const auto byte = [&s](std::size_t k) { return k < s.size() ? static_cast<unsigned char>(s[k]) : 0u; };
-  const auto follows = [&byte](std::size_t k) { return (byte(k) & 0xC0u) == 0x80u; };
-  const unsigned first = byte(i);
-  if (first < 0x80) return 1;
-  if (first >= 0xC2 && first <= 0xDF) return follows(i + 1) ? 2 : 0;
-  if (first >= 0xE0 && first <= 0xEF) {
-    const bool overlong = first == 0xE0 && byte(i + 1) < 0xA0;
-    const bool surrogate = first == 0xED && byte(i + 1) > 0x9F;
-    return follows(i + 1) && follows(i + 2) && !overlong && !surrogate ? 3 : 0;
-  }
-  if (first >= 0xF0 && first <= 0xF4) {
-    const bool overlong = first == 0xF0 && byte(i + 1) < 0x90;
-    const bool too_large = first == 0xF4 && byte(i + 1) > 0x8F;
-    return follows(i + 1) && follows(i + 2) && follows(i + 3) && !overlong && !too_large ? 4 : 0;
-  }
-  return 0;
-}
-
 /// Takes the byte-order mark off and brings line ends to "\n".
-std::string normalised(const std::string& bytes, bool& has_byte_order_mark) {
-  has_byte_order_mark = bytes.rfind("\xEF\xBB\xBF", 0) == 0;
+std::string normalised(std::string_view bytes, bool& has_byte_order_mark) {
+  has_byte_order_mark = bytes.starts_with("\xEF\xBB\xBF");
   std::string text;
   text.reserve(bytes.size());
   for (std::size_t i = has_byte_order_mark ? 3 : 0; i < bytes.size(); ++i) {
@@ -139,6 +121,22 @@ SourceMark SourceText::mark(int line, int column) const {
   return {path, line, column, known ? lines[line - 1] : std::string()};
 }
 
+namespace {
+
+SourceText source_of(const std::string& shown, std::string_view text, const std::string& bytes) {
+  SourceText source;
+  source.path = shown;
+  source.sha256 = sha256(bytes);
+  source.text = normalised(text, source.has_byte_order_mark);
+  check_text(source);
+  if (source.text.find_first_not_of(" \t\n") == std::string::npos)
+    refuse({shown, 0, 0, ""}, "the file is empty", "is it the right file?");
+  source.lines = split_lines(source.text);
+  return source;
+}
+
+}  // namespace
+
 SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit) {
   const std::string bytes = read_source_bytes(path, shown, limit);
   const SourceMark file{shown, 0, 0, ""};
@@ -146,14 +144,15 @@ SourceText read_source_text(const std::string& path, const std::string& shown, s
     refuse(file, "the file is UTF-16 text", "save it as UTF-8");
   }
   refuse_netcdf(file, bytes);
-  SourceText source;
-  source.path = shown;
-  source.sha256 = sha256(bytes);
-  source.text = normalised(bytes, source.has_byte_order_mark);
-  check_text(source);
-  if (source.text.find_first_not_of(" \t\n") == std::string::npos)
-    refuse(file, "the file is empty", "is it the right file?");
-  source.lines = split_lines(source.text);
+  return source_of(shown, bytes, bytes);
+}
+
+SourceText read_table_text(const std::string& path, const std::string& shown, std::size_t limit) {
+  const std::string bytes = read_source_bytes(path, shown, limit);
+  refuse_netcdf({shown, 0, 0, ""}, bytes);
+  const std::optional<DecodedText> text = decoded(bytes);
+  SourceText source = source_of(shown, text ? text->text : bytes, bytes);
+  if (text) source.encoding = text->encoding;
   return source;
 }
 

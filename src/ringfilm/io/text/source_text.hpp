@@ -17,6 +17,7 @@ struct SourceText {
   std::string text;                ///< UTF-8 without byte-order mark, line ends "\n"
   std::vector<std::string> lines;  ///< lines of `text`
   std::string sha256;              ///< SHA-256 of the bytes in the file
+  std::string encoding;            ///< of a file that is not UTF-8: "UTF-16", "Windows-1252"; else empty
   bool has_byte_order_mark = false;
 
   /// The place in this file; line and column count from 1.
@@ -26,6 +27,10 @@ struct SourceText {
 /// Reads the file at `path`, named `shown` in messages. Throws InputError for what is not a such text: missing,
 /// unreadable, a directory, larger than `limit` bytes, empty, binary (control characters) or not UTF-8.
 SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit);
+
+/// Reads the text of a table of numbers, which other programs write: UTF-8, UTF-16 with a byte-order mark, or
+/// Windows-1252. Throws InputError otherwise as read_source_text().
+SourceText read_table_text(const std::string& path, const std::string& shown, std::size_t limit);
 
 /// The bytes of the file at `path`, named `shown` in messages. Throws InputError: missing, unreadable, a directory, a
 /// device, larger than `limit` bytes.

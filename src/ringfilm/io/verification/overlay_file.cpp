@@ -8,7 +8,7 @@
 
 #include "ringfilm/cycle/result/result.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 
 namespace ringfilm::io {
@@ -34,7 +34,8 @@ Fault unknown_curve(const CsvFile& csv, std::size_t i_column) {
 
 void check_angles(const CsvFile& csv, const std::vector<double>& angle, std::vector<Fault>& faults) {
   const std::size_t i_column = *csv.find(kAngle);
-  if (const auto fault = crank_angle_fault(csv, i_column, angle)) faults.push_back(*fault);
+  if (const auto fault = crank_angle_fault(angle, [&](std::size_t row) { return csv.cell_mark(row, i_column); }))
+    faults.push_back(*fault);
   // One cycle may be counted from -360, from 0 or from -720 degrees; what lies further off is not a crank angle.
   constexpr double kFurthestDeg = cycle::kCycleDeg;
   const auto far = std::find_if(angle.begin(), angle.end(), [](double a) { return std::abs(a) > kFurthestDeg; });

@@ -11,8 +11,8 @@
 
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
-#include "ringfilm/io/text/csv_file.hpp"
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_file.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/io/text/toml_table.hpp"
 #include "ringfilm/study/verification/manufactured.hpp"
@@ -410,7 +410,7 @@ class VerificationReader {
     const std::string angles = table.needed_text("angle_column"), values = table.needed_text("column");
     if (name.empty()) return;
     const std::string path = (folder_ / name).string();
-    const CsvFile csv = read_csv({path, path}, NaN::kKept);
+    const CsvFile csv = read_csv({path, path}, Gaps::kNaN);
     const auto column = [&](const char* key, const std::string& requested, const std::string& si_unit) {
       const auto found = csv.find(requested);
       if (!found && !requested.empty())

@@ -1,9 +1,10 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "ringfilm/io/text/csv_file.hpp"
+#include "ringfilm/io/table/csv_file.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {
@@ -14,8 +15,9 @@ namespace ringfilm::io {
 std::vector<double> quantity_column(const CsvFile& csv, const std::string& name, const std::string& si_unit,
                                     const std::string& example, const Units& units, std::vector<Fault>& faults);
 
-/// What is wrong with the crank angles of a column: they do not rise from row to row, or span more than a cycle.
-std::optional<Fault> crank_angle_fault(const CsvFile& csv, std::size_t i_column,
-                                       const std::vector<double>& crank_angle_deg);
+/// What is wrong with crank angles: they do not rise from row to row, or span more than a cycle.
+/// @param place of a sample in the file
+std::optional<Fault> crank_angle_fault(const std::vector<double>& crank_angle_deg,
+                                       const std::function<SourceMark(std::size_t)>& place);
 
 }  // namespace ringfilm::io

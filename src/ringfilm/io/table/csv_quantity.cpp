@@ -1,4 +1,4 @@
-#include "ringfilm/io/text/csv_quantity.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include "ringfilm/cycle/setup/kinematics.hpp"
 
 namespace ringfilm::io {
-
 std::vector<double> quantity_column(const CsvFile& csv, const std::string& name, const std::string& si_unit,
                                     const std::string& example, const Units& units, std::vector<Fault>& faults) {
   const auto i_column = csv.find(name);
@@ -22,12 +21,15 @@ std::vector<double> quantity_column(const CsvFile& csv, const std::string& name,
     faults.push_back({csv.header_mark(k), "the file has two columns " + name, "which one is meant? take one out"});
     return {};
   }
-  if (!column.unit) {
+  const auto in_name =
+      with_unit_of_name(column, [&](const std::string& text) { return units.measures(text, si_unit); });
+  const std::optional<std::string>& unit = in_name ? in_name->unit : column.unit;
+  if (!unit) {
     faults.push_back({csv.header_mark(*i_column), "the column " + name + " has no unit", "write it as " + example});
     return {};
   }
   try {
-    const Scale scale = units.scale(*column.unit, si_unit);
+    const Scale scale = units.scale(*unit, si_unit);
     std::vector<double> si(column.values.size());
     std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
     return si;
@@ -38,17 +40,18 @@ std::vector<double> quantity_column(const CsvFile& csv, const std::string& name,
   }
 }
 
-std::optional<Fault> crank_angle_fault(const CsvFile& csv, std::size_t i_column, const std::vector<double>& angle) {
+std::optional<Fault> crank_angle_fault(const std::vector<double>& angle,
+                                       const std::function<SourceMark(std::size_t)>& place) {
   for (std::size_t k = 1; k < angle.size(); ++k) {
     if (angle[k] > angle[k - 1]) continue;
-    return Fault{csv.cell_mark(k, i_column),
+    return Fault{place(k),
                  angle[k] == angle[k - 1]
                      ? fmt::format("the crank angle {:.8g} degree comes twice", angle[k])
                      : fmt::format("the crank angle falls from {:.8g} to {:.8g} degree", angle[k - 1], angle[k]),
                  "crank angles must increase from row to row"};
   }
   if (angle.back() - angle.front() <= cycle::kCycleDeg * (1 + 1e-9)) return std::nullopt;
-  return Fault{csv.cell_mark(angle.size() - 1, i_column),
+  return Fault{place(angle.size() - 1),
                fmt::format("the crank angles span {:.8g} degree", angle.back() - angle.front()),
                "one cycle of 720 degree is expected; cut or average the cycles, or correct the unit of the angles"};
 }
