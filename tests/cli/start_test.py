@@ -231,6 +231,22 @@ class NewTest(StartTest):
         (self.folder / "bench.csv").write_text("CAD [deg];p_cyl [bar]\n" + re.sub(r";3\n", "\n", rows))
         self.assertIn('angle_zero = "gas-exchange-tdc"  # from the file', self.new("--trace", "bench.csv")[0])
 
+    def test_a_trace_without_a_header_is_read_by_stated_columns(self):
+        self.compressed("plain.csv", "CA [deg];p [bar]")
+        lines = (self.folder / "plain.csv").read_text().split("\n")
+        (self.folder / "bare.csv").write_text("\n".join(["bench 3", *lines[1:]]))
+        stated = ("--columns", "CA [deg], p [bar]", "--skip-lines", "1")
+        text, printed = self.new("--trace", "bare.csv", *stated)
+        self.assertIn('columns = "CA [deg], p [bar]"', text)
+        self.assertIn("skip_lines = 1", text)
+        self.assertIn("720 samples from -360 to 359 degree", printed)
+        self.assertIn("indicated mean effective pressure", printed)
+        text = text.replace('# pressure_reference = "absolute"', 'pressure_reference = "absolute"')
+        (self.folder / "bare.toml").write_text(text)
+        self.run_well("check", "bare.toml")
+        pegged = self.run_well("check", "bare.toml", "--set", "gas.pegging=intake", "gas.intake_pressure=1.2 bar")
+        self.assertIn("the cylinder pressure was pegged", pegged)
+
     def test_a_part_of_a_cycle_asks_for_intake_and_exhaust(self):
         rows = "".join(f"{angle},{1 + 40 / (1 + (angle / 30) ** 2)}\n" for angle in range(-180, 181, 5))
         (self.folder / "part.csv").write_text("crank_angle [degree],pressure [bar]\n" + rows)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "ringfilm/instrument/grid/binary_reader.hpp"
@@ -122,7 +124,31 @@ GridAxis axis_of(const std::string& file, const std::vector<double>& all, const 
   return axis;
 }
 
-std::size_t place_on(const std::string& file, const GridAxis& axis, double place, std::size_t point, const char* name) {
+/// By how much the grid of points is turned, as a part of a sentence: from each of the first points to its nearest
+/// neighbour. Empty where that is not one and the same angle, or none.
+std::string words_of_turn(const ListedPoints& points) {
+  constexpr std::size_t kLooked = 20;
+  constexpr double kLeastDeg = 0.05, kScatterDeg = 1, kQuarterDeg = 90;
+  std::vector<double> turns;
+  for (std::size_t i = 0; i < std::min(kLooked, points.x.size()); ++i) {
+    double nearest = std::numeric_limits<double>::infinity(), angle = 0;
+    for (std::size_t k = 0; k < points.x.size(); ++k) {
+      const double x = points.x[k] - points.x[i], y = points.y[k] - points.y[i], distance = std::hypot(x, y);
+      if (k == i || !(distance > 0) || distance >= nearest) continue;
+      nearest = distance;
+      angle = std::remainder(std::atan2(y, x) * 180 / std::numbers::pi, kQuarterDeg);
+    }
+    turns.push_back(angle);
+  }
+  std::sort(turns.begin(), turns.end());
+  const double turn = turns[turns.size() / 2];
+  if (std::abs(turn) < kLeastDeg || turns.back() - turns.front() > kScatterDeg) return "";
+  return fmt::format("; the grid seems to be turned by {:.3g} degree", turn);
+}
+
+std::size_t place_on(const std::string& file, const GridAxis& axis, const ListedPoints& points, std::size_t point,
+                     const char* name) {
+  const double place = (name[0] == 'x' ? points.x : points.y)[point];
   if (axis.points == 1) return 0;
   const auto next = std::upper_bound(axis.places.begin(), axis.places.end(), place);
   const std::size_t found = axis.index[static_cast<std::size_t>(next - axis.places.begin()) - 1];
@@ -131,7 +157,8 @@ std::size_t place_on(const std::string& file, const GridAxis& axis, double place
     refuse(
         file,
         fmt::format("point {}: {} = {} lies {:.3g} of a step off the grid of step {:.9g}", point + 1, name, place,
-                    off / axis.step, axis.step),
+                    off / axis.step, axis.step) +
+            words_of_turn(points),
         "points on an even grid along x and y are required, which is not turned: write their places with more digits, "
         "or resample them in the program that wrote them");
   }
@@ -176,7 +203,8 @@ ChannelValues on_regular_grid(const std::string& file, const ListedPoints& point
   if (n_places > 10 * points.value.size()) {
     refuse(file,
            fmt::format("{} points would fill a tenth or less of a grid of {} x {}", points.value.size(), along_x.points,
-                       along_y.points),
+                       along_y.points) +
+               words_of_turn(points),
            "points on an even grid are required: resample them in the program that wrote them");
   }
   ChannelValues grid;
@@ -187,8 +215,8 @@ ChannelValues on_regular_grid(const std::string& file, const ListedPoints& point
   grid.value.assign(n_places, 0.0);
   grid.missing.assign(n_places, 2);  // nobody has been there
   for (std::size_t k = 0; k < points.value.size(); ++k) {
-    const std::size_t column = place_on(file, along_x, points.x[k], k, "x");
-    const std::size_t row = place_on(file, along_y, points.y[k], k, "y");
+    const std::size_t column = place_on(file, along_x, points, k, "x");
+    const std::size_t row = place_on(file, along_y, points, k, "y");
     const std::size_t place = row * along_x.points + column;
     if (grid.missing[place] != 2) {
       refuse(file, fmt::format("point {}: a second height at x = {}, y = {}", k + 1, points.x[k], points.y[k]),
