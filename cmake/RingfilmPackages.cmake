@@ -48,10 +48,8 @@ pkg-config find them, for programs that compute cycles, batches and studies
 themselves, or bring an oil law of their own.")
 # The cases and data that it finds at run time are those of the program.
 string(CONCAT CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
-    "libboost-dev (>= 1.74), libfmt-dev, libnetcdf-dev, libpugixml-dev, libssl-dev, libtomlplusplus-dev, "
-    "libudunits2-dev, libzip-dev, nlohmann-json3-dev, zlib1g-dev")
     "libboost-dev (>= 1.74), libfmt-dev, libnetcdf-dev, libnlopt-dev, libpugixml-dev, libssl-dev, libtomlplusplus-dev, "
-    "libudunits2-dev, libzip-dev, nlohmann-json3-dev")
+    "libudunits2-dev, libzip-dev, nlohmann-json3-dev, zlib1g-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "ringfilm (= ${PROJECT_VERSION}-1), cmake, pkg-config")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ringfilm)
