@@ -54,6 +54,7 @@ CycleIntegration::CycleIntegration(const Network& network, PackState begin)
 void CycleIntegration::begin_cycle() {
   angle_ = kBeginDeg;
   n_steps_ = 0;
+  flow_steps_.clear();
   next_step_ = kFirstStep;  // equal in each cycle, so that equal beginnings have equal ends
   step_.forget();
   result_ = {};
@@ -254,6 +255,9 @@ void CycleIntegration::commit(double h) {
   update_peaks(h);
   const std::size_t n_paths = result_.paths.size(), n_inner = system_.n_inner();
   std::vector<double> moved(n_paths, 0.0);
+  FlowStep masses;
+  masses.forward.assign(n_paths, 0.0);
+  masses.back.assign(n_paths, 0.0);
   for (std::size_t j = 0; j < RadauStep::kStages; ++j) {
     const double weight = RadauStep::kWeights[j] * h;
     system_.flows(angle_ + RadauStep::kNodes[j] * h, step_.stage(j), pressure_, flow_);
@@ -262,6 +266,8 @@ void CycleIntegration::commit(double h) {
       moved[k] += mass;
       passed_[k] += std::abs(mass);
       result_.back[k] += std::max(-mass, 0.0);
+      masses.forward[k] += std::max(mass, 0.0);
+      masses.back[k] += std::max(-mass, 0.0);
     }
     for (std::size_t i = 0; i < pressure_.size(); ++i) {
       result_.regions[i].mean_pressure += weight / base::kCycleDeg * pressure_[i];
@@ -269,8 +275,29 @@ void CycleIntegration::commit(double h) {
   }
   step_.carry(sensitivity_, n_inner);
   system_.take(step_.stage(2), state_);
+  const std::vector<double> quadrature = moved;
   close_balance(h, moved);
   for (std::size_t k = 0; k < n_paths; ++k) result_.transported[k] += moved[k];
+  if (network_.pack().composition) record_flows(h, std::move(masses), quadrature, moved);
+}
+
+/// Keeps the masses of the step that was taken. @param step what its stages move along the paths, and back
+/// @param net_before mass along each path by the stages @param moved with what closes the balance [kg]
+void CycleIntegration::record_flows(double h, FlowStep step, const std::vector<double>& net_before,
+                                    const std::vector<double>& moved) {
+  step.begin_deg = angle_;
+  step.end_deg = angle_ + h;
+  const auto& inner = network_.inner();
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    const double unit = network_.regions()[inner[i]].capacity * PackSystem::kPressureUnit;
+    step.mass_before.push_back(unit * y_[i]);
+    step.mass_after.push_back(unit * state_.pressure[i]);
+  }
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const double closing = moved[k] - net_before[k];
+    (closing > 0 ? step.forward[k] : step.back[k]) += std::abs(closing);
+  }
+  flow_steps_.push_back(std::move(step));
 }
 
 /// Masses at the end of a step and masses that the quadrature moves along the paths differ by rounding, and by what the

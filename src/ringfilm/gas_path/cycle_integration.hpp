@@ -5,6 +5,7 @@
 #include "ringfilm/gas_path/pack_system.hpp"
 #include "ringfilm/gas_path/radau.hpp"
 #include "ringfilm/gas_path/result.hpp"
+#include "ringfilm/gas_path/scalar_transport.hpp"
 
 namespace ringfilm::gas_path {
 
@@ -33,6 +34,9 @@ class CycleIntegration {
   /// All that the last cycle left; blow-by, defect and peaks of the regions are there, periodicity is not.
   GasPathResult result() const;
 
+  /// Masses of the accepted steps of the last cycle; empty unless Pack::composition asks for them.
+  const std::vector<FlowStep>& flow_steps() const { return flow_steps_; }
+
   /// Derivatives of the pressures at the end of the last cycle by those at its begin, row by row; without the changes
   /// that the rings' motion makes.
   const std::vector<double>& sensitivity() const { return sensitivity_; }
@@ -57,6 +61,7 @@ class CycleIntegration {
   double shorten_to(std::vector<Found>& found, double h);
   void commit(double h);
   void close_balance(double h, std::vector<double>& moved);
+  void record_flows(double h, FlowStep step, const std::vector<double>& net_before, const std::vector<double>& moved);
   void conclude(const Found& found);
   void update_peaks(double h);
   void reshape_sensitivity(const std::vector<std::size_t>& free_before);
@@ -71,7 +76,8 @@ class CycleIntegration {
   // results of the cycle
   GasPathResult result_;
   std::vector<double> passed_;  ///< gross mass along each path [kg]
-  double stored_before_ = 0;    ///< in the regions between chamber and crankcase [kg]
+  std::vector<FlowStep> flow_steps_;
+  double stored_before_ = 0;  ///< in the regions between chamber and crankcase [kg]
 };
 
 }  // namespace ringfilm::gas_path

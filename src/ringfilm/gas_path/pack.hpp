@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ringfilm/models/crank_slider.hpp"
+#include "ringfilm/models/gas/charge_mixture.hpp"
 #include "ringfilm/models/gas/gas.hpp"
 #include "ringfilm/models/radial_collapse.hpp"
 #include "ringfilm/models/section/twisting_ring.hpp"
@@ -59,6 +60,18 @@ struct Gas {
   double choking_smoothing = 0;      ///< see models::OrificeLaw [-]
 };
 
+/// What the gas consists of: three gases that the flow carries unchanged through the pack, and the walls on which their
+/// water may condense.
+struct Composition {
+  std::vector<double> burnt_share;   ///< mass share of burnt gas in the chamber, at each degree of crank angle [-]
+  models::Shares fresh{}, burnt{};   ///< fresh charge and burnt gas, by mass [-]
+  models::Shares air{};              ///< air that enters the crankcase, by mass [-]
+  models::Fuel fuel{};               ///< fuel of the fresh charge
+  double ventilation = 0;            ///< flow of that air [kg/s]
+  std::vector<double> chamber_wall;  ///< coldest wall of the chamber, at each degree of crank angle [K]
+  double liner_wall = 0;             ///< coldest place of the liner [K]
+};
+
 /// A pack of rings between combustion chamber and crankcase.
 struct Pack {
   double bore = 0;                       ///< [m]
@@ -70,9 +83,10 @@ struct Pack {
   double crankcase_temperature = 0;      ///< temperature of the gas in the crankcase [K]
   Gas gas;
   RingMotion ring_motion = RingMotion::kSeated;
-  double sliding_smoothing_speed = 0;  ///< U_0; RingMotion::kAxial [m/s]
-  double trapped_mass = 0;             ///< charge of the cylinder, for shares of it; 0: not known [kg]
-  std::vector<Ring> rings;             ///< from the chamber to the crankcase
+  double sliding_smoothing_speed = 0;        ///< U_0; RingMotion::kAxial [m/s]
+  double trapped_mass = 0;                   ///< charge of the cylinder, for shares of it; 0: not known [kg]
+  std::optional<Composition> composition{};  ///< absent: the gas has no composition
+  std::vector<Ring> rings;                   ///< from the chamber to the crankcase
 };
 
 /// A groove or piston land of less volume is taken to have this one [m3].

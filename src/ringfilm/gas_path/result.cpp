@@ -52,6 +52,15 @@ GasSums gas_sums(const GasPathResult& result, double gas_constant) {
   sums.trapped_mass = result.trapped_mass;
   sums.mass_defect = result.mass_defect;
   sums.periodicity_error = result.periodicity;
+  if (result.composition) {
+    const CompositionResult& composition = *result.composition;
+    const ScalarValues &fuel = composition.scalars[kFuelScalar], &water = composition.scalars[kWaterScalar];
+    sums.fuel_to_crankcase = fuel.crankcase_flow;
+    sums.water_to_crankcase = water.crankcase_flow;
+    sums.crankcase_fuel_share = fuel.crankcase_mole_share;
+    sums.condensate_in_crankcase = composition.condensate_flow;
+    sums.composition_defect = composition.defect;
+  }
   sums.cycles_integrated = result.cycles;
   sums.periodic = result.repeats;
   sums.period_in_cycles = result.period;

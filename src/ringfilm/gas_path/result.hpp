@@ -27,6 +27,34 @@ struct RegionValues {
   double peak_pressure = 0;            ///< highest, absolute [Pa]
   double peak_pressure_angle_deg = 0;  ///< 0 to 720 [degree]
   double mean_pressure = 0;            ///< over time [Pa]
+  // water in the gas, eq-dew-point; nothing without Pack::composition
+  std::optional<double> peak_dew_point{};     ///< highest dew point; nothing where it is below 0 degC [K]
+  std::optional<double> wall_temperature{};   ///< lowest temperature of its walls [K]
+  std::optional<double> condensing_share{};   ///< share of the cycle in which the dew point is above the wall [-]
+  std::optional<double> condensable_water{};  ///< largest mass of water above saturation at the wall [kg]
+};
+
+/// A scalar that the gas carries: a gas, or a species of it.
+struct ScalarValues {
+  std::string name;                 ///< "fresh charge", "burnt gas", "air", "water" or that of the fuel
+  double crankcase_flow = 0;        ///< net flow out of the pack into the crankcase [kg/s]
+  double crankcase_per_cycle = 0;   ///< net mass of it in a cycle [kg]
+  double chamber_per_cycle = 0;     ///< mass that returns out of the pack to the chamber in a cycle [kg]
+  double crankcase_mass_share = 0;  ///< mass share in the crankcase [-]
+  double crankcase_mole_share = 0;  ///< mole share in the crankcase [-]
+};
+
+/// Places of the scalars in CompositionResult.
+inline constexpr std::size_t kFreshScalar = 0, kBurntScalar = 1, kAirScalar = 2, kFuelScalar = 3, kWaterScalar = 4;
+
+/// Composition of the gas over the cycle.
+struct CompositionResult {
+  std::vector<ScalarValues> scalars;
+  /// Mass share of each scalar in each region at each degree of crank angle: scalars of the first region at 0 degree,
+  /// those of the second one, ... [-]
+  std::vector<double> share;
+  double condensate_flow = 0;  ///< water above saturation at the temperature of the crankcase, in what leaves it [kg/s]
+  double defect = 0;           ///< ScalarCycle::defect [-]
 };
 
 /// How often a ring changes the flank that it lies on.
@@ -51,16 +79,17 @@ struct GasPathResult {
   std::vector<RegionValues> regions;  ///< the chamber first, the crankcase last
   std::vector<Path> paths;            ///< in the order of `flow`
   // at each degree of crank angle, 0 to 719
-  std::vector<std::vector<double>> pressure;  ///< pressure of each region [Pa]
-  std::vector<std::vector<double>> flow;      ///< along each path [kg/s]
-  std::vector<std::vector<double>> position;  ///< position of each ring above its lower flank [m]
-  std::vector<RingEvent> events;              ///< by crank angle; RingMotion::kAxial
-  std::vector<RingMotionValues> motion;       ///< motion of each ring; RingMotion::kAxial
-  std::vector<double> transported;            ///< net mass along each path in the cycle [kg]
-  std::vector<double> back;                   ///< mass along each path against its direction, positive [kg]
-  double trapped_mass = 0;                    ///< Pack::trapped_mass [kg]
-  double blow_by = 0;                         ///< net mass that enters the crankcase in the cycle [kg]
-  double duration = 0;                        ///< duration of the cycle [s]
+  std::vector<std::vector<double>> pressure;     ///< pressure of each region [Pa]
+  std::vector<std::vector<double>> flow;         ///< along each path [kg/s]
+  std::vector<std::vector<double>> position;     ///< position of each ring above its lower flank [m]
+  std::vector<RingEvent> events;                 ///< by crank angle; RingMotion::kAxial
+  std::vector<RingMotionValues> motion;          ///< motion of each ring; RingMotion::kAxial
+  std::vector<double> transported;               ///< net mass along each path in the cycle [kg]
+  std::optional<CompositionResult> composition;  ///< where Pack::composition is stated
+  std::vector<double> back;                      ///< mass along each path against its direction, positive [kg]
+  double trapped_mass = 0;                       ///< Pack::trapped_mass [kg]
+  double blow_by = 0;                            ///< net mass that enters the crankcase in the cycle [kg]
+  double duration = 0;                           ///< duration of the cycle [s]
   double mass_defect =
       0;  ///< mass that enters less that which leaves and remains, over all that passes the chamber [-]
   /// Largest relative change of a pressure from one cycle to the next, or from one period to the next [-].
@@ -90,9 +119,14 @@ struct GasSums {
   std::optional<double> trapped_mass;                       ///< GasPathResult::trapped_mass [kg]
   double mass_defect = 0;                                   ///< GasPathResult::mass_defect [-]
   double periodicity_error = 0;                             ///< GasPathResult::periodicity [-]
-  std::optional<long> cycles_integrated;                    ///< GasPathResult::cycles
-  std::optional<bool> periodic;                             ///< GasPathResult::repeats
-  std::optional<long> period_in_cycles;                     ///< GasPathResult::period
+  std::optional<double> fuel_to_crankcase;        ///< flow of fuel into the crankcase, eq-crankcase-flow [kg/s]
+  std::optional<double> water_to_crankcase;       ///< flow of water into the crankcase [kg/s]
+  std::optional<double> crankcase_fuel_share;     ///< mole share of fuel in the crankcase [-]
+  std::optional<double> condensate_in_crankcase;  ///< CompositionResult::condensate_flow [kg/s]
+  std::optional<double> composition_defect;       ///< CompositionResult::defect [-]
+  std::optional<long> cycles_integrated;          ///< GasPathResult::cycles
+  std::optional<bool> periodic;                   ///< GasPathResult::repeats
+  std::optional<long> period_in_cycles;           ///< GasPathResult::period
 };
 
 /// A path over the cycle. A file of an earlier version lacks what is optional.

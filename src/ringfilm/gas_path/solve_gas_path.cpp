@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ringfilm/gas_path/composition.hpp"
 #include "ringfilm/gas_path/cycle_integration.hpp"
 #include "ringfilm/gas_path/static_twist.hpp"
 
@@ -250,6 +251,7 @@ GasPathResult solve_with_these_faces(const Pack& pack, const Network& network) {
   result.motion = motion_values(result.events, pack.rings);
   add_seating_forces(network, result);
   add_collapse(network, result);
+  add_composition(network, cycle.flow_steps(), result);
   return result;
 }
 
