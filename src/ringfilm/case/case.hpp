@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/shared.hpp"
 #include "ringfilm/case/case_choices.hpp"
+#include "ringfilm/case/gas_composition.hpp"
 #include "ringfilm/case/measured_contact.hpp"
 #include "ringfilm/case/oil_transport.hpp"
 #include "ringfilm/case/plateau.hpp"
@@ -126,6 +127,7 @@ struct Gas {
   /// Share of the excess of the pressure above the ring over that below it that acts behind the ring [-]; see
   /// pressure_behind_ring() in integration/ring_conditions.hpp.
   double pressure_behind_ring = 1.0;
+  GasComposition composition;  ///< what the gas consists of
 };
 
 /// A gas pressure next to a ring that is not that of the cylinder or of the crankcase: one value, or a trace.
@@ -154,6 +156,17 @@ struct GasPath {
   double sliding_smoothing_speed = 0.05;         ///< U_0, of the friction on the bore near the dead centres [m/s]
   double gap_carry_over = 0.5;  ///< share of a jet's velocity head that an aligned end gap below it recovers [-]
   double gap_reach = 5e-3;      ///< distance of two end gaps around the bore from which on they are apart [m]
+  GasProperties properties = GasProperties::kStated;  ///< gas constant, heat capacity ratio and viscosity
+  double mixture_burnt_share = 1;                     ///< burnt gas in that mixture, the rest is fresh charge [-]
+  double mixture_temperature = 500;                   ///< temperature of that mixture [K]
+  double discharge_coefficient = 0.65;                ///< discharge coefficient of the end gaps, C [-]
+  double gas_constant = 287;                          ///< gas constant of air, R [J/(kg K)]
+  double heat_capacity_ratio = 1.33;                  ///< heat capacity ratio of burned gas, gamma [-]
+  double viscosity = 2.7e-5;                          ///< viscosity of air at 500 K, mu [Pa s]
+  double chamber_temperature = 600;                   ///< temperature of the gas that enters from the chamber [K]
+  double crankcase_temperature = 360;                 ///< temperature of the gas in the crankcase [K]
+  double choking_smoothing = 1e-3;                    ///< distance from a pressure ratio of 1 that is bridged [-]
+  double sliding_smoothing_speed = 0.05;              ///< U_0, of the friction on the bore near the dead centres [m/s]
 
   bool is_computed() const { return model == GasPathModel::kOrificeVolume; }  ///< the pressures between the rings
   bool passes_films() const { return is_computed() && film == FilmGas::kBreakthrough; }  ///< does the gas?
@@ -340,7 +353,13 @@ struct Lubricant {
   // at most one of the two; nothing evaporates without them
   std::vector<models::OilFraction> distillation;  ///< fractions by boiling point, rising
   std::optional<double> noack;                    ///< loss of mass in the Noack test (ASTM D5800) [-]
+  double fuel = 0;   ///< fuel dissolved in the oil, share of the mass [-]
+  double water = 0;  ///< water dispersed in the oil, share of the mass [-]
+  /// Kinematic viscosity of that fuel: diesel fuel, typical, assumed [m2/s]
+  std::vector<TemperatureValue> fuel_viscosity = {{313.15, 2.7e-6}, {373.15, 1.1e-6}};
+  std::vector<models::OilFraction> distillation;  ///< fractions by boiling point, rising; empty: nothing evaporates
 
+  bool is_diluted() const { return fuel > 0 || water > 0; }  ///< does it hold fuel or water?
   /// Is the oil any other than a Newtonian one?
   bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
   /// Is there what its evaporation follows from?

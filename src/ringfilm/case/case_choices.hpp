@@ -82,6 +82,15 @@ enum class FilmGas {
   kBreakthrough  ///< where a film does not hold the gas, through the gap over it, all around
 };
 
+/// `gas_path.properties`: where gas constant, heat capacity ratio and viscosity of the gas come from.
+enum class GasProperties {
+  kStated,  ///< keys of the case
+  kMixture  ///< the composition of the gas, one for the whole run
+};
+
+using models::BurnLaw;  ///< `gas.composition.burn`
+using models::Fuel;     ///< `gas.composition.fuel`
+
 using gas_path::RingKind;    ///< `ring.kind`
 using gas_path::RingMotion;  ///< `gas_path.ring_motion`
 

@@ -10,6 +10,7 @@
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/cycle/pack/gas_through_films.hpp"
 #include "ringfilm/cycle/pack/oil_consumption.hpp"
+#include "ringfilm/cycle/setup/gas_mixture.hpp"
 #include "ringfilm/cycle/simulate.hpp"
 #include "ringfilm/gas_path/solve_gas_path.hpp"
 #include "ringfilm/models/gas/gas_flow.hpp"
@@ -137,7 +138,7 @@ Measurement of_gas(const cycle::Case& c) {
   auto& values = measurement.values;
   values["blow_by_per_cycle"] = {result.blow_by};
   values["gas_mass_defect"] = {result.mass_defect};
-  values["critical_pressure_ratio"] = {models::critical_pressure_ratio(c.gas_path.heat_capacity_ratio)};
+  values["critical_pressure_ratio"] = {models::critical_pressure_ratio(cycle::gas_properties(c).heat_capacity_ratio)};
   for (std::size_t i = 0; i < result.regions.size(); ++i) {
     values[numbered("region_peak_pressure", i)] = {result.regions[i].peak_pressure};
     values[numbered("region_mean_pressure", i)] = {result.regions[i].mean_pressure};

@@ -123,7 +123,7 @@ ScenarioRow pack_row(const Case& scenario, const Study& study, const StudyValues
   }
   const Case faces = cycle::with_rails(scenario);
   const cycle::CaseWithGas found = cycle::solve_gas_through_films(faces);
-  if (found.gas) row.put_gas(*found.gas, scenario.gas_path.gas_constant);
+  if (found.gas) row.put_gas(*found.gas, found.input.gas_path.gas_constant);
   const std::vector<CycleResult> films = films_of(found.input);
   std::vector<const CycleResult*> faces_down;
   for (const CycleResult& film : films) faces_down.push_back(&film);

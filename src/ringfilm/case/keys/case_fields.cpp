@@ -95,6 +95,7 @@ std::vector<Field> all_fields() {
   };
   append_thermal_fields(fields);
   append_gas_fields(fields);
+  append_gas_composition_fields(fields);
   append_ring_fields(fields);
   append_section_fields(fields);
   append_gas_path_fields(fields);

@@ -34,6 +34,9 @@ constexpr When kIntake{
     "gas.model = \"wiebe\", gas.pegging = \"intake\" or a trace over a part of the cycle"};
 constexpr When kWiebeOrOil{[](const Case& c) { return c.gas.model == GasModel::kWiebe || c.follows_oil(); },
                            "gas.model = \"wiebe\" or film.supply = \"film-on-liner\""};
+constexpr When kWiebeOrComposition{
+    [](const Case& c) { return c.gas.model == GasModel::kWiebe || kComposition.holds(c); },
+    "gas.model = \"wiebe\" or gas.composition.fuel is stated"};
 constexpr When kAnyTrace{
     [](const Case& c) {
       return c.gas.model == GasModel::kTrace || c.gas.crankcase_pressure_file || c.ring.pressure_above.file ||
@@ -200,7 +203,7 @@ void append_gas_fields(std::vector<Field>& fields) {
                  .kind = NumberKind{member<&Case::gas, &Gas::burn_duration_deg>},
                  .unit = si_unit("degree"),
                  .range = between(1, 180),
-                 .when = kWiebe,
+                 .when = kWiebeOrComposition,
                  .help = "length of the heat release",
                  .example = "\"60 degree\"",
                  .uses = {.gas = true}}),

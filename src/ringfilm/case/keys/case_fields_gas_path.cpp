@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "ringfilm/case/keys/case_fields_table.hpp"
+#include "ringfilm/models/gas/mixture.hpp"
 
 namespace ringfilm::cycle::table {
 namespace {
@@ -13,6 +14,13 @@ constexpr When kComputedGas{[](const Case& c) { return has_gas_path(c); },
 constexpr When kGasFlow{
     [](const Case& c) { return has_gas_path(c) || c.film.has_gas_edge(); },
     "gas_path.model = \"orifice-volume\", or for ringfilm gas, or film.chamber_edge or film.crankcase_edge is \"gas\""};
+constexpr When kStatedProperties{
+    [](const Case& c) { return kGasFlow.holds(c) && c.gas_path.properties == GasProperties::kStated; },
+    "gas_path.properties = \"stated\", with gas_path.model = \"orifice-volume\", or for ringfilm gas, or "
+    "film.chamber_edge or film.crankcase_edge is \"gas\""};
+constexpr When kMixture{
+    [](const Case& c) { return has_gas_path(c) && c.gas_path.properties == GasProperties::kMixture; },
+    "gas_path.properties = \"mixture\""};
 constexpr When kRingInGroove{
     [](const Case& c) { return has_gas_path(c) && c.ring.gas_path.kind == RingKind::kCompression; },
     "gas_path.model = \"orifice-volume\", or for ringfilm gas, and ring.kind = \"compression\""};
@@ -88,12 +96,31 @@ std::vector<Field> common_fields() {
              .when = kGapPositions,
              .help = "distance of two end gaps around the bore from which on the jet of one misses the other; assumed",
              .example = "\"5 mm\"",
+      field({.key = "gas_path.properties",
+             .kind = choice<&Case::gas_path, &GasPath::properties>(
+                 {{"stated", GasProperties::kStated}, {"mixture", GasProperties::kMixture}}),
+             .when = kComputedGas,
+             .help = "gas constant, heat capacity ratio and viscosity as stated, or of the mixture that "
+                     "gas.composition gives, one for the whole run",
+             .example = "\"mixture\"",
+      field({.key = "gas_path.mixture_burnt_share",
+             .kind = NumberKind{member<&Case::gas_path, &GasPath::mixture_burnt_share>},
+             .range = between(0, 1),
+             .when = kMixture,
+             .help = "share of burnt gas in the mixture that gives the properties, the rest is fresh charge; assumed",
+      field({.key = "gas_path.mixture_temperature",
+             .kind = NumberKind{member<&Case::gas_path, &GasPath::mixture_temperature>},
+             .unit = si_unit("K"),
+             .range = between(models::kColdestMixture, models::kHottestMixture),
+             .when = kMixture,
+             .help = "temperature of the mixture that gives the properties; typical, assumed",
+             .example = "\"500 K\"",
              .uses = {.gas = true}}),
       field({.key = "gas_path.gas_constant",
              .kind = NumberKind{member<&Case::gas_path, &GasPath::gas_constant>},
              .unit = si_unit("J/(kg K)"),
              .range = between(50, 5000),
-             .when = kGasFlow,
+             .when = kStatedProperties,
              .help = "specific gas constant, R; that of air",
              .example = "\"287 J/(kg K)\"",
              .uses = {.gas = true}}),
@@ -101,7 +128,7 @@ std::vector<Field> common_fields() {
              .kind = NumberKind{member<&Case::gas_path, &GasPath::heat_capacity_ratio>},
              .unit = kPlainNumber,
              .range = between(1.01, 2),
-             .when = kGasFlow,
+             .when = kStatedProperties,
              .help = "ratio of the heat capacities, gamma; typical of burned gas, assumed",
              .example = "1.33",
              .uses = {.gas = true}}),
@@ -109,7 +136,7 @@ std::vector<Field> common_fields() {
              .kind = NumberKind{member<&Case::gas_path, &GasPath::viscosity>},
              .unit = si_unit("Pa s"),
              .range = between(1e-6, 1e-3),
-             .when = kGasFlow,
+             .when = kStatedProperties,
              .help = "viscosity of the gas in side clearances and broken films, mu; of air at 500 K, assumed",
              .example = "\"2.7e-5 Pa s\"",
              .uses = {.gas = true}}),

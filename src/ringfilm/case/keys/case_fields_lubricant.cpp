@@ -14,6 +14,8 @@ bool has_laws_of_temperature(const Case& c) { return has_laws(c) && has_temperat
 constexpr When kLaws{has_laws, "no lubricant.table"};
 constexpr When kLawsOfTemperature{has_laws_of_temperature,
                                   "no lubricant.table; in a pad thermal.ring or thermal.liner is stated"};
+constexpr When kFuelInOil{[](const Case& c) { return has_laws_of_temperature(c) && c.lubricant.fuel > 0; },
+                          "lubricant.fuel is more than 0"};
 constexpr When kTemperature{has_temperature, "the case is not a pad, or thermal.ring or thermal.liner is stated"};
 constexpr When kOneViscosity{[](const Case& c) { return !c.thermal.is_stated(); },
                              "no thermal.ring or thermal.liner is stated"};
@@ -119,6 +121,32 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                          "temperature will do",
                  .example = "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
                             "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]",
+                 .uses = {.pad = true}}),
+          field({.key = "lubricant.fuel",
+                 .kind = NumberKind{member<&Case::lubricant, &Lubricant::fuel>},
+                 .unit = kPlainNumber,
+                 .range = between(0, 1),
+                 .when = kLawsOfTemperature,
+                 .help = "fuel dissolved in the oil, share of the mass; viscosities mix by ASTM D7152",
+                 .example = "0.03",
+                 .uses = {.pad = true}}),
+          field({.key = "lubricant.fuel_viscosity",
+                 .kind = TemperatureValuesKind{member<&Case::lubricant, &Lubricant::fuel_viscosity>},
+                 .unit = kSquareMillimetrePerSecond,
+                 .range = above(3e-7, 1e-3),
+                 .when = kFuelInOil,
+                 .help = "kinematic viscosity of that fuel at two or more temperatures; of diesel fuel, typical, "
+                         "assumed",
+                 .example = "[{ temperature = \"40 degC\", value = \"2.7 mm2/s\" }, "
+                            "{ temperature = \"100 degC\", value = \"1.1 mm2/s\" }]",
+                 .uses = {.pad = true}}),
+          field({.key = "lubricant.water",
+                 .kind = NumberKind{member<&Case::lubricant, &Lubricant::water>},
+                 .unit = kPlainNumber,
+                 .range = between(0, 0.1),
+                 .when = kLawsOfTemperature,
+                 .help = "water dispersed in the oil as drops, share of the mass; viscosity after Taylor (1932)",
+                 .example = "0.02",
                  .uses = {.pad = true}}),
           field({.key = "lubricant.viscosity",
                  .kind = NumberKind{member<&Case::lubricant, &Lubricant::viscosity>},

@@ -53,6 +53,13 @@ struct When {
 /// Of keys that the oil consumption uses.
 inline constexpr When kOilFollowed{[](const Case& c) { return c.follows_oil(); }, "film.supply = \"film-on-liner\""};
 
+/// Of keys of the composition of the gas.
+inline constexpr When kComposition{[](const Case& c) {
+                                     return (c.gas_path.is_computed() || c.purpose == CasePurpose::kGasPath) &&
+                                            c.gas.composition.is_stated();
+                                   },
+                                   "gas.composition.fuel is stated"};
+
 inline Range above(double low, double high) { return {low, high, true, false}; }
 inline Range between(double low, double high) { return {low, high, false, false}; }
 inline Range strictly_between(double low, double high) { return {low, high, true, true}; }
@@ -148,6 +155,7 @@ std::vector<Field> face_fields(const FaceText& text) {
 
 void append_thermal_fields(std::vector<Field>& fields);
 void append_gas_fields(std::vector<Field>& fields);
+void append_gas_composition_fields(std::vector<Field>& fields);
 void append_gas_path_fields(std::vector<Field>& fields);  ///< after those of the ring
 void append_ring_fields(std::vector<Field>& fields);
 void append_section_fields(std::vector<Field>& fields);

@@ -32,7 +32,7 @@ void append_thermal_fields(std::vector<Field>& fields) {
                    "temperature of the liner: one, or [distance of the ring from its TDC position, temperature] at "
                    "increasing distances, linear between them and constant beyond; of the flat surface under a pad one",
                .example = "[[\"0 mm\", \"180 degC\"], [\"79.5 mm\", \"110 degC\"]]",
-               .uses = {.pad = true}}),
+               .uses = {.pad = true, .gas = true}}),
           field({.key = "thermal.film",
                  .kind = choice<&Case::thermal, &Thermal::film>({{"mean-of-walls", FilmTemperature::kMeanOfWalls},
                                                                  {"liner", FilmTemperature::kLiner},

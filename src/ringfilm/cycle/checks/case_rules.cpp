@@ -330,6 +330,7 @@ std::vector<RuleBreach> broken_gas_rules(const Case& c) {
     return breaches;
   }
   if (!append_section_breaches(c, breaches)) return breaches;
+  append_composition_breaches(c, breaches);
   append_gas_path_breaches(c, breaches);
   if (c.gas_path.ring_motion == RingMotion::kAxial && c.ring.gas_path.kind == RingKind::kCompression) {
     if (c.ring.face_width > 0) check_tension(c, breaches);
@@ -351,6 +352,7 @@ std::vector<RuleBreach> broken_rules(const Case& c) {
   append_flow_factor_breaches(c, breaches);
   check_engine_and_gas(c, breaches);
   if (c.gas_path.is_computed()) append_gas_path_breaches(c, breaches);
+  append_composition_breaches(c, breaches);
   append_thermal_breaches(c, breaches);
   check_whole_cycle("ring.pressure_above", c.ring.pressure_above.trace, breaches);
   check_whole_cycle("ring.pressure_below", c.ring.pressure_below.trace, breaches);

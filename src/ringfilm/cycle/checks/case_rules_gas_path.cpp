@@ -109,6 +109,23 @@ void append_gas_path_breaches(const Case& c, Breaches& breaches) {
   check_motion(c, breaches);
 }
 
+void append_composition_breaches(const Case& c, Breaches& breaches) {
+  const bool is_stated = c.gas.composition.is_stated();
+  if (is_stated && !c.gas_path.is_computed()) {
+    breaches.push_back({"gas.composition.fuel",
+                        "gas.composition.fuel is stated, and the pressures between the rings are not computed: gas "
+                        "of a known composition fills volumes whose masses are known",
+                        "write model = \"orifice-volume\" in [gas_path], or remove [gas.composition]"});
+  }
+  if (!is_stated && c.gas_path.properties == GasProperties::kMixture) {
+    breaches.push_back({"gas.composition.fuel",
+                        "gas_path.properties = \"mixture\" needs the composition of the gas, and "
+                        "gas.composition.fuel is not stated",
+                        "write, for example, fuel = \"gasoline\" in [gas.composition], or properties = \"stated\"",
+                        RuleBreach::By::kMissingKey});
+  }
+}
+
 std::vector<RuleBreach> broken_pack_rules(const Case& pack) {
   Breaches breaches;
   const std::size_t n = pack.is_pack() ? pack.rings.size() : 1;

@@ -6,6 +6,7 @@
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/oil_setup.hpp"
+#include "ringfilm/models/oil/dilution.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
 
@@ -41,6 +42,29 @@ void check_density(const Lubricant& oil, Breaches& breaches) {
   for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
 }
 
+void check_dilution(const Lubricant& oil, Breaches& breaches) {
+  if (oil.fuel + oil.water > 1) {
+    breaches.push_back({"lubricant.water",
+                        "lubricant.fuel = " + number_text(oil.fuel) +
+                            " and lubricant.water = " + number_text(oil.water) + " add up to more than the whole oil",
+                        "state both as shares of the mass"});
+  }
+  if (oil.fuel == 0) return;
+  if (oil.fuel_viscosity.size() < 2) {
+    breaches.push_back({"lubricant.fuel_viscosity",
+                        "lubricant.fuel_viscosity has one value; the Walther line needs two or more",
+                        "add the viscosity at another temperature, for example 100 degC"});
+  }
+  check_points("lubricant.fuel_viscosity", oil.fuel_viscosity, Trend::kFalling, breaches);
+  for (const TemperatureValue& point : oil.kinematic_viscosity) {
+    if (point.value > models::kMinBlendedViscosity) continue;
+    breaches.push_back({"lubricant.kinematic_viscosity",
+                        "lubricant.kinematic_viscosity = " + text_in(point.value, kSquareMillimetrePerSecond) +
+                            " cannot be blended with fuel: the rule ends at 0.3 mm2/s",
+                        "check its unit, or state fuel = 0"});
+  }
+}
+
 /// Where the laws of an oil give more they are taken as continued below its pour point: chosen well above the 60 Pa s
 /// at which an engine oil must still be pumped (SAE J300) [Pa s].
 constexpr double kNoLongerFlows = 1000;
@@ -68,7 +92,7 @@ void check_coldest_film(const Case& c, Breaches& breaches) {
 
 void check_hths(const Lubricant& oil, Breaches& breaches) {
   if (!oil.thins() || oil.critical_shear_rate || !oil.hths_viscosity) return;
-  const std::optional<double> without_shear = viscosity_without_shear(oil, models::kHthsTemperature);
+  const std::optional<double> without_shear = fresh_viscosity_without_shear(oil, models::kHthsTemperature);
   if (!without_shear) return;
   const auto written = [](double eta) { return text_in(eta, kMillipascalSecond); };
   const std::string hths = "lubricant.hths_viscosity = " + written(*oil.hths_viscosity);
@@ -140,6 +164,7 @@ void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& brea
   }
   check_points("lubricant.kinematic_viscosity", nu, Trend::kFalling, breaches);
   check_points("lubricant.density", oil.density, Trend::kAny, breaches);
+  check_dilution(oil, breaches);
 }
 
 void append_viscosity_breaches(const Case& c, std::vector<RuleBreach>& breaches) {

@@ -11,6 +11,7 @@
 #include "ringfilm/cycle/advice/gas_plausibility.hpp"
 #include "ringfilm/cycle/advice/note_topics.hpp"
 #include "ringfilm/cycle/setup/charge.hpp"
+#include "ringfilm/cycle/setup/gas_mixture.hpp"
 #include "ringfilm/cycle/setup/land_pressure.hpp"
 #include "ringfilm/cycle/setup/ring_section.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
@@ -135,8 +136,10 @@ gas_path::Pack gas_pack(const Case& c) {
   }
   pack.chamber_temperature = path.chamber_temperature;
   pack.crankcase_temperature = path.crankcase_temperature;
-  pack.gas = {path.gas_constant, path.heat_capacity_ratio, path.viscosity, path.discharge_coefficient,
+  const models::MixtureProperties gas = gas_properties(c);
+  pack.gas = {gas.gas_constant, gas.heat_capacity_ratio, gas.viscosity, path.discharge_coefficient,
               std::max(path.choking_smoothing, kMinSmoothing)};
+  if (c.gas.composition.is_stated()) pack.composition = gas_composition(c);
   pack.ring_motion = path.ring_motion;
   pack.sliding_smoothing_speed = path.sliding_smoothing_speed;
   pack.trapped_mass = Charge(c).mass();
@@ -171,6 +174,7 @@ gas_path::GivenPressures given_pressures(const Case& c) {
 
 CaseWithGas solve_gas_of_case(Case c) {
   if (c.problem == Problem::kPad || !c.gas_path.is_computed()) return {std::move(c), std::nullopt};
+  put_gas_properties(c);
   const gas_path::Pack pack = gas_pack(c);
   gas_path::GasPathResult result = gas_path::solve_gas_path(pack);
   put_gas_pressures(c.ring, pack, result, 0);

@@ -1,6 +1,7 @@
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace ringfilm::cycle {
@@ -30,6 +31,19 @@ const std::vector<GasSumQuantity>& gas_sum_quantities() {
        &GasSums::returned_from_crankcase_per_cycle},
       {{"trapped_mass", "kg", "mg", "mass of the charge when the intake valve closes", "m_t", "eq-trapped-mass"},
        &GasSums::trapped_mass},
+      {{"fuel_to_crankcase", "kg/s", "g/h", "fuel that the gas carries into the crankcase", "", "eq-crankcase-shares"},
+       &GasSums::fuel_to_crankcase},
+      {{"water_to_crankcase", "kg/s", "g/h", "water that the gas carries into the crankcase", "",
+        "eq-crankcase-shares"},
+       &GasSums::water_to_crankcase},
+      {{"crankcase_fuel_share", "1", "%", "mole share of fuel in the gas of the crankcase", "x", "eq-crankcase-shares"},
+       &GasSums::crankcase_fuel_share},
+      {{"condensate_in_crankcase", "kg/s", "g/h",
+        "water above saturation in the gas that leaves the crankcase, at its temperature", "", "eq-condensable-water"},
+       &GasSums::condensate_in_crankcase},
+      {{"composition_defect", "1", "1", "mass that the balance of a scalar misses, relative to the gas that passes", "",
+        "eq-scalar-step"},
+       &GasSums::composition_defect},
       {{"mass_defect", "1", "1", "mass that the balance of the gas misses, relative to what passes", "",
         "eq-balance-closure"},
        &GasSums::mass_defect},
@@ -51,7 +65,17 @@ const std::vector<GasRegionQuantity>& gas_region_quantities() {
       {{"peak_pressure_angle", "degree", "degree", "crank angle of the highest pressure", "", ""},
        &RegionValues::peak_pressure_angle_deg},
       {{"mean_pressure", "Pa", "bar", "pressure, absolute, mean over time", "p", "eq-gas-region"},
-       &RegionValues::mean_pressure}};
+       &RegionValues::mean_pressure},
+      {{"peak_dew_point", "K", "degC", "highest dew point of the water in the gas", "T_d", "eq-dew-point"},
+       &RegionValues::peak_dew_point},
+      {{"wall_temperature", "K", "degC", "lowest temperature of the walls", "T_w", "eq-dew-point"},
+       &RegionValues::wall_temperature},
+      {{"condensing_share", "1", "%", "share of the cycle in which the dew point is above the wall", "",
+        "eq-dew-point"},
+       &RegionValues::condensing_share},
+      {{"condensable_water", "kg", "mg", "largest mass of water above saturation at the wall", "m_c",
+        "eq-condensable-water"},
+       &RegionValues::condensable_water}};
   return table;
 }
 
@@ -64,6 +88,24 @@ const std::vector<GasPathQuantity>& gas_path_quantities() {
        &PathValues::mass_forward_per_cycle},
       {{"mass_back_per_cycle", "kg", "mg", "mass back towards the chamber in a cycle", "", "eq-gas-region"},
        &PathValues::mass_back_per_cycle}};
+  return table;
+}
+
+const std::vector<GasScalarQuantity>& gas_scalar_quantities() {
+  using gas_path::ScalarValues;
+  static const std::vector<GasScalarQuantity> table = {
+      {{"crankcase_flow", "kg/s", "g/h", "net flow out of the ring pack into the crankcase", "", "eq-crankcase-shares"},
+       &ScalarValues::crankcase_flow},
+      {{"crankcase_per_cycle", "kg", "mg", "net mass out of the ring pack into the crankcase in a cycle", "",
+        "eq-scalar-balance"},
+       &ScalarValues::crankcase_per_cycle},
+      {{"chamber_per_cycle", "kg", "mg", "mass that returns out of the ring pack to the chamber in a cycle", "",
+        "eq-scalar-balance"},
+       &ScalarValues::chamber_per_cycle},
+      {{"crankcase_mass_share", "1", "%", "mass share in the crankcase", "Y", "eq-crankcase-shares"},
+       &ScalarValues::crankcase_mass_share},
+      {{"crankcase_mole_share", "1", "%", "mole share in the crankcase", "x", "eq-crankcase-shares"},
+       &ScalarValues::crankcase_mole_share}};
   return table;
 }
 
@@ -110,6 +152,12 @@ const GasSumQuantity& gas_sum_quantity(const char* name) {
 }
 
 const GasSumQuantity& leading_gas_sum() { return gas_sum_quantity("blow_by_flow"); }
+
+bool needs_composition(const GasSumQuantity& quantity) {
+  constexpr std::array kNames{"fuel_to_crankcase", "water_to_crankcase", "crankcase_fuel_share",
+                              "condensate_in_crankcase", "composition_defect"};
+  return std::find(kNames.begin(), kNames.end(), quantity.name) != kNames.end();
+}
 
 bool is_gas_sum(const std::string& name) {
   const auto& table = gas_sum_quantities();

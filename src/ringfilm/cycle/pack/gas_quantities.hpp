@@ -19,13 +19,15 @@ struct GasQuantity : Quantity {
 
 using GasSumQuantity =
     GasQuantity<gas_path::GasSums, double, std::optional<double>, std::optional<long>, std::optional<bool>>;
-using GasRegionQuantity = GasQuantity<gas_path::RegionValues, double>;
+using GasRegionQuantity = GasQuantity<gas_path::RegionValues, double, std::optional<double>>;
 using GasPathQuantity = GasQuantity<gas_path::PathValues, double, std::optional<double>>;
+using GasScalarQuantity = GasQuantity<gas_path::ScalarValues, double>;
 using GasRingQuantity = GasQuantity<gas_path::RingMotionValues, double, std::optional<double>, long, bool>;
 
 const std::vector<GasSumQuantity>& gas_sum_quantities();        ///< quantities of one cylinder
 const std::vector<GasRegionQuantity>& gas_region_quantities();  ///< quantities of each region
 const std::vector<GasPathQuantity>& gas_path_quantities();      ///< quantities of each path
+const std::vector<GasScalarQuantity>& gas_scalar_quantities();  ///< quantities of each scalar that the gas carries
 const std::vector<GasRingQuantity>& gas_ring_quantities();      ///< quantities of each ring in a groove
 
 /// One of gas_sum_quantities() by its name.
@@ -36,6 +38,9 @@ const GasSumQuantity& leading_gas_sum();
 
 /// Is it the name of one of gas_sum_quantities()?
 bool is_gas_sum(const std::string& name);
+
+/// Does a quantity need the composition of the gas?
+bool needs_composition(const GasSumQuantity& quantity);
 
 /// The value of a row as a number, a truth as 0 or 1; nothing where a file of an earlier version lacks it.
 template <class Row, class... Values>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ringfilm/cycle/setup/gas_mixture.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/models/gas/heat_transfer.hpp"
@@ -23,8 +24,8 @@ Charge::Charge(const Case& c)
       bore_(c.engine.bore),
       clearance_volume_(piston_area(c.engine.bore) * c.engine.stroke / (c.gas.compression_ratio - 1)),
       mean_piston_speed_(c.engine.stroke * c.operating.speed / std::numbers::pi),
-      gas_constant_(c.gas_path.gas_constant),
-      heat_capacity_ratio_(c.gas_path.heat_capacity_ratio),
+      gas_constant_(gas_properties(c).gas_constant),
+      heat_capacity_ratio_(gas_properties(c).heat_capacity_ratio),
       intake_closes_deg_(c.gas.intake_valve_closing_deg),
       exhaust_opens_deg_(c.gas.exhaust_valve_opening_deg),
       charge_temperature_(c.gas.charge_temperature),

@@ -9,6 +9,7 @@
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/models/oil/dilution.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 #include "ringfilm/models/oil/oil_of_functions.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
@@ -26,6 +27,33 @@ std::vector<double> values(const std::vector<TemperatureValue>& points) {
   std::vector<double> out;
   for (const auto& point : points) out.push_back(point.value);
   return out;
+}
+
+/// Viscosity of the fuel, where it is stated the number itself [m2/s].
+double fuel_viscosity(const Lubricant& oil, const models::Walther& law, double T) {
+  for (const TemperatureValue& point : oil.fuel_viscosity) {
+    if (point.temperature == T) return point.value;
+  }
+  return law.kinematic_viscosity(T);
+}
+
+/// Water in a film at ambient pressure boils from here on [K].
+constexpr double kWaterBoils = 373.15;
+
+/// Mixes fuel and water into the oil at the temperatures of its viscosities. Its density remains that of the oil.
+void dilute(const Lubricant& oil, models::OilLaws& laws) {
+  const auto fuel =
+      oil.fuel > 0 ? std::optional(models::Walther::fit(temperatures(oil.fuel_viscosity), values(oil.fuel_viscosity)))
+                   : std::nullopt;
+  for (std::size_t i = 0; i < laws.kinematic_viscosity.size(); ++i) {
+    const double T = laws.viscosity_temperature[i], density = laws.density.density(T);
+    double& nu = laws.kinematic_viscosity[i];
+    if (fuel) nu = models::blended_viscosity(nu, fuel_viscosity(oil, *fuel, T), oil.fuel);
+    if (oil.water > 0) {
+      nu *= models::emulsion_ratio(models::water_volume_share(oil.water, density), models::water_viscosity(T),
+                                   nu * density);
+    }
+  }
 }
 
 models::OilLaws oil_laws(const Lubricant& oil) {
@@ -51,7 +79,31 @@ models::OilLaws oil_laws(const Lubricant& oil) {
   laws.theta_0 = oil.reference_temperature;
   if (oil.compressibility == Compressibility::kDowsonHigginson)
     laws.compression = models::DowsonHigginson{oil.dh_a, oil.dh_b};
+  if (oil.is_diluted()) dilute(oil, laws);
   return laws;
+}
+
+/// The oil as it was filled in.
+Lubricant fresh(Lubricant oil) {
+  oil.fuel = oil.water = 0;
+  return oil;
+}
+
+/// Viscosity of the oil that was filled in, at a temperature and atmospheric pressure [Pa s].
+double fresh_viscosity(const Lubricant& oil, double T) { return models::oil_state(oil_laws(fresh(oil)), T).eta_T; }
+
+/// A note on fuel and water in the oil and what they make of its viscosity. @param eta_T of the diluted oil [Pa s]
+void add_dilution_note(const Lubricant& oil, double T, double eta_T, std::vector<Note>& notes) {
+  if (!oil.is_diluted()) return;
+  std::string message = "the oil holds ";
+  if (oil.fuel > 0) message += formatted("%.3g %% of fuel", 100 * oil.fuel);
+  if (oil.water > 0) message += (oil.fuel > 0 ? " and " : "") + formatted("%.3g %% of water", 100 * oil.water);
+  message += formatted(" by mass: at %.4g", number_in(T, kCelsius)) +
+             formatted(" degC its viscosity is %.3g times that of the fresh oil", eta_T / fresh_viscosity(oil, T));
+  constexpr double kUsualFuel = 0.15;
+  if (oil.fuel > kUsualFuel) message += "; engine oils rarely hold more than 15 % of fuel";
+  if (oil.water > 0 && T > kWaterBoils) message += "; water boils at the temperature of this film";
+  notes.push_back({"oil-diluted", message, 1});
 }
 
 std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws,
@@ -84,14 +136,18 @@ using ViscosityAt = std::function<double(double T)>;
 /// Adds the thinning of an oil by shear. @param T_low,T_high range of temperatures in which the viscosity is known [K]
 void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, double T_low, double T_high,
                   OilSetup& setup) {
+  const auto fresh_at = [&](double at) {
+    return lubricant.is_diluted() ? fresh_viscosity(lubricant, at) : viscosity(at);
+  };
   const auto law = shear_thinning(lubricant);
   if (!law) return;
   const double T_hths = models::kHthsTemperature;
   const auto& stated = lubricant.critical_shear_rate;
   const double T = stated ? lubricant.critical_shear_rate_temperature.value() : T_hths;
   const auto rate_from_hths = [&] {
-    return models::kHthsShearRate / law->rate(lubricant.hths_viscosity.value() / viscosity(T));
+    return models::kHthsShearRate / law->rate(lubricant.hths_viscosity.value() / fresh_at(T));
   };
+  // Thinning begins at the shear stress of the fresh oil.
   const double rate = stated ? *stated : rate_from_hths();
   constexpr double kMin = 1, kMax = 1e15;  // [1/s]
   if (!(rate >= kMin && rate <= kMax)) {
@@ -99,7 +155,7 @@ void add_thinning(const Lubricant& lubricant, const ViscosityAt& viscosity, doub
                          std::to_string(rate) + " s-1",
                      "check both, or state lubricant.critical_shear_rate");
   }
-  setup.thinning = film::ThinningOil{*law, rate * viscosity(T), base::kAtmosphere};
+  setup.thinning = film::ThinningOil{*law, rate * fresh_at(T), base::kAtmosphere};
   if (T_hths < T_low || T_hths > T_high) return;
   const double eta = viscosity(T_hths);
   setup.hths_viscosity = eta * law->ratio(models::kHthsShearRate * eta / setup.thinning->critical_stress);
@@ -150,6 +206,7 @@ PreparedOil prepared_oil(const Lubricant& lubricant, std::optional<models::WallT
   const models::OilState at = models::oil_state(laws, T);
   PreparedOil prepared{
       {std::move(walls), oil, T, at.eta_T, at.rho_T, high, {}, {}}, oil, extrapolation_notes(lubricant, laws, range)};
+  add_dilution_note(lubricant, T, at.eta_T, prepared.notes);
   const auto viscosity = [&](double at_T) { return models::oil_state(laws, at_T).eta_T; };
   add_thinning(lubricant, viscosity, models::kColdestOil, models::kHottestOil, prepared.setup);
   return prepared;
@@ -187,6 +244,10 @@ std::optional<double> viscosity_without_shear(const Lubricant& lubricant, double
   return models::tabulated_oil(*lubricant.table, T)->viscosity(base::kAtmosphere);
 }
 
+std::optional<double> fresh_viscosity_without_shear(const Lubricant& lubricant, double T) {
+  return viscosity_without_shear(fresh(lubricant), T);
+}
+
 std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant) {
   if (!lubricant.thins()) return std::nullopt;
   const double usual = models::usual_exponent(lubricant.shear_thinning);
@@ -208,6 +269,7 @@ PadOil pad_oil(const Case& c) {
     at = models::oil_state(laws, T);
     oil.temperature = T;
     oil.notes = extrapolation_notes(lubricant, laws, {T, T});
+    add_dilution_note(lubricant, T, at.eta_T, oil.notes);
     OilSetup setup{};
     const auto viscosity = [&](double at_T) { return models::oil_state(laws, at_T).eta_T; };
     add_thinning(lubricant, viscosity, models::kColdestOil, models::kHottestOil, setup);

@@ -49,6 +49,9 @@ void fit_properties(PreparedOil& oil, double largest_mean_pressure);
 /// [Pa s].
 std::optional<double> viscosity_without_shear(const Lubricant& lubricant, double temperature);
 
+/// The same of the oil before fuel and water came into it [Pa s].
+std::optional<double> fresh_viscosity_without_shear(const Lubricant& lubricant, double temperature);
+
 /// The law of an oil that thins with the shear rate, without its critical shear rate; nothing for a Newtonian one.
 std::optional<models::ShearThinning> shear_thinning(const Lubricant& lubricant);
 

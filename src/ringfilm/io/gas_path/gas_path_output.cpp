@@ -124,6 +124,13 @@ std::string gas_path_csv(const GasPathDocument& document) {
   for (std::size_t i = 0; i < result.motion.size(); ++i) {
     if (result.motion[i].has_groove) csv += fmt::format(",position_ring_{} [m]", i + 1);
   }
+  const std::vector<gas_path::ScalarValues>& scalars = document.gas.scalars;
+  for (const auto& region : result.regions) {
+    for (const auto& scalar : scalars) {
+      csv += "," + column_name(column_name("share", scalar.name), region.name) + " [-]";
+    }
+  }
+  const std::size_t n_shares = result.regions.size() * scalars.size();
   csv += '\n';
   for (std::size_t k = 0; k < result.pressure.size(); ++k) {
     csv += std::to_string(k);
@@ -133,6 +140,7 @@ std::string gas_path_csv(const GasPathDocument& document) {
     for (std::size_t i = 0; i < result.motion.size(); ++i) {
       if (result.motion[i].has_groove) add(result.position[k][i]);
     }
+    for (std::size_t i = 0; i < n_shares; ++i) add(document.gas.share[k * n_shares + i]);
     csv += '\n';
   }
   return csv;

@@ -20,7 +20,7 @@ ordered_json engine_object(const gas_path::GasSums& sums, double cylinders) {
   ordered_json object = {{"cylinders", cylinders}};
   for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
     const std::optional<double> of_cylinder = cycle::number_of(quantity, sums);
-    if (of_cylinder && (quantity.unit == "kg" || quantity.unit == "m3/s")) {
+    if (of_cylinder && (quantity.unit == "kg" || quantity.unit == "kg/s" || quantity.unit == "m3/s")) {
       object[quantity.name] = cylinders * *of_cylinder;
     }
   }
@@ -49,6 +49,10 @@ ordered_json gas_object(const PackGas& gas) {
       const std::string long_name = std::string(flow) + "_per_cycle";
       if (path.contains(long_name)) path[flow] = path[long_name];
     }
+  }
+  if (!gas.scalars.empty()) {
+    object["composition"] = named_rows(cycle::gas_scalar_quantities(), gas.scalars);
+    put_units(cycle::gas_scalar_quantities(), units);
   }
   put_units(cycle::gas_sum_quantities(), units);
   put_units(cycle::gas_region_quantities(), units);

@@ -8,6 +8,10 @@ PackGas pack_gas(const gas_path::GasPathResult& result, double gas_constant, std
   gas.sums = gas_sums(result, gas_constant);
   gas.regions = result.regions;
   gas.paths = path_values(result);
+  if (result.composition) {
+    gas.scalars = result.composition->scalars;
+    gas.share = result.composition->share;
+  }
   for (const gas_path::RingEvent& event : result.events) {
     gas.events.push_back({static_cast<long>(event.ring), event.crank_angle_deg, event_name(event.event)});
   }

@@ -29,10 +29,12 @@ struct PackGas {
   std::vector<Ring> rings;  ///< in the order of `position`
   /// Motion of each of `rings`; empty for a file of an earlier version.
   std::vector<gas_path::RingMotionValues> motion;
-  std::vector<double> crank_angle_deg;  ///< 0 to 719 [degree]
+  std::vector<gas_path::ScalarValues> scalars;  ///< empty where the gas has no composition
+  std::vector<double> crank_angle_deg;          ///< 0 to 719 [degree]
   // row by row of the crank angles
   std::vector<double> pressure;  ///< pressure of each region [Pa]
   std::vector<double> flow;      ///< flow along each path [kg/s]
+  std::vector<double> share;     ///< mass share of each scalar in each region [-]
   std::vector<double> position;  ///< position of each compression ring above its lower flank [m]
 };
 

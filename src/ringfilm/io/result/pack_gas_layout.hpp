@@ -65,6 +65,10 @@ void exchange_gas_tables(File& file, Gas& gas) {
   file.rows("gas_path", gas.paths);
   file.column("gas_path", text("gas_path_name", "path of the gas"), gas.paths, &gas_path::PathValues::name);
   exchange_gas_columns(file, "gas_path", cycle::gas_path_quantities(), gas.paths);
+  file.rows("gas_scalar", gas.scalars);
+  file.column("gas_scalar", text("gas_scalar_name", "gas or species that the gas carries"), gas.scalars,
+              &gas_path::ScalarValues::name);
+  exchange_gas_columns(file, "gas_scalar", cycle::gas_scalar_quantities(), gas.scalars);
   file.rows("gas_event", gas.events);
   file.column("gas_event", count("gas_event_ring", "ring that changes the contact with its flanks, from 1"), gas.events,
               &PackGas::Event::ring);
@@ -103,6 +107,10 @@ void exchange_pack_gas(File& file, Document& document) {
                described("ring_position", "m", "position of the ring above the lower flank of its groove", "z",
                          "eq-ring-acceleration"),
                gas.position);
+  exchange_present(
+      file, {"gas_crank_angle", "gas_region", "gas_scalar"},
+      described("gas_region_share", "1", "mass share of the scalar in the region", "Y", "eq-scalar-balance"),
+      gas.share);
   exchange_gas_sums(file, gas.sums);
   exchange_cylinders(file, gas.cylinders);
 }

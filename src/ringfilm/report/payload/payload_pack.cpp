@@ -38,10 +38,12 @@ ordered_json gas_payload(const io::PackGas& gas) {
   object["quantities"] = {{"sums", described_all(cycle::gas_sum_quantities())},
                           {"regions", described_all(cycle::gas_region_quantities())},
                           {"paths", described_all(cycle::gas_path_quantities())},
+                          {"composition", described_all(cycle::gas_scalar_quantities())},
                           {"ring_motion", described_all(cycle::gas_ring_quantities())}};
   object["rings"] = std::move(rings);
   object["crank_angle"] = rounded_list(gas.crank_angle_deg, kGasDigits);
   object["pressure"] = columns(gas.pressure, gas.regions.size());
+  if (!gas.scalars.empty()) object["share"] = columns(gas.share, gas.regions.size() * gas.scalars.size());
   object["flow"] = columns(gas.flow, gas.paths.size());
   object["position"] = columns(gas.position, gas.rings.size());
   return object;

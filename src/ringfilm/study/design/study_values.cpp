@@ -48,7 +48,9 @@ void append_pack(std::size_t n_rings, StudyValues& values) {
 }
 
 void append_gas(const cycle::Case& base, StudyValues& values) {
-  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) values.quantities.push_back(quantity);
+  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
+    if (base.gas.composition.is_stated() || !needs_composition(quantity)) values.quantities.push_back(quantity);
+  }
   values.main.push_back(cycle::leading_gas_sum().name);
   const gas_path::Pack pack = cycle::gas_pack(base);
   const gas_path::Network network(pack, cycle::given_pressures(base));
