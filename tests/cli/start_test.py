@@ -127,7 +127,7 @@ class NewTest(StartTest):
         self.assertNotIn('"stored_angles":0', (self.folder / "mine.html").read_text())
 
     def test_the_commented_defaults_are_the_defaults(self):
-        for engine in ("passenger-car", "heavy-duty"):
+        for engine in ("passenger-car", "heavy-duty", "hydrogen"):
             text, _ = self.new("--engine", engine)
             before = self.checked("mine.toml")
             (self.folder / "stated.toml").write_text(re.sub(r"(?m)^# (\w+ = .*  # default)$", r"\1", text))
@@ -157,7 +157,7 @@ class NewTest(StartTest):
     def test_an_unknown_engine_is_refused(self):
         refused = self.refused("new", "mine.toml", "--engine", "heavy_duty")
         self.assertIn('no start case for the engine "heavy_duty"; did you mean heavy-duty?', refused)
-        self.assertIn("one of: passenger-car, heavy-duty", refused)
+        self.assertIn("one of: passenger-car, heavy-duty, hydrogen", refused)
         self.assertFalse((self.folder / "mine.toml").exists())
 
     def test_a_trace_is_read_and_what_it_does_not_show_is_asked_for(self):

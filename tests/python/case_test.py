@@ -220,7 +220,7 @@ def test_overrides_drop_the_keys_that_they_make_unused(folder):
 
 
 def test_start_cases(folder):
-    for engine in ("passenger-car", "heavy-duty"):
+    for engine in ("passenger-car", "heavy-duty", "hydrogen"):
         (folder / "start.toml").write_text(ringfilm.starting_case(engine))
         assert ringfilm.Case.read("start.toml")["contact.boundary_shear_strength_coefficient"] == 0.12
     assert "MISSING: absolute or gauge?" in ringfilm.starting_case(trace="trace.csv")

@@ -40,8 +40,9 @@ std::string gas_summary(const io::GasPathDocument& document) {
       fmt::format("{}\ngas of the ring pack over one cycle, {} cycles integrated\n\n", document.title, result.cycles);
   text += "blow-by per cylinder: " + blow_by_text(document.gas.sums) + reverse_blow_by_text(document.gas.sums) + "\n";
   text += fmt::format("mass defect of the cycle: {:.1e}\n\n", result.mass_defect);
-  for (const std::string& table : {regions_table(document.gas), paths_table(document.gas),
-                                   ring_motion_table(document.gas), ring_events_table(document.gas)}) {
+  for (const std::string& table :
+       {regions_table(document.gas), paths_table(document.gas), composition_table(document.gas),
+        ring_motion_table(document.gas), ring_events_table(document.gas)}) {
     if (!table.empty()) text += table + "\n";
   }
   text += default_input_lines(document.inputs);

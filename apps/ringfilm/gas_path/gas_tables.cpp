@@ -68,6 +68,28 @@ std::string paths_table(const io::PackGas& gas) {
   return text;
 }
 
+std::string composition_table(const io::PackGas& gas) {
+  if (gas.scalars.empty()) return "";
+  std::string text = fmt::format("{:<14}{:>17}{:>17}{:>15}{:>15}   of one cylinder\n", "gas", "into crankcase",
+                                 "back to chamber", "crankcase", "by volume");
+  for (const gas_path::ScalarValues& scalar : gas.scalars) {
+    text += fmt::format("{:<14}{:>13.4g} g/h{:>8.3g} mg/cycle{:>13.3g} %{:>13.3g} %\n", scalar.name,
+                        number_in(scalar.crankcase_flow, kGramPerHour), number_in(scalar.chamber_per_cycle, kMilligram),
+                        100 * scalar.crankcase_mass_share, 100 * scalar.crankcase_mole_share);
+  }
+  text += fmt::format("\n{:<14}{:>16}{:>16}{:>22}{:>22}\n", "water in", "dew point up to", "wall from",
+                      "above wall, of cycle", "could condense");
+  for (const gas_path::RegionValues& region : gas.regions) {
+    const auto cell = [](const std::optional<double>& value, const DisplayUnit& unit) {
+      return value ? text_in(*value, unit, 3) : std::string("-");
+    };
+    text += fmt::format("{:<14}{:>16}{:>16}{:>20.3g} %{:>22}\n", region.name, cell(region.peak_dew_point, kCelsius),
+                        cell(region.wall_temperature, kCelsius), 100 * region.condensing_share.value_or(0),
+                        cell(region.condensable_water, kMilligram));
+  }
+  return text;
+}
+
 std::string ring_motion_table(const io::PackGas& gas) {
   std::string text = "ring   leaves lower flank   least force on the lower flank   unseated   largest static twist\n";
   for (std::size_t i = 0; i < gas.motion.size(); ++i) {

@@ -14,6 +14,7 @@ std::string reverse_blow_by_text(const gas_path::GasSums& sums);
 // Tables in engineers' units, a line each for a region, a path, a ring in its groove and a change of flank contact.
 std::string regions_table(const io::PackGas& gas);
 std::string paths_table(const io::PackGas& gas);
+std::string composition_table(const io::PackGas& gas);  ///< empty where the gas has no composition
 std::string ring_motion_table(const io::PackGas& gas);
 std::string ring_events_table(const io::PackGas& gas);
 

@@ -237,7 +237,8 @@ std::string pack_gas_lines(const io::ResultDocument& pack) {
     text += fmt::format("{} {} {}", i > 1 ? "," : "", region.name, text_in(region.peak_pressure, kBar, 3));
   }
   text = wrapped(words(text));
-  for (const std::string& table : {paths_table(*pack.gas), ring_motion_table(*pack.gas)}) {
+  for (const std::string& table :
+       {paths_table(*pack.gas), composition_table(*pack.gas), ring_motion_table(*pack.gas)}) {
     if (!table.empty()) text += "\n" + table;
   }
   return text;

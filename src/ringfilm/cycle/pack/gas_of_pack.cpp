@@ -232,6 +232,52 @@ std::vector<Note> ring_motion_notes(const Case& c, const gas_path::Pack& pack, c
   return notes;
 }
 
+namespace {
+
+/// Lower flammability limit in air at 25 degC and atmospheric pressure, zabetakis1965: mole share [-].
+double flammability_limit(Fuel fuel) {
+  switch (fuel) {
+    case Fuel::kHydrogen:
+      return 0.04;
+    case Fuel::kMethane:
+      return 0.05;
+    case Fuel::kGasoline:
+      return 0.013;
+    default:
+      return 1;  // diesel fuel has no such vapour at the temperatures of a crankcase
+  }
+}
+
+/// Notes on water that may condense and on fuel in the crankcase.
+void append_composition_notes(const gas_path::Pack& pack, const gas_path::GasPathResult& result,
+                              std::vector<Note>& notes) {
+  if (!result.composition) return;
+  std::string where;
+  for (const gas_path::RegionValues& region : result.regions) {
+    if (region.condensing_share.value_or(0) == 0) continue;
+    where += (where.empty() ? "" : ", ") + region.name + " (dew point up to " +
+             text_in(*region.peak_dew_point, kCelsius, 3) + ", wall " + text_in(*region.wall_temperature, kCelsius, 3) +
+             ")";
+  }
+  if (!where.empty()) {
+    notes.push_back({"water-condenses",
+                     "water of the gas can condense on the walls of " + where +
+                         ": it is reported alone, no water is taken from the gas and none is added to the oil",
+                     1});
+  }
+  const double fuel = result.composition->scalars[gas_path::kFuelScalar].crankcase_mole_share;
+  const double limit = flammability_limit(pack.composition->fuel);
+  if (fuel < limit) return;
+  notes.push_back({"crankcase-flammable",
+                   std::string(models::fuel_name(pack.composition->fuel)) + " makes " + number_text(100 * fuel, 3) +
+                       " % of the gas in the crankcase by volume, its lower flammability "
+                       "limit in air is " +
+                       number_text(100 * limit, 3) + " %: gas.composition.crankcase_air states the ventilation",
+                   1});
+}
+
+}  // namespace
+
 std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, const gas_path::GasPathResult& result) {
   std::vector<Note> notes;
   append_gas_notes(c, pack.chamber, notes);
@@ -241,6 +287,7 @@ std::vector<Note> gas_path_notes(const Case& c, const gas_path::Pack& pack, cons
     notes.push_back({"oil-ring-missing", "the pack has no oil ring: the crankcase is below its last ring", 1});
   }
   for (Note& note : ring_motion_notes(c, pack, result)) notes.push_back(std::move(note));
+  append_composition_notes(pack, result, notes);
   if (!result.repeats) {
     const std::string when =
         result.period > 0 ? "it repeats every " + std::to_string(result.period) +

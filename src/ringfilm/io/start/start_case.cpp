@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
@@ -100,7 +101,7 @@ std::string stated_case(const std::string& head, const std::vector<StartValue>& 
 
 /// The [[ring]] sections of the shipped pack of that name.
 std::string rings_of(const StartEngine& engine) {
-  const NamedFile file = locate(std::string("data/packs/") + engine.name + ".toml", "");
+  const NamedFile file = locate(std::string("data/packs/") + engine.pack + ".toml", "");
   const std::string text = read_source_text(file.path, file.shown, kMaxToml).text;
   return "\n# All numbers of the rings are typical, assumed; their faces are run in.\n" +
          text.substr(text.find("[[ring]]"));
@@ -138,9 +139,14 @@ StartCase start_case(const StartOptions& options) {
     append(point.gas, values);
   }
   if (options.is_pack) {
+    const auto is_path = [](const StartValue& value) { return value.key.starts_with("gas_path."); };
+    std::vector<StartValue> composition = engine.composition;
+    const auto of_path = std::stable_partition(composition.begin(), composition.end(), std::not_fn(is_path));
+    append({composition.begin(), of_path}, values);
     append({{"gas_path.model", quoted("orifice-volume"), "gas between the rings, computed"},
             {"gas_path.ring_motion", quoted("axial"), "rings move in their grooves"}},
            values);
+    append({of_path, composition.end()}, values);
   } else {
     append(engine.ring, values);
     append({{"ring.face.form", "\"parabola\"", ""},

@@ -52,6 +52,8 @@ StartEngine passenger_car() {
           {"10 um", "6 um", "3 um"},
           {},
           "SAE 5W-30",
+          "passenger-car",
+          {},
           {{"part load",
             0.7,
             together({speed("\"2000 rpm\"")}, part_load_of_car()),
@@ -76,6 +78,8 @@ StartEngine heavy_duty() {
           {"8 um", "4 um", "2 um"},
           {{"gas.compression_ratio", "17", ""}, {"gas.peak_angle", "\"15 degree\"", ""}},
           "SAE 15W-40",
+          "heavy-duty",
+          {},
           {{"part load",
             0.5,
             together({speed("\"1300 rpm\"")}, walls_of_diesel(false)),
@@ -96,10 +100,37 @@ StartEngine heavy_duty() {
              {"gas.exhaust_pressure", "\"2.6 bar\"", ""}}}}};
 }
 
+/// Spark ignition, lean, turbocharged, in the rings and the cylinder of the diesel engine.
+StartEngine hydrogen() {
+  StartEngine engine = heavy_duty();
+  engine.name = "hydrogen";
+  engine.title = "Hydrogen engine of a truck";
+  engine.gas = {{"gas.compression_ratio", "12", ""},
+                {"gas.peak_angle", "\"12 degree\"", ""},
+                {"gas.burn_duration", "\"40 degree\"", ""}};
+  engine.grade = "SAE 5W-30";
+  engine.composition = {{"gas.composition.fuel", quoted("hydrogen"), "followed through the rings"},
+                        {"gas.composition.excess_air_ratio", "2.2", kAssumed + ": lean, against knock and NOx"},
+                        {"gas.composition.premixed_share", "1", kAssumed + ": injected before it burns"},
+                        {"gas.composition.residual_share", "0.04", ""},
+                        {"gas.composition.burn_begin", "\"-12 degree\"", ""},
+                        {"gas.composition.crankcase_air", "\"0 kg/h\"", "no forced ventilation of the crankcase"},
+                        {"gas_path.properties", quoted("mixture"), "gas constant, gamma and viscosity of the charge"},
+                        {"gas_path.mixture_burnt_share", "0.5", ""}};
+  const auto pressures = [](const char* peak, const char* intake, const char* exhaust) -> std::vector<StartValue> {
+    return {
+        {"gas.peak_pressure", peak, ""}, {"gas.intake_pressure", intake, ""}, {"gas.exhaust_pressure", exhaust, ""}};
+  };
+  engine.points[0].gas = pressures("\"70 bar\"", "\"1.5 bar\"", "\"1.4 bar\"");
+  engine.points[1].gas = pressures("\"120 bar\"", "\"2.4 bar\"", "\"2 bar\"");
+  engine.points[2].gas = pressures("\"130 bar\"", "\"2.8 bar\"", "\"2.4 bar\"");
+  return engine;
+}
+
 }  // namespace
 
 const std::vector<StartEngine>& start_engine_table() {
-  static const std::vector<StartEngine> table = {passenger_car(), heavy_duty()};
+  static const std::vector<StartEngine> table = {passenger_car(), heavy_duty(), hydrogen()};
   return table;
 }
 

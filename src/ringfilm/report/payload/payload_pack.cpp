@@ -29,6 +29,14 @@ ordered_json columns(const std::vector<double>& rows, std::size_t n) {
   return lists;
 }
 
+/// Mass share of one scalar in each region over crank angle.
+ordered_json shares(const io::PackGas& gas, std::size_t scalar) {
+  const std::size_t n = gas.scalars.size();
+  std::vector<double> of_regions;
+  for (std::size_t i = scalar; i < gas.share.size(); i += n) of_regions.push_back(gas.share[i]);
+  return columns(of_regions, gas.regions.size());
+}
+
 /// Values as `run --json` has them, their descriptions, and the curves.
 ordered_json gas_payload(const io::PackGas& gas) {
   ordered_json object = io::gas_object(gas), rings = ordered_json::array();
@@ -43,7 +51,10 @@ ordered_json gas_payload(const io::PackGas& gas) {
   object["rings"] = std::move(rings);
   object["crank_angle"] = rounded_list(gas.crank_angle_deg, kGasDigits);
   object["pressure"] = columns(gas.pressure, gas.regions.size());
-  if (!gas.scalars.empty()) object["share"] = columns(gas.share, gas.regions.size() * gas.scalars.size());
+  if (!gas.scalars.empty()) {
+    object["fuel_share"] = shares(gas, gas_path::kFuelScalar);
+    object["water_share"] = shares(gas, gas_path::kWaterScalar);
+  }
   object["flow"] = columns(gas.flow, gas.paths.size());
   object["position"] = columns(gas.position, gas.rings.size());
   return object;

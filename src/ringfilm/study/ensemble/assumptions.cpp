@@ -179,6 +179,20 @@ Assumption gas_sizes(const Case& c) {
                     "nearly proportional to that of the ring that chokes, volumes set the pressure between the rings");
 }
 
+/// What the gas consists of.
+Assumption composition_of_gas(const Case& c) {
+  const cycle::GasComposition& of = c.gas.composition;
+  return assumption(
+      "gas-composition",
+      fmt::format("the gas that enters the pack is a mixture of fresh charge and burnt gas, {} at lambda = {:.3g}, "
+                  "burnt as \"{}\" from {:.3g} degree on",
+                  chosen("gas.composition.fuel", c), of.excess_air_ratio, chosen("gas.composition.burn", c),
+                  of.burn_begin_deg),
+      "each volume is mixed, nothing diffuses, burns or condenses in the pack; unburnt fuel in the crankcase follows "
+      "when the flame reaches the top piston land: \"wiebe\" takes the mean of the cylinder, \"step\" the end of the "
+      "combustion");
+}
+
 Assumption pressure_under_ring(const Case& c) {
   if (c.ring.pressure_below.is_stated()) {
     return assumption("pressure-under-ring", "the pressure straight under the ring is that of ring.pressure_below",
@@ -578,6 +592,7 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
   if (c.gas_path.is_computed()) {
     all.push_back(gas_path(c));
     all.push_back(gas_sizes(c));
+    if (c.gas.composition.is_stated()) all.push_back(composition_of_gas(c));
     if (c.ring.gas_path.kind == cycle::RingKind::kOil) all.push_back(pressure_behind_ring(c));
   } else {
     all.push_back(pressure_behind_ring(c));

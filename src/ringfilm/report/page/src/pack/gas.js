@@ -7,7 +7,7 @@ import { CycleGroup } from '../plot/chart.js';
 import { filesTable, folded, inputCell, keyCell, programRows, right, table } from '../tables.js';
 import { gasSum, gasValue, kBlowBy, kStandard } from './gas_words.js';
 import { angleInWords, converted, number, sentence, typeset, wrapped } from '../units.js';
-import { blowBy, gasPressures, ringPositions } from './pack_figures.js';
+import { blowBy, gasComposition, gasPressures, ringPositions } from './pack_figures.js';
 import { packOfGas, regionWords } from './pack_model.js';
 import { gasTables, packView } from './pack_view.js';
 
@@ -117,7 +117,7 @@ function buildPage(payload) {
     stem: payload.title,
     subtitle: payload.title,
   };
-  const figures = [gasPressures(packed), blowBy(packed), ringPositions(packed)]
+  const figures = [gasPressures(packed), blowBy(packed), gasComposition(packed), ringPositions(packed)]
     .filter(Boolean)
     .map((figure) => new ChartView(figure, context));
   const views = [packView(packed, context), ...figures];

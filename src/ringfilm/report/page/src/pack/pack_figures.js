@@ -115,6 +115,35 @@ export function blowBy(packed) {
   };
 }
 
+/** Mass shares of fuel and water in the regions of the pack. */
+export function gasComposition(packed) {
+  const { gas } = packed.pack;
+  if (!gas?.fuel_share) return null;
+  const fuel = gas.composition[3].name;
+  const shares = (columns) =>
+    packed.regions.map((region, i) => ({
+      caseIndex: packed.seriesOf(region),
+      part: region.name.startsWith('groove') ? 'viscous' : region.name === 'crankcase' ? 'boundary' : null,
+      label: regionWords(region.name),
+      ...onCycleAxis(
+        gas.crank_angle,
+        columns[i].map((share) => 100 * share),
+      ),
+    }));
+  return {
+    id: 'pack-composition',
+    title: `${fuel[0].toUpperCase()}${fuel.slice(1)} and water in the gas`,
+    group: 'cycle',
+    panels: [
+      panel(packed, 'pack-fuel', { yLabel: `${fuel}, by mass`, yUnit: '%' }, shares(gas.fuel_share)),
+      panel(packed, 'pack-water', { yLabel: 'water, by mass', yUnit: '%' }, shares(gas.water_share)),
+    ],
+    caption:
+      'What the flow carries from the cylinder through the mixed volumes of the pack, grooves dotted; nothing burns, ' +
+      'diffuses or condenses there. The crankcase has the share of what reaches it and of its air.',
+  };
+}
+
 /** Where the rings are in their grooves, with their changes of flank contact. */
 export function ringPositions(packed) {
   const { gas } = packed.pack;
@@ -162,6 +191,7 @@ export function packFigures(packed) {
     packed.hasCurves ? stackedFriction(packed) : null,
     packed.hasCurves || packed.pack.gas ? gasPressures(packed) : null,
     blowBy(packed),
+    gasComposition(packed),
     ringPositions(packed),
   ].filter(Boolean);
 }

@@ -92,7 +92,7 @@ function gasTable(caption, what, quantities, rows, nameOf) {
 /** What passes each path in a cycle, forward and back, and what moves the rings in their grooves. */
 export function gasTables(gas) {
   if (!gas) return null;
-  const { paths, ring_motion: motion } = gas.quantities;
+  const { composition, paths, ring_motion: motion } = gas.quantities;
   return folded(
     'Gas flows and ring motion',
     gasTable(
@@ -100,6 +100,13 @@ export function gasTables(gas) {
       'path',
       paths,
       withoutRounding(gas.paths),
+      ({ name }) => name,
+    ),
+    gasTable(
+      'Gases and species that the gas carries, per cylinder',
+      'gas',
+      composition ?? [],
+      gas.composition ?? [],
       ({ name }) => name,
     ),
     gasTable('Rings in their grooves', 'ring', motion, gas.ring_motion, ({ ring }) => `ring ${ring}`),
