@@ -80,6 +80,7 @@ py::dict quantities() {
   tables["gas"] = plain(cycle::gas_sum_quantities());
   tables["gas_region"] = plain(cycle::gas_region_quantities());
   tables["gas_path"] = plain(cycle::gas_path_quantities());
+  tables["gas_scalar"] = plain(cycle::gas_scalar_quantities());
   tables["gas_ring"] = plain(cycle::gas_ring_quantities());
   tables["pack_oil"] = plain(io::pack_oil_quantities());
   tables["oil_consumption"] = plain(cycle::oil_loss_quantities());
@@ -157,6 +158,8 @@ a whole, "derived" constants of a case, "stroke" over the liner, "effort" of the
 "unrolled_cycle", "unrolled_field" and "strip" of an unrolled film; "pad", "pad_width", "pad_front", "pad_film";
 "closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_ring", "pack_oil" of a pack; "oil_consumption"
 of its studies; "worn" over a life.)");
+"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_scalar", "gas_ring", "pack_oil" of a pack; "worn" over a
+life.)");
   module.def(
       "_unit_scale",
       [](const std::string& display_unit, const std::string& unit) {

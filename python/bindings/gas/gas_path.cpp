@@ -65,8 +65,22 @@ py::dict gas_record(const py::object& given, const Given<kinds::MaybeTexts>& ove
   }
   py::array_t<double> angle(static_cast<py::ssize_t>(result.pressure.size()));
   for (py::ssize_t k = 0; k < angle.size(); ++k) angle.mutable_at(k) = static_cast<double>(k);
+  py::dict share;
+  const std::vector<gas_path::ScalarValues>& scalars = document.gas.scalars;
+  for (std::size_t i = 0; i < scalars.size(); ++i) {
+    py::dict of_regions;
+    for (std::size_t k = 0; k < result.regions.size(); ++k) {
+      py::array_t<double> values(static_cast<py::ssize_t>(result.pressure.size()));
+      for (std::size_t row = 0; row < result.pressure.size(); ++row) {
+        values.mutable_at(static_cast<py::ssize_t>(row)) =
+            document.gas.share[(row * result.regions.size() + k) * scalars.size() + i];
+      }
+      of_regions[py::str(result.regions[k].name)] = values;
+    }
+    share[py::str(scalars[i].name)] = of_regions;
+  }
   record["curves"] = py::dict(py::arg("crank_angle") = angle, py::arg("pressure") = pressure, py::arg("flow") = flow,
-                              py::arg("position") = position);
+                              py::arg("position") = position, py::arg("share") = share);
   return record;
 }
 
@@ -79,7 +93,7 @@ void bind_gas_path(py::module_& module) {
 `case` is a ringfilm.Case, or the path of a case file, in which keys of oil, contact and film may be missing; with a
 path `overrides` replace keys as --set does, {key: text}. The key `curves` of the record holds arrays over
 `crank_angle` [degree]: `pressure` by region [Pa], `flow` by path [kg/s], `position` of each ring above its lower flank
-by its number [m].)");
+by its number [m], `share` by gas and region [-] where the case states gas.composition.fuel.)");
 }
 
 }  // namespace ringfilm::python

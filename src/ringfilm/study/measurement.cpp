@@ -37,6 +37,9 @@ const std::vector<cycle::Quantity> kOfGas = {
     {"critical_pressure_ratio", "1", "1", "pressure ratio below which an orifice is choked", "r_c",
      "eq-critical-ratio"},
     {"region_peak_pressure", "Pa", "bar", "highest pressure of a region", "p", "eq-gas-region"},
+    {"region_peak_fuel_share", "1", "%", "highest mass share of fuel in a region", "Y", "eq-scalar-balance"},
+    cycle::gas_sum_quantity("crankcase_fuel_share"),
+    cycle::gas_sum_quantity("composition_defect"),
     {"region_mean_pressure", "Pa", "bar", "mean pressure of a region over the cycle", "p", "eq-gas-region"},
     {"ring_event_angle", "degree", "degree", "crank angle of a change of flank contact", "varphi",
      "eq-ring-acceleration"},
@@ -142,6 +145,19 @@ Measurement of_gas(const cycle::Case& c) {
   for (std::size_t i = 0; i < result.regions.size(); ++i) {
     values[numbered("region_peak_pressure", i)] = {result.regions[i].peak_pressure};
     values[numbered("region_mean_pressure", i)] = {result.regions[i].mean_pressure};
+  }
+  if (result.composition) {
+    const gas_path::CompositionResult& composition = *result.composition;
+    values["crankcase_fuel_share"] = {composition.scalars[gas_path::kFuelScalar].crankcase_mole_share};
+    values["composition_defect"] = {composition.defect};
+    const std::size_t n = composition.scalars.size(), n_regions = result.regions.size();
+    for (std::size_t region = 0; region < n_regions; ++region) {
+      double peak = 0;
+      for (std::size_t row = region; row * n < composition.share.size(); row += n_regions) {
+        peak = std::max(peak, composition.share[row * n + gas_path::kFuelScalar]);
+      }
+      values[numbered("region_peak_fuel_share", region)] = {peak};
+    }
   }
   for (std::size_t i = 0; i < result.events.size(); ++i) {
     values[numbered("ring_event_angle", i)] = {result.events[i].crank_angle_deg};

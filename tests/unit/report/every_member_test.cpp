@@ -27,7 +27,11 @@ using nlohmann::ordered_json;
 gas_path::GasPathResult gas_of_two_regions() {
   gas_path::GasPathResult gas;
   gas.duration = 0.08;
-  gas.regions = {{"chamber", 1e6, 10, 2e5}, {"crankcase", 1e5, 0, 1e5}};
+  gas.regions = {{"chamber", 1e6, 10, 2e5, 450, 400, 0.1, 1e-9}, {"crankcase", 1e5, 0, 1e5, 330, 360, 0, 0}};
+  gas.composition.emplace();
+  for (const char* name : {"fresh charge", "burnt gas", "air", "hydrogen", "water"}) {
+    gas.composition->scalars.push_back({name, 1e-7, 1e-8, 1e-9, 0.2, 0.3});
+  }
   gas.paths = {{gas_path::PathKind::kEndGap, 0, 0, 1}};
   gas.transported = {1e-6};
   gas.back = {1e-7};
@@ -168,6 +172,7 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
   expect_each(cycle::gas_ring_quantities(), in_object(json["gas"]["ring_motion"][0]));
   expect_each(cycle::gas_path_quantities(), in_object(json["gas"]["paths"][0]));
   expect_each(cycle::gas_region_quantities(), in_object(json["gas"]["regions"][0]));
+  expect_each(cycle::gas_scalar_quantities(), in_object(json["gas"]["composition"][0]));
 
   const std::string file = io::result_bytes(pack);
   expect_each(cycle::summed_quantities(), in_text(file, "pack_"));
@@ -179,6 +184,7 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
   expect_each(cycle::gas_ring_quantities(), in_text(file, "gas_ring_"));
   expect_each(cycle::gas_path_quantities(), in_text(file, "gas_path_"));
   expect_each(cycle::gas_region_quantities(), in_text(file, "gas_region_"));
+  expect_each(cycle::gas_scalar_quantities(), in_text(file, "gas_scalar_"));
 
   const std::string page = report_page({pack}, {});
   expect_each(io::pack_oil_quantities(), on_page(page));
@@ -187,6 +193,7 @@ TEST(EveryMember, OfAPackAndItsGasIsInEachOutput) {
   expect_each(cycle::gas_ring_quantities(), on_page(page));
   expect_each(cycle::gas_path_quantities(), on_page(page));
   expect_each(cycle::gas_region_quantities(), on_page(page));
+  expect_each(cycle::gas_scalar_quantities(), on_page(page));
   const std::size_t by_ring = page.find("\"by_ring\":[");
   const std::string sums = page.substr(by_ring, page.find(']', by_ring) - by_ring);
   expect_each(cycle::summed_quantities(), in_text(sums, "\""));

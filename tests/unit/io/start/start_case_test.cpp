@@ -49,12 +49,11 @@ TEST_P(StartCaseOf, HasEveryKeyOrItsComment) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Engines, StartCaseOf, ::testing::ValuesIn(start_engines()),
-                         [](const auto& one) {
-                           std::string name;  // "passenger-car": "passengercar"
-                           std::copy_if(one.param.begin(), one.param.end(), std::back_inserter(name), ::isalpha);
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Engines, StartCaseOf, ::testing::ValuesIn(start_engines()), [](const auto& one) {
+  std::string name;  // "passenger-car": "passengercar"
+  std::copy_if(one.param.begin(), one.param.end(), std::back_inserter(name), ::isalpha);
+  return name;
+});
 
 TEST(StartCase, OfAnUnknownEngineListsThoseThatAreKnown) {
   try {
