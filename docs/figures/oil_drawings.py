@@ -1,4 +1,4 @@
-"""Drawings of oil on the liner: between menisci, and as it leaves for the chamber. Nothing in them is computed."""
+"""Drawings of oil on the liner, as it leaves for the chamber, and of gas. Nothing in them is computed."""
 
 from svg import BLACK, BLUE, GAS, GREY, LINER, METAL, OIL, RED, Picture
 
@@ -84,4 +84,35 @@ def menisci():
     return picture
 
 
-PICTURES = {"oil-consumption": oil_consumption, "menisci": menisci}
+def gas_composition():
+    """Chamber, volumes of a pack and crankcase, with what the flows between them carry."""
+    picture = Picture("Gases that the flow carries from the chamber through the volumes of a pack", 250)
+    boxes = (
+        (20, 150, "chamber", ("fresh, burnt", "by crank angle")),
+        (210, 110, "groove 1", ("mixed",)),
+        (360, 110, "land 2", ("mixed",)),
+        (560, 180, "crankcase", ("mixed, constant", "over the cycle")),
+    )
+    tops = {"groove 1": 40}
+    for x, width, name, rows in boxes:
+        top = tops.get(name, 120)
+        picture.rect(x, top, width, 70, fill=GAS)
+        picture.text(x + width / 2, top + 22, name, anchor="middle", bold=True)
+        picture.lines(x + width / 2, top + 42, rows, anchor="middle", colour=GREY)
+    picture.arrow(170, 145, 360, 145, colour=RED, both=True)
+    picture.text(265, 163, "end gap 1", anchor="middle", colour=RED)
+    picture.arrow(120, 120, 210, 75, colour=RED, both=True)
+    picture.text(118, 88, "above ring 1", anchor="middle", colour=RED)
+    picture.arrow(320, 75, 400, 120, colour=RED, both=True)
+    picture.text(372, 84, "below ring 1", colour=RED)
+    picture.arrow(470, 155, 560, 155, colour=RED, both=True)
+    picture.text(515, 143, "...", anchor="middle", colour=RED, bold=True)
+    picture.arrow(600, 60, 600, 120, colour=BLUE)
+    picture.text(600, 50, "air", anchor="middle", colour=BLUE, bold=True)
+    picture.arrow(690, 120, 690, 60, colour=BLUE)
+    picture.text(690, 50, "breather", anchor="middle", colour=BLUE, bold=True)
+    picture.text(20, 225, "Each flow carries the shares of the volume that it leaves.", colour=GREY)
+    return picture
+
+
+PICTURES = {"oil-consumption": oil_consumption, "menisci": menisci, "gas-composition": gas_composition}

@@ -38,6 +38,7 @@ SECTIONS = [
         "Other films",
         [
             "docs/manual/guide/ring-pack-gas",
+            "docs/manual/guide/gas-composition",
             "docs/manual/guide/oil-consumption",
             "unrolled",
             "pad",
