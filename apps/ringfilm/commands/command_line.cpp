@@ -75,6 +75,7 @@ void add_commands(Program& program) {
   add_life_command(program);
   add_surface_commands(program);
   add_contact_command(program);
+  add_land_command(program);
   add_face_command(program);
   add_lateral_force_command(program);
   add_synthetic_command(program);

@@ -21,6 +21,7 @@ void add_data_commands(Program& program);  ///< fields, oils, pairs, new
 void add_face_command(Program& program);
 void add_fit_command(Program& program);
 void add_gas_command(Program& program);
+void add_land_command(Program& program);
 void add_lateral_force_command(Program& program);
 void add_life_command(Program& program);
 void add_optimise_command(Program& program);

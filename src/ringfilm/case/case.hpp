@@ -17,6 +17,7 @@
 #include "ringfilm/case/stated_shapes.hpp"
 #include "ringfilm/models/contact/friction_pair.hpp"
 #include "ringfilm/models/contact/measured_flow.hpp"
+#include "ringfilm/models/land/land_lift.hpp"
 #include "ringfilm/models/oil/evaporation.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 #include "ringfilm/models/wall_temperature.hpp"
@@ -370,6 +371,15 @@ struct Lubricant {
   }
 };
 
+/// Lift of a flat land on a rough liner (docs/theory/land.md), as `ringfilm land` writes it.
+struct LandLawTable {
+  models::LandTable rows;                    ///< separations that rise, with lift
+  double width = 0;                          ///< of the land that was computed [m]
+  double roughness = 0;                      ///< rms height of the surfaces [m]
+  double lowest_gap = 0;                     ///< at the first row [m]
+  std::optional<double> log_lift_deviation;  ///< standard deviation of ln lift over the patches [-]
+};
+
 /// The keys under `film`.
 struct Film {
   FilmDimension dimension = FilmDimension::kFace;  ///< across the face, alike all around, or the whole unrolled ring
@@ -388,6 +398,11 @@ struct Film {
   Roughness stress_factors = Roughness::kNone;    ///< factors of the shear stress
   AverageGap average_gap = AverageGap::kNominal;  ///< gap that the film stores and the wall carries
   double orientation = 1;  ///< gamma of the roughness: correlation length along the motion over that across it [-]
+
+  LandLift land_lift = LandLift::kNone;  ///< lift of the honing beside the film of the face
+  std::string land_law_file;             ///< file of the law for LandLift::kTable
+  base::Shared<LandLawTable> land_law;   ///< law in land_law_file; empty without one
+  double land_factor = 1;                ///< factor of the lift of the law [-]
 
   /// Is one of the factors of this origin?
   bool has_factors(Roughness of) const { return flow_factors == of || shear_flow == of || stress_factors == of; }

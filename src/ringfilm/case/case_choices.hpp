@@ -261,6 +261,12 @@ enum class Method {
   kMenisci  ///< differential equations of a film between two menisci; on cells, as the first, where there is none
 };
 
+/// `film.land_lift`: lift of the honing of the liner, beside the film of the face.
+enum class LandLift {
+  kNone,  ///< the face alone lifts
+  kTable  ///< by the table that `ringfilm land` computed of a scan
+};
+
 /// `solver.properties`: what the iteration asks for oil and contact.
 enum class Properties {
   kFitted,  ///< polynomials fitted to their laws

@@ -49,6 +49,7 @@ std::optional<std::string> no_menisci_since(const Setup& setup) {
       Obstacle{setup.ring.twisting.has_value(), "the face turns with the section of its ring"},
       Obstacle{!setup.ring.factors.are_of_plain_film(),
                "flow factors, the average gap or an oil that thins change with the film"},
+      Obstacle{setup.ring.land != nullptr, "film.land_lift adds the lift of the honing"},
       Obstacle{setup.surfaces != Surfaces::kRigid, "the surfaces flatten"},
       Obstacle{c.output.fields != FieldOutput::kNone, "output.fields asks for pressures on cells"}};
   const auto found = std::find_if(obstacles.begin(), obstacles.end(), [](const Obstacle& one) { return one.is_there; });

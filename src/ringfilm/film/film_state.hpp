@@ -9,6 +9,7 @@
 #include "ringfilm/film/edge.hpp"
 #include "ringfilm/film/kernels/kernels.hpp"
 #include "ringfilm/models/contact/contact_law.hpp"
+#include "ringfilm/models/land/land_lift.hpp"
 #include "ringfilm/models/oil/lubricant.hpp"
 
 /// The plain structs that travel between the film and its callers. x runs along the face, the second surface moves with
@@ -78,6 +79,7 @@ FilmGrid grid_of_pieces(int n_cells, const std::vector<GapPiece>& pieces);
 struct FilmProblem {
   FilmGrid grid;
   const models::AsperityContact* contact = nullptr;  ///< nullptr: surfaces so smooth that they never touch
+  const models::LandLift* land = nullptr;            ///< lift of the honing beside the film; nullptr: none
   Cavitation cavitation = Cavitation::kMassConserving;
   ContactSpread contact_spread = ContactSpread::kLocal;
   Terms terms = Terms::kPlain;  ///< kAll: the edges may be in gas, and the inputs may hold flow factors

@@ -20,7 +20,15 @@ double enough_of_newton(const FilmProblem& problem);
 /// W_a per length of circumference at the separation h_m, eq-asperity-load [N/m], and its slope there [N/m2].
 double asperity_load(const FilmProblem& problem, double h_m, double* slope = nullptr);
 
-/// W_h per length of circumference, eq-hydrodynamic-load [N/m].
+/// Lift of the honing per length of circumference at the separation h_m, over the local film thickness, eq-land-load
+/// [N/m], and its slope there [N/m2]. 0 where the problem has no land.
+double land_load(const FilmProblem& problem, const FilmInputs& inputs, double h_m, double* slope = nullptr);
+
+/// By how much the honing changes the mean shear stress of both walls, eq-land-friction, per length of circumference,
+/// with the sign of U [N/m].
+double land_shear(const FilmProblem& problem, const FilmInputs& inputs, double h_m);
+
+/// W_h per length of circumference, that of the honing included, eq-hydrodynamic-load [N/m].
 double hydrodynamic_load(const FilmProblem& problem, const FilmInputs& inputs, const FilmState& state);
 
 /// What gas and cavities alone carry, eq-pressure-bound: every film carries more [N/m].

@@ -31,6 +31,8 @@ constexpr When kFaceFilm{[](const Case& c) { return !c.is_unrolled() && c.proble
                          "film.dimension = \"face\", and not of a pad"};
 constexpr When kFilmOnLiner{[](const Case& c) { return c.film.supply_at_inlet() == OilSupply::kFilmOnLiner; },
                             "film.supply = \"film-on-liner\""};
+constexpr When kLandTable{[](const Case& c) { return c.film.land_lift == LandLift::kTable; },
+                          "film.land_lift = \"table\""};
 constexpr When kPattern{[](const Case& c) { return c.film.has_factors(Roughness::kPatirCheng); },
                         "film.flow_factors, film.shear_flow or film.stress_factors = \"patir-cheng\""};
 
@@ -165,6 +167,24 @@ void append_run_fields(std::vector<Field>& fields) {
                      "between Gaussian surfaces that do not overlap, or of the true gap of contact.law",
                  .example = "\"nominal\"",
                  .uses = {.pad = true}}),
+          field(
+              {.key = "film.land_lift",
+               .kind = choice<&Case::film, &Film::land_lift>({{"none", LandLift::kNone}, {"table", LandLift::kTable}}),
+               .help = "lift of the honing, beside the film of the face: none, or by a table of a scan",
+               .example = "\"table\""}),
+          field({.key = "film.land_law",
+                 .kind = FileKind{member<&Case::film, &Film::land_law_file>},
+                 .need = Need::kRequired,
+                 .when = kLandTable,
+                 .help = "lift of a land that ringfilm land --output wrote",
+                 .example = "\"land.nc\""}),
+          field({.key = "film.land_factor",
+                 .kind = NumberKind{member<&Case::film, &Film::land_factor>},
+                 .unit = kPlainNumber,
+                 .range = above(0, 1e3),
+                 .when = kLandTable,
+                 .help = "factor of the lift in film.land_law, for its band over patches",
+                 .example = "1.0"}),
           field(
               {.key = "film.orientation",
                .kind = NumberKind{member<&Case::film, &Film::orientation>},

@@ -29,6 +29,7 @@ film::FilmProblem film_across(const Setup& setup) {
   film::FilmProblem problem;
   problem.grid = face_grid(setup);
   problem.contact = setup.ring.contact.get();
+  problem.land = setup.ring.land.get();
   problem.cavitation = input.film.cavitation == Cavitation::kMassConserving ? film::Cavitation::kMassConserving
                                                                             : film::Cavitation::kReynoldsExit;
   problem.contact_spread =

@@ -110,6 +110,7 @@ Sample sample(const Setup& setup, const film::FilmProblem& problem, const Instan
   s.crankcase_pressure = from_chamber_edge ? in.right.pressure : in.left.pressure;
   s.applied_load = in.load * length;
   s.hydrodynamic_load = integrals.hydrodynamic_load * length;
+  s.land_lift = integrals.land_lift * length;
   s.asperity_load = integrals.asperity_load * length;
   s.asperity_load_share = asperity_load_share(problem, instant, integrals);
   s.min_film_thickness = instant.state->h_m;

@@ -27,6 +27,7 @@ struct Sample {
   double crankcase_pressure = 0;       ///< under the ring, absolute [Pa]
   double applied_load = 0;             ///< W: what presses the ring on the liner, its tension and the gas behind it [N]
   double hydrodynamic_load = 0;        ///< W_h: carried by the film, of absolute pressure [N]
+  double land_lift = 0;                ///< part of W_h by the honing of the liner; 0 without film.land_lift [N]
   double asperity_load = 0;            ///< W_a: carried by touching asperities [N]
   double asperity_load_share = 0;      ///< part of W_a in what oil and asperities carry beyond the gas [-]
   double min_film_thickness = 0;       ///< h_m: thinnest place of the film, where the face is lowest [m]

@@ -134,7 +134,7 @@ Film2dIntegrals film2d_integrals(const Film2dProblem& problem, const Film2dInput
     const double share = around.share[j] / around.length;
     FilmIntegrals& mean = sums.mean;
     for (double FilmIntegrals::*sum :
-         {&FilmIntegrals::hydrodynamic_load, &FilmIntegrals::asperity_load,
+         {&FilmIntegrals::hydrodynamic_load, &FilmIntegrals::land_lift, &FilmIntegrals::asperity_load,
           &FilmIntegrals::asperity_load_beyond_polynomial, &FilmIntegrals::asperity_area, &FilmIntegrals::shear_couette,
           &FilmIntegrals::shear_poiseuille, &FilmIntegrals::flow_left, &FilmIntegrals::flow_middle,
           &FilmIntegrals::flow_right, &FilmIntegrals::cavitated_fraction}) {

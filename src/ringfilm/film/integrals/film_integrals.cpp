@@ -203,6 +203,9 @@ FilmIntegrals film_integrals(const FilmProblem& problem, const FilmInputs& input
     sums.shear_couette = shear.mean;
     sums.shear_poiseuille = shear.half_difference;
   }
+  sums.land_lift = land_load(problem, inputs, state.h_m);
+  sums.hydrodynamic_load += sums.land_lift;
+  sums.shear_couette += land_shear(problem, inputs, state.h_m);
   sums.peak_shear_rate = peak_shear_rate(problem, inputs, state, film.shear_deficit, of_film.peak_shear_squared);
   sums.heating = film_heating(problem, inputs, reach, film, state.laws, of_film.heating);
   sums.mass_defect = of_film.storage;

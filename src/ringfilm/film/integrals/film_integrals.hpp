@@ -14,7 +14,8 @@ struct Cavity {
 
 /// What a solved film does to its surroundings, per unit length around the ring.
 struct FilmIntegrals {
-  double hydrodynamic_load = 0;                ///< int p dx [N/m]
+  double hydrodynamic_load = 0;                ///< int p dx, and the lift of the honing [N/m]
+  double land_lift = 0;                        ///< part of hydrodynamic_load by the honing, eq-land-load [N/m]
   double asperity_load = 0;                    ///< int p_a dx [N/m]
   double asperity_load_beyond_polynomial = 0;  ///< part of asperity_load from where the law is not trusted [N/m]
   double asperity_area = 0;                    ///< int A_a/A dx [m]

@@ -298,6 +298,13 @@ void LaneNewton::evaluate_properties(int lane) {
   if (problem.contact != nullptr && (block_.laws == LaneLaws::kGiven || (block_.contact_reach[lane] == kNowhere &&
                                                                          block_.table_reach[lane] == kNowhere))) {
     block_.contact_load[lane] = asperity_load(problem, block_.h_m[lane], &block_.contact_slope[lane]);
+  } else if (problem.land != nullptr) {
+    block_.contact_load[lane] = block_.contact_slope[lane] = 0;
+  }
+  if (problem.land != nullptr) {
+    double slope = 0;
+    block_.contact_load[lane] += land_load(problem, *lanes_[lane].inputs, block_.h_m[lane], &slope);
+    block_.contact_slope[lane] += slope;
   }
   if (block_.laws == LaneLaws::kFitted) return;
   if (lanes_[lane].iterations > 0 && runs_away(*lanes_[lane].oil, block_.p_cavitation[lane], peak_pressure(lane))) {

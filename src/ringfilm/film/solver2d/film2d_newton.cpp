@@ -306,9 +306,11 @@ void Film2dNewton::set_load_of_rigid_ring(const Film2dProblem& problem, const Fi
     double slope = 0;
     excess_[0] += share * asperity_load(problem.strip, h_m_ + rise, &slope);
     corner += share * slope * h_m_;
+    excess_[0] += share * land_load(problem.strip, inputs.strip, h_m_ + rise, &slope);
+    corner += share * slope * h_m_;
   };
   if (rise_.empty()) {
-    if (problem.strip.contact != nullptr) add(0, 1);
+    if (problem.strip.contact != nullptr || problem.strip.land != nullptr) add(0, 1);
     return;
   }
   for (int j = 0; j < around.n_strips(); ++j) add(rise_[j], around.share[j] / around.length);
@@ -327,8 +329,10 @@ void Film2dNewton::set_loads_of_beam(const Film2dProblem& problem, const Film2dI
     const double of_film = is_given ? given : strip_loads_[shape_.strip(strip_of(j))];
     double slope = 0, separation = h_m_ + rise_[j];
     if (closed_ > 0) separation = closed_separation(separation, closed_, &closing[j]);
-    carried[j] = of_film + asperity_load(problem.strip, separation, &slope) - inputs.load_of(j);
-    contact_slope[j] = share * slope * closing[j] * h_m_;
+    double lift_slope = 0;
+    const double lift = land_load(problem.strip, inputs.strip, h_m_ + rise_[j], &lift_slope);
+    carried[j] = of_film + asperity_load(problem.strip, separation, &slope) + lift - inputs.load_of(j);
+    contact_slope[j] = share * (slope * closing[j] + lift_slope) * h_m_;
     displaced[elastic_.of_strip(j)] -= elastic_.flattening * carried[j];
   }
   excess_ = bending_force(elastic_, inputs, displaced);

@@ -158,12 +158,15 @@ double mean_load(const Film2dProblem& problem, const Film2dInputs& inputs, const
   const FilmGrid& grid = problem.strip.grid;
   const std::vector<double> rise = rise_of_strips(problem, inputs, state.ring);
   const bool bent = !rise.empty();
-  double load = bent ? 0 : asperity_load(problem.strip, state.h_m);
+  const auto by_walls = [&](double h_m) {
+    return asperity_load(problem.strip, h_m) + land_load(problem.strip, inputs.strip, h_m);
+  };
+  double load = bent ? 0 : by_walls(state.h_m);
   for (int j = 0; j < around.n_strips(); ++j) {
     const double share = around.share[j] / around.length;
     const auto first = static_cast<std::size_t>(j) * problem.n_across();
     for (int i = 0; i < problem.n_across(); ++i) load += share * grid.share[i] * state.p[first + i];
-    if (bent) load += share * asperity_load(problem.strip, state.h_m + rise[j]);
+    if (bent) load += share * by_walls(state.h_m + rise[j]);
   }
   return load;
 }

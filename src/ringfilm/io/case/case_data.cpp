@@ -10,6 +10,7 @@
 #include "ringfilm/io/measurement/bore_map_file.hpp"
 #include "ringfilm/io/measurement/contact_law_file.hpp"
 #include "ringfilm/io/measurement/free_shape_file.hpp"
+#include "ringfilm/io/measurement/land_law_file.hpp"
 #include "ringfilm/io/pad/pad_file.hpp"
 
 namespace ringfilm::io {
@@ -144,6 +145,11 @@ void add_files(const Case& c, DataFiles& files) {
     files.add(
         "contact.law", c.contact.law_file, +[](const NamedFile& file, const Units&) { return read_contact_law(file); },
         [](ContactLawFile& law, Case& to) { to.contact.law = std::move(law.law); });
+  }
+  if (c.film.land_lift == cycle::LandLift::kTable) {
+    files.add(
+        "film.land_law", c.film.land_law_file, +[](const NamedFile& file, const Units&) { return read_land_law(file); },
+        [](LandLawFile& law, Case& to) { to.film.land_law = std::move(law.law); });
   }
   if (c.contact.friction_pair) files.add_pair(*c.contact.friction_pair);
 }

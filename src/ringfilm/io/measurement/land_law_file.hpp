@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ringfilm/case/case.hpp"
+#include "ringfilm/io/measurement/measurement.hpp"
+#include "ringfilm/io/text/source_text.hpp"
+
+namespace ringfilm::io {
+
+/// Names under which the document of a land holds what a case reads.
+inline constexpr const char* kLandLawKind = "land";
+inline constexpr const char* kLandLawTable = "land";
+inline constexpr const char* kLogLiftDeviation = "log_lift_deviation";
+
+/// The lift of a land.
+struct LandLawFile {
+  cycle::LandLawTable law;
+  std::string sha256;
+  std::vector<std::string> notes;
+};
+
+/// Reads what `ringfilm land --output` wrote; rows without lift are omitted. Throws InputError: not such a file,
+/// altered, fewer than three separations with lift, a lift that does not fall.
+LandLawFile read_land_law(const NamedFile& file);
+
+/// Is the document of a land one that read_land_law() takes? Throws InputError with what it would refuse.
+void check_land_law(const Measurement& law);
+
+}  // namespace ringfilm::io
