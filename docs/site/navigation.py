@@ -27,6 +27,7 @@ SECTIONS = [
             "measured-chain",
             "surfaces",
             "docs/manual/guide/contact-law",
+            "docs/manual/guide/land",
             "surface-files",
             "face",
             "lateral-force",

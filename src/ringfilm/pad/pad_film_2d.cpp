@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ringfilm/film/cavitation.hpp"
+#include "ringfilm/film/solver2d/steady_film2d.hpp"
 #include "ringfilm/pad/recording.hpp"
 
 namespace ringfilm::pad {
@@ -38,7 +39,14 @@ film::Film2dInputs PadFilm2d::inputs_of(const film::FilmInputs& inputs) const {
 
 film::FilmReport PadFilm2d::solve_at_separation(const film::FilmInputs& inputs, const film::FilmState& previous,
                                                 film::FilmState& state) {
-  return film::solve_film2d_at_separation(problem_, inputs_of(inputs), previous, state, workspace_);
+  const film::FilmState guess = state;
+  const film::Film2dInputs of_film2d = inputs_of(inputs);
+  film::FilmReport report = film::solve_film2d_at_separation(problem_, of_film2d, previous, state, workspace_);
+  if (report.converged || !film::has_active_set(problem_, of_film2d)) return report;
+  // Gaps that differ much, and many small cavities: GMRES ends early, or fronts that advance cell by cell do.
+  state = guess;
+  report.add(film::solve_steady_film2d(problem_, of_film2d, state));
+  return report;
 }
 
 film::FilmReport PadFilm2d::solve(const film::FilmInputs& inputs, const film::FilmState& previous,

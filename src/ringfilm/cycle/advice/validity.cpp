@@ -338,6 +338,35 @@ void append_contact_table_notes(const Setup& setup, const std::vector<Sample>& b
   }
 }
 
+/// Where the film is thinner than the first row of the lift of the honing.
+void append_land_notes(const Setup& setup, const std::vector<Sample>& base, std::vector<Note>& notes) {
+  if (setup.ring.land == nullptr) return;
+  const double first = setup.ring.land->table().separation.front(), width = setup.input.film.land_law->width;
+  const auto below = [&](const Sample& s) { return s.min_film_thickness < first; };
+  if (const long n = count(base, below); n > 0) {
+    notes.push_back({"land-law-left",
+                     formatted("the film is thinner than %.3g um, where film.land_law begins: its lift is extrapolated "
+                               "below that; compute smaller separations",
+                               number_in(first, kMicrometre)),
+                     n});
+  }
+  if (setup.input.film.has_gas_edge()) {
+    notes.push_back({"land-lift-flooded",
+                     "film.land_law is the lift of a flooded land, and edges of the face are in gas: where little oil "
+                     "comes, the lift is an upper bound",
+                     1});
+  }
+  constexpr double kOtherWidth = 0.1;  // of the width; lift is about proportional to it
+  const double face = setup.input.ring.face_width;
+  if (std::abs(face / width - 1) > kOtherWidth) {
+    notes.push_back({"land-width-differs",
+                     formatted("film.land_law is that of a land of %.3g um, and the face is %.3g um wide: lift depends "
+                               "on the width; compute it with --width of the face",
+                               number_in(width, kMicrometre), number_in(face, kMicrometre)),
+                     1});
+  }
+}
+
 /// From this difference to a smooth gap on the end of a table of flow factors counts.
 constexpr double kMuchBeyondLast = 0.02;
 
@@ -466,6 +495,7 @@ void append_validity_notes(const Setup& setup, const film::FilmGrid& grid, const
   append_boundary_share_note(setup.input.contact, values, notes);
   append_asperity_notes(setup, base, notes);
   append_contact_table_notes(setup, base, untrusted.share_of_cycle, notes);
+  append_land_notes(setup, base, notes);
   append_measured_flow_notes(setup, base, notes);
   append_breakthrough_note(base, values, notes);
   append_off_liner_note(base, notes);

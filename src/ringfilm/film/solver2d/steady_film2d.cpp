@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kMaxSets = 200;        // cavities that were tried
 constexpr double kEmptiest = 1e-12;  // least film content of a cavity node while the set changes [-]
-constexpr double kPivot = 1e-3;      // diagonal pivots above this share of their column keep the order
 constexpr double kSettled = 1e-10;   // change of film content and of pressure over their scales that ends the iteration
 
 /// The nodes that are solved for, in an order in which elimination fills little: halves first, then the line between.
@@ -75,11 +74,7 @@ class ActiveSet {
       ++report.iterations;
       give_oil();
       assemble();
-      if (k == 0) {
-        lu_.isSymmetric(true);  // the pattern is
-        lu_.setPivotThreshold(kPivot);
-        lu_.analyzePattern(system_);
-      }
+      if (k == 0) lu_.analyzePattern(system_);
       lu_.factorize(system_);
       if (lu_.info() != Eigen::Success) return report;
       const Eigen::VectorXd step = lu_.solve(rhs_);
@@ -233,6 +228,7 @@ class ActiveSet {
   }
 
   void write() {
+    state_.laws = LaneLaws::kGiven;
     state_.p.resize(n_nodes());
     state_.deficit.resize(n_nodes());
     state_.mass_per_area.resize(n_nodes());

@@ -501,6 +501,20 @@ Assumption boundary_friction(const Case& c) {
                     others);
 }
 
+std::vector<Assumption> honing(const Case& c) {
+  if (c.film.land_lift == cycle::LandLift::kNone) return {};
+  std::vector<Alternative> others = other_choices("film.land_lift", c);
+  if (const auto& deviation = c.film.land_law->log_lift_deviation; deviation && *deviation > 0) {
+    append(other_numbers("film.land_factor", c, c.film.land_factor, kPlainNumber,
+                         {c.film.land_factor * std::exp(-*deviation), c.film.land_factor * std::exp(*deviation)}),
+           others);
+  }
+  return {assumption("land-lift", "the honing lifts the face as the table " + c.film.land_law_file + " states",
+                     "the patches are a sample of the liner; the lift is that of a steady film with flooded edges, of "
+                     "a land as wide as the one computed",
+                     others)};
+}
+
 std::vector<Assumption> always_open(const cycle::Setup& setup) {
   const Case& c = setup.input;
   return {
@@ -525,6 +539,7 @@ bool is_symmetric(const models::RingFace& face) {
 std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
   const Case& c = setup.input;
   std::vector<Assumption> all = {oil_temperature(c), composite_modulus(setup), elastic_pressure(setup)};
+  for (Assumption& one : honing(c)) all.push_back(std::move(one));
   if (!is_symmetric(setup.ring.face)) {
     all.push_back(of_choice("face-orientation", "ring.face.orientation", c, "the face is installed as", "",
                             "a face trace does not show which end faces the chamber"));
