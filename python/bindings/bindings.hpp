@@ -21,6 +21,7 @@ void bind_inverse(py::module_& module);
 void bind_surface(py::module_& module);
 /// Into the part `surface`.
 void bind_contact_law(py::module_& part);
+void bind_land_film(py::module_& part);
 void bind_conform(py::module_& module);
 void bind_face(py::module_& module);
 void bind_lateral_force(py::module_& module);

@@ -372,6 +372,7 @@ void bind_surface(py::module_& module) {
   bind_surface_functions(part);
   bind_files(part);
   bind_contact_law(part);
+  bind_land_film(part);
 }
 
 }  // namespace ringfilm::python
