@@ -156,10 +156,8 @@ probe without oil, which orders surfaces and is not an input of an engine.)");
              R"(All quantities of results, {table: list of Quantity}: "curve" over crank angle, "cycle" for the cycle as
 a whole, "derived" constants of a case, "stroke" over the liner, "effort" of the integration; "unrolled_curve",
 "unrolled_cycle", "unrolled_field" and "strip" of an unrolled film; "pad", "pad_width", "pad_front", "pad_film";
-"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_ring", "pack_oil" of a pack; "oil_consumption"
-of its studies; "worn" over a life.)");
-"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_scalar", "gas_ring", "pack_oil" of a pack; "worn" over a
-life.)");
+"closure" of a ring in its bore; "gas", "gas_region", "gas_path", "gas_scalar", "gas_ring", "pack_oil" of a pack;
+"oil_consumption" of its studies; "worn" over a life.)");
   module.def(
       "_unit_scale",
       [](const std::string& display_unit, const std::string& unit) {

@@ -24,15 +24,6 @@ constexpr When kMixture{
 constexpr When kRingInGroove{
     [](const Case& c) { return has_gas_path(c) && c.ring.gas_path.kind == RingKind::kCompression; },
     "gas_path.model = \"orifice-volume\", or for ringfilm gas, and ring.kind = \"compression\""};
-constexpr When kBodyInGroove{
-    [](const Case& c) {
-      return (has_gas_path(c) || c.ring.section.is_stated()) && c.ring.gas_path.kind == RingKind::kCompression;
-    },
-    "gas_path.model = \"orifice-volume\", or for ringfilm gas, or the section of the ring is stated, and ring.kind = "
-    "\"compression\""};
-constexpr When kLandOfRing{
-    [](const Case& c) { return has_gas_path(c) || c.ring.section.is_stated(); },
-    "gas_path.model = \"orifice-volume\", or for ringfilm gas, or the section of the ring is stated"};
 constexpr When kPartOfPack{[](const Case& c) {
                              return has_gas_path(c) || c.ring.gas_path.kind == RingKind::kOil ||
                                     c.stated.contains("ring.kind");
@@ -80,6 +71,30 @@ std::vector<Field> common_fields() {
              .help = "discharge coefficient of the end gaps, C; typical, assumed",
              .example = "0.65",
              .uses = {.gas = true}}),
+      field({.key = "gas_path.properties",
+             .kind = choice<&Case::gas_path, &GasPath::properties>(
+                 {{"stated", GasProperties::kStated}, {"mixture", GasProperties::kMixture}}),
+             .when = kComputedGas,
+             .help = "gas constant, heat capacity ratio and viscosity as stated, or of the mixture that "
+                     "gas.composition gives, one for the whole run",
+             .example = "\"mixture\"",
+             .uses = {.gas = true}}),
+      field({.key = "gas_path.mixture_burnt_share",
+             .kind = NumberKind{member<&Case::gas_path, &GasPath::mixture_burnt_share>},
+             .unit = kPlainNumber,
+             .range = between(0, 1),
+             .when = kMixture,
+             .help = "share of burnt gas in the mixture that gives the properties, the rest is fresh charge; assumed",
+             .example = "0.5",
+             .uses = {.gas = true}}),
+      field({.key = "gas_path.mixture_temperature",
+             .kind = NumberKind{member<&Case::gas_path, &GasPath::mixture_temperature>},
+             .unit = si_unit("K"),
+             .range = between(models::kColdestMixture, models::kHottestMixture),
+             .when = kMixture,
+             .help = "temperature of the mixture that gives the properties; typical, assumed",
+             .example = "\"500 K\"",
+             .uses = {.gas = true}}),
       field({.key = "gas_path.gap_carry_over",
              .kind = NumberKind{member<&Case::gas_path, &GasPath::gap_carry_over>},
              .unit = kPlainNumber,
@@ -96,25 +111,6 @@ std::vector<Field> common_fields() {
              .when = kGapPositions,
              .help = "distance of two end gaps around the bore from which on the jet of one misses the other; assumed",
              .example = "\"5 mm\"",
-      field({.key = "gas_path.properties",
-             .kind = choice<&Case::gas_path, &GasPath::properties>(
-                 {{"stated", GasProperties::kStated}, {"mixture", GasProperties::kMixture}}),
-             .when = kComputedGas,
-             .help = "gas constant, heat capacity ratio and viscosity as stated, or of the mixture that "
-                     "gas.composition gives, one for the whole run",
-             .example = "\"mixture\"",
-      field({.key = "gas_path.mixture_burnt_share",
-             .kind = NumberKind{member<&Case::gas_path, &GasPath::mixture_burnt_share>},
-             .range = between(0, 1),
-             .when = kMixture,
-             .help = "share of burnt gas in the mixture that gives the properties, the rest is fresh charge; assumed",
-      field({.key = "gas_path.mixture_temperature",
-             .kind = NumberKind{member<&Case::gas_path, &GasPath::mixture_temperature>},
-             .unit = si_unit("K"),
-             .range = between(models::kColdestMixture, models::kHottestMixture),
-             .when = kMixture,
-             .help = "temperature of the mixture that gives the properties; typical, assumed",
-             .example = "\"500 K\"",
              .uses = {.gas = true}}),
       field({.key = "gas_path.gas_constant",
              .kind = NumberKind{member<&Case::gas_path, &GasPath::gas_constant>},
@@ -260,7 +256,7 @@ std::vector<Field> ring_fields() {
              .unit = kMicrometre,
              .range = above(0, 2e-3),
              .need = Need::kOptional,
-             .when = kBodyInGroove,
+             .when = kRingInGroove,
              .help = "clearance of the ring in its groove along the bore's axis",
              .example = "\"50 um\"",
              .uses = {.gas = true}}),
@@ -269,7 +265,7 @@ std::vector<Field> ring_fields() {
              .unit = kMillimetre,
              .range = above(0, 0.02),
              .need = Need::kOptional,
-             .when = kLandOfRing,
+             .when = kComputedGas,
              .help = "radial clearance between the piston lands and the bore",
              .example = "\"0.2 mm\"",
              .uses = {.gas = true}}),
@@ -278,7 +274,7 @@ std::vector<Field> ring_fields() {
              .unit = kGram,
              .range = above(0, 10),
              .need = Need::kOptional,
-             .when = kBodyInGroove,
+             .when = kRingInGroove,
              .help = "mass of the ring; with gas_path.ring_motion = \"axial\" this or ring.density",
              .example = "\"8 g\"",
              .uses = {.gas = true}}),
@@ -287,7 +283,7 @@ std::vector<Field> ring_fields() {
              .unit = si_unit("kg/m3"),
              .range = between(500, 25000),
              .need = Need::kOptional,
-             .when = kBodyInGroove,
+             .when = kRingInGroove,
              .help =
                  "density of the ring, of which its mass is made: times face width, radial thickness and circumference",
              .example = "\"7200 kg/m3\"",

@@ -70,6 +70,8 @@ void add_twist_note(const Case& c, std::vector<Note>& notes) {
                    "the section of the ring is stated and its face does not turn: that is computed of a compression "
                    "ring whose film is one across the face, without local deformation, and that is not turned over",
                    1});
+}
+
 std::shared_ptr<const models::LandLift> land_lift(const Case& c) {
   if (c.film.land_lift == LandLift::kNone) return nullptr;
   models::LandTable rows = c.film.land_law->rows;
@@ -86,8 +88,8 @@ Setup with_oil(const Case& stated, PreparedOil oil, LandPressures lands) {
           {crank_slider(c), c.operating.speed},
           {ring_face(c), elastic_pressure(c), composite_modulus(c), roughness(c), asperity_contact(c), asperities(c),
            std::move(lands), std::move(oil.setup), std::move(factors),
-           c.twists() ? std::optional(twisting_ring(c)) : std::nullopt, c.twists() ? section_mass(c) : 0, radial_collapse(c)},
-           std::move(lands), std::move(oil.setup), std::move(factors), land_lift(c)},
+           c.twists() ? std::optional(twisting_ring(c)) : std::nullopt, c.twists() ? section_mass(c) : 0,
+           radial_collapse(c), land_lift(c)},
           std::move(oil.notes)};
 }
 

@@ -11,15 +11,13 @@
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/study/ensemble/oil_assumptions.hpp"
 #include "ringfilm/study/ensemble/twist_assumption.hpp"
 
 namespace ringfilm::study {
-namespace {
-
-using cycle::Case;
 
 Assumption assumption(const std::string& topic, std::string statement, std::string consequence,
-                      std::vector<Alternative> alternatives = {}) {
+                      std::vector<Alternative> alternatives) {
   LedgerEntry entry;
   entry.topic = topic;
   entry.statement = std::move(statement);
@@ -28,6 +26,10 @@ Assumption assumption(const std::string& topic, std::string statement, std::stri
   entry.can_be_lifted = !alternatives.empty();
   return {std::move(entry), std::move(alternatives)};
 }
+
+namespace {
+
+using cycle::Case;
 
 void append(std::vector<Alternative> more, std::vector<Alternative>& others) {
   std::move(more.begin(), more.end(), std::back_inserter(others));
@@ -566,38 +568,6 @@ std::vector<Assumption> choices_of_film(const cycle::Setup& setup) {
   return all;
 }
 
-/// What the oil consumption rests on, of the ring next to the chamber.
-std::vector<Assumption> oil_consumption(const Case& c) {
-  const cycle::OilTransport& transport = c.oil_transport;
-  const auto origin = [&c](const char* key) { return c.stated.contains(key) ? "as stated" : "typical, assumed"; };
-  std::vector<Assumption> all;
-  if (c.lubricant.evaporates()) {
-    all.push_back(assumption(
-        "oil-evaporation",
-        fmt::format("{} fractions of the oil{} evaporate from the liner into gas without vapour",
-                    c.lubricant.fractions().size(), c.lubricant.noack ? ", assumed to have its Noack loss," : ""),
-        "the vapour pressure far below the boiling points and the heat transfer of the gas are "
-        "uncertain by a factor of two or more; the films do not change by it"));
-  }
-  all.push_back(assumption("oil-scraped-up",
-                           fmt::format("a share of {:.3g} of the oil that the ring leaves above it at TDC does not "
-                                       "come back ({})",
-                                       transport.scraped_share, origin("oil_transport.scraped_share")),
-                           "the share is not known, and oil consumption is proportional to it where a bead remains"));
-  if (c.gas_path.is_computed()) {
-    all.push_back(
-        assumption("oil-carried-by-gas",
-                   fmt::format("gas that passes the ring towards the chamber carries {} of oil ({})",
-                               text_in(transport.gas_load, kGramPerKilogram, 3), origin("oil_transport.gas_load")),
-                   "the load depends on the oil on the second piston land and on the position of the gaps"));
-  }
-  all.push_back(assumption("oil-thrown-off",
-                           fmt::format("the top piston land has an oil film of {} ({})",
-                                       text_in(transport.land_film, kMicrometre, 3), origin("oil_transport.land_film")),
-                           "what inertia throws off goes with the cube of that film"));
-  return all;
-}
-
 }  // namespace
 
 std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
@@ -614,7 +584,7 @@ std::vector<Assumption> assumptions_of(const cycle::Setup& setup) {
     all.push_back(pressure_under_ring(c));
   }
   if (c.follows_oil() && !c.ring.pressure_above.is_stated()) {
-    for (Assumption& one : oil_consumption(c)) all.push_back(std::move(one));
+    for (Assumption& one : oil_consumption_assumptions(c)) all.push_back(std::move(one));
   }
   for (Assumption& one : choices_of_film(setup)) all.push_back(std::move(one));
   if (c.gas.model == cycle::GasModel::kTrace && c.gas.trace_origin == cycle::TraceOrigin::kSynthetic) {

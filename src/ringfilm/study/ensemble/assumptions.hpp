@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "ringfilm/cycle/setup/setup.hpp"
@@ -12,6 +13,10 @@ struct Assumption {
   LedgerEntry entry;  ///< without variants
   std::vector<Alternative> alternatives;
 };
+
+/// One whose source is the topic's place in docs/theory/assumptions.md.
+Assumption assumption(const std::string& topic, std::string statement, std::string consequence,
+                      std::vector<Alternative> alternatives = {});
 
 /// What `setup` takes for granted, the weightiest first.
 std::vector<Assumption> assumptions_of(const cycle::Setup& setup);
