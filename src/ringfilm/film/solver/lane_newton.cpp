@@ -331,10 +331,11 @@ void LaneNewton::iterate() {
       evaluate_properties(lane);
       set_load_shares(lane);
     }
-    if (is_damped(lane)) keep_contents(lane);
+    if (is_damped(lane) || has_outlet(lane)) keep_contents(lane);
   }
   (width_ == 1 ? kernels_->single_sweep : kernels_->sweep)(block_);
   for (int lane = 0; lane < width_; ++lane) {
+    if (has_outlet(lane)) stop_where_oil_hangs(lane);
     if (is_damped(lane)) damp_contents(lane);
     if (lanes_[lane].phase == Phase::kRunning) conclude(lane);
   }
@@ -358,6 +359,30 @@ void LaneNewton::damp_contents(int lane) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     double& z = nodal(block_.z, static_cast<int>(i), lane);
     if (z < 0 && before[i] < 0) z = 0.5 * (z + before[i]);
+  }
+}
+
+bool LaneNewton::has_outlet(int lane) const {
+  const Lane& at = lanes_[lane];
+  return block_.has_outlets && at.phase == Phase::kRunning && at.inputs->surface_tension > 0;
+}
+
+/// What flows has two kinks in the content where oil hangs (hanging_share): a node stops just beyond the first of them.
+void LaneNewton::stop_where_oil_hangs(int lane) {
+  const std::vector<double>& before = lanes_[lane].z_before;
+  const double scale = block_.content_scale[lane];
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double outlet = nodal(block_.outlet, static_cast<int>(i), lane);
+    double& z = nodal(block_.z, static_cast<int>(i), lane);
+    if (!(outlet < 1 && z < 0 && before[i] < 0)) continue;
+    const double laid = scale * (outlet / kOnWall - 1), hanging = scale * (kHanging - 1), beyond = kBeyondKink * scale;
+    const auto stop_at = [&](double kink) {
+      if (before[i] < kink && z > kink) z = kink + beyond;
+      if (before[i] > kink && z < kink) z = kink - beyond;
+    };
+    const bool fills = z > before[i];
+    stop_at(fills ? hanging : laid);
+    stop_at(fills ? laid : hanging);  // the nearer one
   }
 }
 

@@ -104,6 +104,8 @@ class LaneNewton {
   bool is_damped(int lane) const;
   void keep_contents(int lane);
   void damp_contents(int lane);
+  bool has_outlet(int lane) const;
+  void stop_where_oil_hangs(int lane);
   void conclude(int lane);
   void advance_fronts(int lane, bool only_advanced);
 
