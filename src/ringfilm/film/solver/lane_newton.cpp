@@ -345,7 +345,8 @@ void LaneNewton::iterate() {
 /// more than half full passes on as much as a full one (carried_share).
 bool LaneNewton::is_damped(int lane) const {
   const Lane& at = lanes_[lane];
-  return block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kMaxIterations;
+  const bool is_late = block_.terms == Terms::kAll && at.phase == Phase::kRunning && at.iterations >= kMaxIterations;
+  return is_late || alternates(lane);
 }
 
 void LaneNewton::keep_contents(int lane) {
@@ -365,6 +366,13 @@ void LaneNewton::damp_contents(int lane) {
 bool LaneNewton::has_outlet(int lane) const {
   const Lane& at = lanes_[lane];
   return block_.has_outlets && at.phase == Phase::kRunning && at.inputs->surface_tension > 0;
+}
+
+/// Where oil hangs, contents take two half steps before each whole one, after which alone the film may count as solved.
+bool LaneNewton::alternates(int lane) const {
+  constexpr int kMany = 10, kPeriod = 3;
+  const int iterations = lanes_[lane].iterations;
+  return has_outlet(lane) && iterations >= kMany && iterations % kPeriod != kPeriod - 1;
 }
 
 /// What flows has two kinks in the content where oil hangs (hanging_share): a node stops just beyond the first of them.
@@ -390,6 +398,7 @@ void LaneNewton::conclude(int lane) {
   Lane& at = lanes_[lane];
   const double d_ln_h = block_.d_ln_h[lane];
   const double largest = block_.largest[lane];
+  const bool is_half = alternates(lane);
   ++at.iterations;
   const bool sound = std::isfinite(block_.check[lane]) && std::isfinite(block_.excess[lane]) &&
                      std::isfinite(largest) && std::isfinite(d_ln_h);
@@ -403,7 +412,7 @@ void LaneNewton::conclude(int lane) {
   }
   const bool to_film = block_.to_film[lane] != 0;
   const bool to_cavity = block_.to_cavity[lane] != 0;
-  if (!to_film && !to_cavity && at.last_step <= at.enough) {
+  if (!to_film && !to_cavity && !is_half && at.last_step <= at.enough) {
     at.phase = Phase::kSolved;
     return;
   }

@@ -105,6 +105,7 @@ class LaneNewton {
   void keep_contents(int lane);
   void damp_contents(int lane);
   bool has_outlet(int lane) const;
+  bool alternates(int lane) const;
   void stop_where_oil_hangs(int lane);
   void conclude(int lane);
   void advance_fronts(int lane, bool only_advanced);
