@@ -92,10 +92,22 @@ std::vector<std::string> region_names(const std::vector<Row>& rows) {
   return names;
 }
 
-std::string head(const std::vector<Variation>& varied, const std::vector<std::string>& regions) {
+/// Sums that a combination has: without a composition of the gas those of fuel and water are missing.
+std::vector<cycle::GasSumQuantity> sums_of(const std::vector<Row>& rows) {
+  std::vector<cycle::GasSumQuantity> found;
+  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
+    const bool is_missing = std::ranges::none_of(
+        rows, [&](const Row& row) { return row.solution && cycle::number_of(quantity, row.solution->sums); });
+    if (!is_missing || !needs_composition(quantity)) found.push_back(quantity);
+  }
+  return found;
+}
+
+std::string head(const std::vector<Variation>& varied, const std::vector<cycle::GasSumQuantity>& sums,
+                 const std::vector<std::string>& regions) {
   std::string line;
   for (const Variation& one : varied) line += one.key + ",";
-  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
+  for (const cycle::GasSumQuantity& quantity : sums) {
     line += quantity.name + (quantity.unit == "1" ? "," : " [" + quantity.unit + "],");
   }
   for (std::string name : regions) {
@@ -106,10 +118,12 @@ std::string head(const std::vector<Variation>& varied, const std::vector<std::st
 }
 
 /// The values of a combination, in the columns of these regions.
-std::string values(const Solution& solution, const std::vector<std::string>& regions) {
+std::string values(const Solution& solution, const std::vector<cycle::GasSumQuantity>& sums,
+                   const std::vector<std::string>& regions) {
   std::string line;
-  for (const cycle::GasSumQuantity& quantity : cycle::gas_sum_quantities()) {
-    line += fmt::format("{},", cycle::number_of(quantity, solution.sums).value());
+  for (const cycle::GasSumQuantity& quantity : sums) {
+    const std::optional<double> value = cycle::number_of(quantity, solution.sums);
+    line += value ? fmt::format("{},", *value) : ",";
   }
   for (const std::string& name : regions) {
     const auto region = std::ranges::find(solution.regions, name, &gas_path::RegionValues::name);
@@ -118,12 +132,12 @@ std::string values(const Solution& solution, const std::vector<std::string>& reg
   return line + fmt::format("{},", solution.fluttering_rings);
 }
 
-std::string line_of(const Row& row, const std::vector<std::string>& regions) {
+std::string line_of(const Row& row, const std::vector<cycle::GasSumQuantity>& sums,
+                    const std::vector<std::string>& regions) {
   std::string line;
   for (const io::Override& setting : row.settings) line += quoted_cell(setting.value) + ",";
-  if (row.solution) return line + values(*row.solution, regions) + "\n";
-  return line + std::string(cycle::gas_sum_quantities().size() + regions.size() + 1, ',') + quoted_cell(row.reason) +
-         "\n";
+  if (row.solution) return line + values(*row.solution, sums, regions) + "\n";
+  return line + std::string(sums.size() + regions.size() + 1, ',') + quoted_cell(row.reason) + "\n";
 }
 
 /// Refuses what varies nothing, or what --set fixes.
@@ -193,8 +207,9 @@ std::string gas_variations_csv(const std::string& case_path, const std::vector<i
     rows.push_back(std::move(row));
   }
   const std::vector<std::string> regions = region_names(rows);
-  std::string csv = head(varied, regions);
-  for (const Row& row : rows) csv += line_of(row, regions);
+  const std::vector<cycle::GasSumQuantity> sums = sums_of(rows);
+  std::string csv = head(varied, sums, regions);
+  for (const Row& row : rows) csv += line_of(row, sums, regions);
   return csv;
 }
 
