@@ -217,6 +217,17 @@ def test_the_flow_through_a_measured_gap_and_its_pairs():
     assert {pair["state"] for pair in ringfilm.pairs()} == {"lubricated", "dry"}
 
 
+def test_a_small_wave_lifts_a_land_by_its_closed_form():
+    width, e, s = 100e-6, 0.02e-6, 2e-6
+    x = numpy.arange(96) / 96
+    heights = numpy.tile(-e * numpy.sin(2 * numpy.pi * x), (24, 1))
+    of = ringfilm.surface.land_film(heights, width / 96, [s], width, 8.0, 6e-3, edges="periodic")
+    assert of["lift"][0] == pytest.approx(6 * 6e-3 * 8 * e * width / (2 * numpy.pi * s**3), rel=3e-3)
+    assert of["friction_stress"][0] == pytest.approx(6e-3 * 8 / s, rel=1e-3)
+    with pytest.raises(ringfilm.InputError, match="touch"):
+        ringfilm.surface.land_film(heights, width / 96, [0.01e-6], width, 8.0, 6e-3)
+
+
 def test_the_classes_of_surfaces_are_lists_of_liners_and_rings():
     classes = ringfilm.surface_classes()
     assert list(classes) == ["liners", "rings"]
