@@ -25,7 +25,8 @@ struct PackedHeights {
 /// where the streams reach past the end of the file or do not unpack to `length` bytes.
 PackedHeights packed_heights(const BinaryReader& in, std::size_t offset, std::size_t length);
 
-/// The heights, `length` bytes. Throws InputError for a damaged stream, or one that unpacks to another size than stated.
+/// The heights, `length` bytes. Throws InputError for a damaged stream, or one that unpacks to another size than
+/// stated.
 std::string unpacked_heights(const BinaryReader& in, const PackedHeights& packed, std::size_t length);
 
 }  // namespace ringfilm::instrument
