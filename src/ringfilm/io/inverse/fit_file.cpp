@@ -10,7 +10,7 @@
 #include "ringfilm/base/find_by_name.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
-#include "ringfilm/io/text/csv_file.hpp"
+#include "ringfilm/io/table/csv_file.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 
 namespace ringfilm::io {
@@ -82,7 +82,7 @@ class FitReader : VariedDocumentReader {
     const std::string name = table.needed_text("file", "\"friction.csv\"");
     if (name.empty()) return;
     try {
-      const CsvFile csv = read_csv(locate(name, folder_), NaN::kKept);
+      const CsvFile csv = read_csv(locate(name, folder_), Gaps::kKept);
       record({"measured", csv.source.path, csv.source.sha256});
       read_columns(table, csv, measured);
     } catch (const InputError& error) {
