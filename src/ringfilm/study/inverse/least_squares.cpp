@@ -61,6 +61,8 @@ class Search {
   bool advance() {
     const Step step = damped_step();
     if (step.promised <= tolerance_) {
+      // Cut off at bounds, a step may promise nothing that a shorter one does.
+      if (is_fresh() && step.promised < 0) return refuse();
       if (is_fresh()) {
         now_.has_converged = true;
         return false;
