@@ -26,11 +26,7 @@ io::MeasuredGroup material_ratio_group(const PreparedSurface& surface, const std
   const auto add = [&](const std::string& name, const char* words, double value, const char* unit,
                        const char* display) { group.add(name, words, name, unit, display, value); };
   const surface::CoreRoughness core = surface::core_roughness(falling);
-  if (!two_steps) {
-    group.remark +=
-        "; no plateau over deeper valleys: over normal probability one line describes the curve as well as "
-        "two, and core, peaks and valleys are those of one process";
-  }
+  if (!two_steps) group.remark += "; no plateau over deeper valleys, eq-surface-probability";
   add(letter + "k", "core roughness", core.Rk_m, "m", "um");
   add(letter + "pk", "reduced peaks", core.Rpk_m, "m", "um");
   add(letter + "vk", "reduced valleys", core.Rvk_m, "m", "um");
