@@ -215,7 +215,7 @@ class TraceReader {
       for (std::size_t k = 0; k < std::min(gaps.size(), kMaxReported); ++k) faults_.push_back(gaps[k]->fault);
       return;
     }
-    notes_.push_back(fmt::format("{}: {} row{} without a number, the first in line {}, were omitted", csv_.source.path,
+    notes_.push_back(fmt::format("{}: {} row{} without a number omitted, the first in line {}", csv_.source.path,
                                  gaps.size(), gaps.size() == 1 ? "" : "s", csv_.row_lines[gaps.front()->row]));
     for (auto gap = gaps.rbegin(); gap != gaps.rend(); ++gap) {
       const auto place = static_cast<std::ptrdiff_t>((*gap)->row);

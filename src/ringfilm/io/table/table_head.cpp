@@ -75,7 +75,8 @@ class HeadFinder {
  private:
   bool is_required() const { return rule_ == TableHeader::kRequired; }
 
-  /// Lines up to the first numbers: two rows of as many cells, or one at the end of the text.
+  /// Lines up to the first numbers: two rows of as many cells, one right below names of as many, or any in a short
+  /// text.
   void gather() {
     char separator = ',';
     while (lines_before_.size() < kMaxHeadLines) {
@@ -97,9 +98,16 @@ class HeadFinder {
       lines_before_.push_back({*line, shape});
       n_comments_.push_back(head_.comments.size());
       separator = shape.separator;
+      if (shape.is_row() && shape.n_cells > 1 && lines_before_.size() > 1 &&
+          lines_before_[lines_before_.size() - 2].may_name(shape.n_cells)) {
+        first_row_ = lines_before_.size() - 1;  // right below its names
+        return;
+      }
     }
-    if (!lines_before_.empty() && lines_before_.back().shape.is_row() && lines_.at_end()) {
-      first_row_ = lines_before_.size() - 1;
+    const auto row = std::find_if(lines_before_.begin(), lines_before_.end(),
+                                  [](const HeadLine& line) { return line.shape.is_row(); });
+    if (row != lines_before_.end() && lines_.at_end()) {
+      first_row_ = static_cast<std::size_t>(row - lines_before_.begin());
     }
   }
 
@@ -176,11 +184,19 @@ class HeadFinder {
         return;
       }
       header = found.value_or(0);
+      if (found) share_separator(lines_before_[*found].shape.separator, lines_before_[*first_row_]);
       if (!found) head_.separator = separator_.value_or(lines_before_[0].shape.separator);
     } else {
       head_.separator = separator_.value_or(lines_before_[0].shape.separator);
     }
     name_columns(header);
+  }
+
+  /// The separator of the names, where it parts the numbers as well: "0,<tab>1" below "a,b".
+  void share_separator(char of_names, const HeadLine& row) {
+    if (separator_ || of_names == head_.separator) return;
+    const RowShape parted = row_of_cells(row.line.text, of_names);
+    if (parted.is_row() && parted.n_cells == row.shape.n_cells) head_.separator = of_names;
   }
 
   /// One column alone: blanks are part of its name.

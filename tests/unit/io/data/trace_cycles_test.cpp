@@ -107,7 +107,7 @@ TEST_F(TraceCycles, ARowWithoutANumberIsOmittedAndNoted) {
   text.replace(at, text.find('\n', at) - at, "NaN");
   const TraceFile trace = read(text);
   EXPECT_EQ(trace.samples.value.size(), 719u);
-  EXPECT_THAT(trace.notes, Contains(HasSubstr("1 row without a number, the first in line 162, were omitted")));
+  EXPECT_THAT(trace.notes, Contains(HasSubstr("1 row without a number omitted, the first in line 162")));
 }
 
 TEST_F(TraceCycles, TheHeadersThatPeopleHave) {
