@@ -28,7 +28,7 @@ Case flat_on_hone() {
 }
 
 TEST(LandCase, TheTableCarriesItsShareOfTheLoad) {
-  const Setup setup = prepare(flat_on_hone());
+  const cycle::Setup setup = prepare(flat_on_hone());
   const CycleResult result = simulate(setup);
   ASSERT_TRUE(result.complete);
   double largest = 0;

@@ -14,8 +14,8 @@ struct RingBeamSize {
   double tangential_force = 0;  ///< F_t = p h B/2 with the mean p of the target pressure [N]
   double end_gap = 0;           ///< g, between the ends of the closed ring, along its centroid [m]
   // of a section that is not a rectangle of h and t
-  std::optional<double> section_centroid;       ///< radial distance of its centroid from the face [m]
-  std::optional<double> section_second_moment;  ///< second moment for bending in the ring's plane [m4]
+  std::optional<double> section_centroid = {};       ///< radial distance of its centroid from the face [m]
+  std::optional<double> section_second_moment = {};  ///< second moment for bending in the ring's plane [m4]
 
   /// Radial distance of the centroid from the face [m].
   double centroid_depth() const { return section_centroid.value_or(radial_thickness / 2); }
