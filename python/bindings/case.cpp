@@ -325,7 +325,8 @@ Raises InputError with everything that is wrong.)");
   type.def(
       "run",
       [](CaseObject& self, const py::object& progress, bool ledger, bool error_estimate, const py::object& threads) {
-        return run_case(self, progress, {ledger, error_estimate, threads_of(threads)});
+        return run_case(self, progress,
+                        {.ledger = ledger, .error_estimate = error_estimate, .threads = threads_of(threads)});
       },
       py::arg("progress") = py::none(), py::arg("ledger") = false, py::arg("error_estimate") = false,
       py::arg("threads") = py::none(),
