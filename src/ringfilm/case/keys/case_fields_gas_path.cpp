@@ -165,10 +165,10 @@ std::vector<Field> common_fields() {
            .kind = NumberKind{member<&Case::gas_path, &GasPath::sliding_smoothing_speed>},
            .unit = si_unit("m/s"),
            .range = above(0, 10),
-           .when = kComputedGas,
+           .when = kLandOfRing,
            .help =
                "speed of the piston over which the friction of the rings on the bore changes its sign, U_0; used with "
-               "gas_path.ring_motion = \"axial\"",
+               "gas_path.ring_motion = \"axial\" and for the twist of a section",
            .example = "\"0.05 m/s\"",
            .uses = {.gas = true}}),
   };

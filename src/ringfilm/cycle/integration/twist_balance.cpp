@@ -1,5 +1,6 @@
 #include "ringfilm/cycle/integration/twist_balance.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "ringfilm/cycle/integration/sampling.hpp"
@@ -31,7 +32,8 @@ double balanced_twist(const Setup& setup, const RingConditions& at, const film::
   const double length = std::numbers::pi * setup.input.engine.bore;
   const film::FilmIntegrals film = film::film_integrals(problem, at.inputs, previous, state);
   const double boundary = boundary_friction(setup.input.contact, film.asperity_load, film.asperity_area);
-  const double sliding = at.piston_velocity > 0 ? 1 : at.piston_velocity < 0 ? -1 : 0;
+  // Boundary friction changes its sign over a small speed, so that the twist is continuous at dead centres.
+  const double sliding = std::tanh(at.piston_velocity / setup.input.gas_path.sliding_smoothing_speed);
   const double friction = -length * (sliding * boundary + film.shear_couette - film.shear_poiseuille);
   models::ForceOnRing force = at.on_section;
   force +=
