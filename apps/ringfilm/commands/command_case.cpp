@@ -254,7 +254,7 @@ void declare_list(CommandOptions& add, OilsOptions& options) {
 
 void declare_new(CommandOptions& add, NewOptions& options) {
   add.text("CASE.toml", options.path, "", "the file to write; must not exist yet")->required();
-  add.text("--engine", options.engine, "ENGINE", "whose typical numbers: passenger-car (default), heavy-duty or hydrogen");
+  add.text("--engine", options.engine, "ENGINE", "typical numbers: passenger-car (default), heavy-duty or hydrogen");
   add.text("--pack", options.pack, "ENGINE", "the same engines with all their rings, their gas and their oil");
   add.text("--load", options.load, "LOAD", "part or full (default)");
   add.text("--state", options.state, "STATE", "of the surfaces: new, run-in (default) or worn");

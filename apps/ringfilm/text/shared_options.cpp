@@ -114,9 +114,9 @@ void add_table(CommandOptions& add, io::TableReading& table) {
   add.text("--columns", table.columns, "\"x [um], -, z [um]\"",
            "of a text file: names and units of all its columns; - is not used");
   add.read("--skip-lines", "N", "of a text file: lines in front of the table", [&table](const std::string& text) {
-    constexpr std::uint64_t kMost = 1000000;
+    constexpr std::uint64_t kMaxSkipped = 1000000;
     const std::optional<std::uint64_t> lines = whole_number(text);
-    if (!lines || *lines > kMost) {
+    if (!lines || *lines > kMaxSkipped) {
       throw InputError("--skip-lines " + text + ": this is not a number of lines", "for example --skip-lines 12");
     }
     table.skip_lines = static_cast<std::size_t>(*lines);

@@ -17,8 +17,8 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kLeastCells = 12;         // of the coarsest grid in each direction
-constexpr int kMostNodes = 2'000'000;   // as of a pad
+constexpr int kMinCells = 12;         // of the coarsest grid in each direction
+constexpr int kMaxNodes = 2'000'000;   // as of a pad
 constexpr int kLandHalvings = 6;        // of the speed from which a film is reached that was not found at once
 constexpr double kLandDensity = 850;    // without influence: flows are reported as volumes [kg/m3]
 constexpr double kAcrossOverWidth = 2;  // length of a patch across the motion over the width of the land (assumed)
@@ -80,7 +80,7 @@ class Patch {
     const GapSurface surface(std::move(x), std::move(y), std::move(gap));
     while (true) {
       levels_.push_back(level(surface, cells));
-      if (cells.along < 2 * kLeastCells || cells.across < 2 * kLeastCells) break;
+      if (cells.along < 2 * kMinCells || cells.across < 2 * kMinCells) break;
       cells = {cells.along / 2, cells.across / 2};
     }
     std::reverse(levels_.begin(), levels_.end());
@@ -144,7 +144,7 @@ class Patch {
     inputs.strip.left.pressure = inputs.strip.right.pressure = land_.ambient_pressure;
     inputs.strip.p_cavitation = land_.cavitation_pressure;
     inputs.p_low = inputs.p_high = land_.ambient_pressure;
-    inputs.strip.load = std::max(land_.ambient_pressure - land_.cavitation_pressure, kLeastScale) * land_.width;
+    inputs.strip.load = std::max(land_.ambient_pressure - land_.cavitation_pressure, kMinScale) * land_.width;
     return inputs;
   }
 
@@ -215,7 +215,7 @@ class Patch {
     of.cavitated_fraction = static_cast<double>(empty) / static_cast<double>(state.deficit.size());
   }
 
-  static constexpr double kLeastScale = 1e4;  // of pressures, where ambient is the cavitation pressure [Pa]
+  static constexpr double kMinScale = 1e4;  // of pressures, where ambient is the cavitation pressure [Pa]
 
   const LandFilmProblem& land_;
   std::vector<Level> levels_;  // from the coarsest on
@@ -321,7 +321,7 @@ LandFilm land_film(const LandFilmProblem& land) {
   result.patch_length = land.sides == film::Ends::kJoined ? map_y : std::min(map_y, kAcrossOverWidth * land.width);
   const Cells cells{std::max(2, static_cast<int>(std::ceil(land.width / map.step_x_m * (1 - kSame)))),
                     std::max(2, static_cast<int>(std::ceil(result.patch_length / map.step_y_m * (1 - kSame))))};
-  if (static_cast<double>(cells.along + 1) * (cells.across + 1) > kMostNodes) {
+  if (static_cast<double>(cells.along + 1) * (cells.across + 1) > kMaxNodes) {
     throw InputError("a patch has " + std::to_string(cells.along) + " x " + std::to_string(cells.across) +
                          " points, and two million are the most",
                      "state a --short-cutoff and name a coarser map");

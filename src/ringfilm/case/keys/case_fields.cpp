@@ -96,8 +96,8 @@ std::vector<Field> all_fields() {
   append_thermal_fields(fields);
   append_gas_fields(fields);
   append_gas_composition_fields(fields);
+  append_section_fields(fields);  // keys of [ring], whose tables follow
   append_ring_fields(fields);
-  append_section_fields(fields);
   append_gas_path_fields(fields);
   append_contact_fields(fields);
   append_measured_fields(fields);

@@ -78,6 +78,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"surfaces-flattened", kLimited, kCase},
       {"viscosity-extrapolated", kLimited, kCase},
       {"density-extrapolated", kLimited, kCase},
+      {"gas-pegged", kFull, kCase},
       {"gas-breaks-through", kFull, kCrankAngles},
       {"friction-mostly-boundary", kFull, kCase},
       {"error-estimate-missing", kFull, kCase},

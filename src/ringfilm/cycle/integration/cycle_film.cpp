@@ -20,7 +20,7 @@ constexpr int kMinGraded = 200;
 /// closest to those of 1600 cells with this one [-].
 constexpr double kReferenceFilm = 0.03;
 /// Factors of the separation of a ring off the liner that are tried one after the other, and where they end.
-constexpr double kFurther = 1.2, kMostFurther = 4;
+constexpr double kFurther = 1.2, kMaxFurther = 4;
 /// Places at which the rise of the face is looked for.
 constexpr int kSamplesOfFace = 250;
 
@@ -162,7 +162,7 @@ film::FilmReport CycleFilm::solve_off_liner(const RingConditions& at, const film
   const film::FilmState guess = state;
   film::FilmReport report;
   // Where no film is found, one of a ring a little further off is: that distance is known roughly.
-  for (double further = 1; further < kMostFurther; further *= kFurther) {
+  for (double further = 1; further < kMaxFurther; further *= kFurther) {
     state = guess;
     state.h_m *= further;
     report = factors_.solve(at.inputs, state, [&](const film::FilmInputs& held, film::FilmState& found) {

@@ -213,7 +213,8 @@ double thrown_distance(const models::CrankSlider& crank, double speed, double fi
 }
 
 std::vector<NarrowedBand> narrowed_bands(const std::vector<OilLoss>& losses) {
-  const auto total = std::ranges::find(losses, kTotalOilLoss, &OilLoss::name);
+  const auto total =
+      std::find_if(losses.begin(), losses.end(), [](const OilLoss& loss) { return loss.name == kTotalOilLoss; });
   std::vector<NarrowedBand> bands;
   if (total == losses.end()) return bands;
   for (auto part = losses.begin(); part != total; ++part) {
@@ -221,7 +222,8 @@ std::vector<NarrowedBand> narrowed_bands(const std::vector<OilLoss>& losses) {
     bands.push_back({part->name, part->input, total->low - part->low + part->value,
                      total->high - part->high + part->value, (part->high - part->low) / (total->high - total->low)});
   }
-  std::ranges::stable_sort(bands, std::ranges::greater(), &NarrowedBand::band_share);
+  std::stable_sort(bands.begin(), bands.end(),
+                   [](const NarrowedBand& a, const NarrowedBand& b) { return a.band_share > b.band_share; });
   return bands;
 }
 

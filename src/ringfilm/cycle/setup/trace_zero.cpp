@@ -18,7 +18,7 @@ namespace {
 constexpr double kBottomFromDeg = -190, kBottomToDeg = -170;
 /// Between these angles the valves are closed and combustion has not begun; assumed.
 constexpr double kPegFromDeg = -90, kPegToDeg = -45;
-constexpr std::size_t kFewestSamples = 3;
+constexpr std::size_t kMinSamples = 3;
 
 double piston_distance(const Engine& engine, double crank_angle_deg) {
   const models::CrankSlider crank{engine.stroke / 2, engine.connecting_rod_length};
@@ -39,8 +39,8 @@ Window samples_between(const Gas& gas, double from_deg, double to_deg) {
     window.crank_angle_deg.push_back(angle);
     window.pressure.push_back(trace.value[i] + rise_of_traces(gas));
   }
-  if (window.pressure.size() >= kFewestSamples) return window;
-  throw InputError("the trace has fewer than " + number_text(kFewestSamples) + " samples between " +
+  if (window.pressure.size() >= kMinSamples) return window;
+  throw InputError("the trace has fewer than " + number_text(kMinSamples) + " samples between " +
                        number_text(from_deg) + " and " + number_text(to_deg) + " degree, which gas.pegging requires",
                    "state gas.pegging = \"none\" with gas.pressure_offset, or give a trace of these angles");
 }

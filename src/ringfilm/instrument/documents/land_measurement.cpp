@@ -55,14 +55,14 @@ io::MeasuredTable land_table(const pad::LandFilm& film, const LandAnalysis& anal
 
 /// Mean exponent of the speed over the rows that have one; 1 without.
 double speed_exponent(const pad::LandFilm& film) {
-  constexpr double kLeast = 0.5, kMost = 2;
+  constexpr double kMin = 0.5, kMax = 2;
   double sum = 0, n = 0;
   for (const LandPoint& point : film.points) {
     if (!(point.lift > 0) || std::isnan(point.speed_exponent)) continue;
     sum += point.speed_exponent;
     n += 1;
   }
-  return n > 0 ? std::clamp(sum / n, kLeast, kMost) : 1;
+  return n > 0 ? std::clamp(sum / n, kMin, kMax) : 1;
 }
 
 /// Standard deviation of ln lift over patches, rms over the rows with lift.

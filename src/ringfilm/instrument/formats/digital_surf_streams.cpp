@@ -9,7 +9,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr std::size_t kEntrySize = 8;      // unpacked and packed size of a stream
-constexpr std::size_t kMostPacked = 1032;  // deflate packs at most 258 bytes into 2 bit
+constexpr std::size_t kMaxPacked = 1032;  // deflate packs at most 258 bytes into 2 bit
 constexpr char kDamaged[] = "the file was cut short or damaged: copy it again, or save it without compression";
 
 /// Ends a stream of zlib in any case.
@@ -57,7 +57,7 @@ PackedHeights packed_heights(const BinaryReader& in, std::size_t offset, std::si
     stream.offset = packed.end;
     const std::string name = fmt::format("packed stream {} of {}", i + 1, count);
     in.at(stream.offset, stream.packed, name);
-    if (stream.unpacked > kMostPacked * (stream.packed + 1)) {
+    if (stream.unpacked > kMaxPacked * (stream.packed + 1)) {
       in.refuse_at(
           table + i * kEntrySize,
           fmt::format("{} has {} bytes, and {} unpacked: more than any can hold", name, stream.packed, stream.unpacked),

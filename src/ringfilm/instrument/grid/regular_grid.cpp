@@ -128,7 +128,7 @@ GridAxis axis_of(const std::string& file, const std::vector<double>& all, const 
 /// neighbour. Empty where that is not one and the same angle, or none.
 std::string words_of_turn(const ListedPoints& points) {
   constexpr std::size_t kLooked = 20;
-  constexpr double kLeastDeg = 0.05, kScatterDeg = 1, kQuarterDeg = 90;
+  constexpr double kMinDeg = 0.05, kScatterDeg = 1, kQuarterDeg = 90;
   std::vector<double> turns;
   for (std::size_t i = 0; i < std::min(kLooked, points.x.size()); ++i) {
     double nearest = std::numeric_limits<double>::infinity(), angle = 0;
@@ -142,7 +142,7 @@ std::string words_of_turn(const ListedPoints& points) {
   }
   std::sort(turns.begin(), turns.end());
   const double turn = turns[turns.size() / 2];
-  if (std::abs(turn) < kLeastDeg || turns.back() - turns.front() > kScatterDeg) return "";
+  if (std::abs(turn) < kMinDeg || turns.back() - turns.front() > kScatterDeg) return "";
   return fmt::format("; the grid seems to be turned by {:.3g} degree", turn);
 }
 

@@ -120,7 +120,7 @@ class OptimisationReader : VariedDocumentReader {
       const std::string example = quantity->unit == "1" ? "0.1" : fmt::format("\"1 {}\"", quantity->display_unit);
       const auto limit = table.quantity(key, quantity->unit, example, units_);
       if (!limit) continue;
-      study::Constraint constraint{*quantity, is_lower, *limit, is_lower ? OverPoints::kLowest : OverPoints::kHighest};
+      study::Constraint constraint{*quantity, is_lower, *limit, is_lower ? OverPoints::kMin : OverPoints::kMax};
       table.choose("over", over_words(), constraint.over);
       problem_.constraints.push_back(std::move(constraint));
     }
@@ -131,7 +131,7 @@ class OptimisationReader : VariedDocumentReader {
   }
 
   static std::vector<std::pair<std::string, OverPoints>> over_words() {
-    return {{"mean", OverPoints::kMean}, {"lowest", OverPoints::kLowest}, {"highest", OverPoints::kHighest}};
+    return {{"mean", OverPoints::kMean}, {"lowest", OverPoints::kMin}, {"highest", OverPoints::kMax}};
   }
 
   void read_options(TomlTable& root) {

@@ -354,8 +354,8 @@ std::optional<CommentEntry> comment_entry(std::string_view comment) {
 }
 
 std::string shown_line(std::string_view line) {
-  constexpr std::size_t kLongest = 2000;
-  std::string text(line.substr(0, kLongest));
+  constexpr std::size_t kMax = 2000;
+  std::string text(line.substr(0, kMax));
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == '\x7f') c = c == '\t' ? '\t' : ' ';
   }

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {
@@ -40,7 +41,7 @@ double pressure_of_rockwell(double HRC) {
 
 /// Saybolt universal seconds at 100 degF of a viscosity in mm2/s, ASTM D2161.
 double saybolt_seconds(double nu) {
-  return 4.6324 * nu + (1 + 0.03264 * nu) / ((3930.2 + nu * (262.7 + nu * (23.97 + nu * 1.646))) * 1e-5);
+  return 4.6324 * nu + (1 + 0.03264 * nu) / (0.03930200 + nu * (0.002627 + nu * (0.0002397 + nu * 0.00001646)));
 }
 
 double viscosity_of_saybolt(double seconds) {
@@ -50,11 +51,11 @@ double viscosity_of_saybolt(double seconds) {
     if (middle == low || middle == high) break;
     (saybolt_seconds(middle) < seconds ? low : high) = middle;
   }
-  return 0.5 * (low + high) * 1e-6;
+  return kSquareMillimetrePerSecond.scale.to_si(0.5 * (low + high));
 }
 
 /// Formula of Ubbelohde, in mm2/s: 7.31 E - 6.31/E.
-double viscosity_of_engler(double E) { return (7.31 * E - 6.31 / E) * 1e-6; }
+double viscosity_of_engler(double E) { return kSquareMillimetrePerSecond.scale.to_si(7.31 * E - 6.31 / E); }
 
 struct EmpiricalUnit {
   const char* name;

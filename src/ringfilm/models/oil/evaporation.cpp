@@ -73,7 +73,7 @@ double noack_loss(std::span<const OilFraction> fractions) {
 
 std::vector<OilFraction> distillation_of_noack(double loss) {
   // The first boiling point lies between these at any loss that is allowed; the last one is 200 K higher [K].
-  constexpr double kLowest = 600, kHighest = 860, kTolerance = 1e-9;
+  constexpr double kMin = 600, kMax = 860, kTolerance = 1e-9;
   const auto fractions = [](double first) {
     return std::vector<OilFraction>{{0.1, first, 0.33},
                                     {0.25, first + 45, 0.38},
@@ -83,7 +83,7 @@ std::vector<OilFraction> distillation_of_noack(double loss) {
   };
   boost::uintmax_t evaluations = 100;
   const auto [low, high] = boost::math::tools::toms748_solve(
-      [&](double first) { return noack_loss(fractions(first)) - loss; }, kLowest, kHighest,
+      [&](double first) { return noack_loss(fractions(first)) - loss; }, kMin, kMax,
       [](double a, double b) { return std::abs(b - a) <= kTolerance; }, evaluations);
   return fractions(0.5 * (low + high));
 }

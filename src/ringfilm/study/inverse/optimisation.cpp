@@ -292,8 +292,8 @@ bool is_feasible(const Optimisation& problem, const Design& design) {
 }
 
 double over_points(OverPoints over, const std::vector<WeightedPoint>& points, const std::vector<double>& values) {
-  if (over == OverPoints::kLowest) return *std::min_element(values.begin(), values.end());
-  if (over == OverPoints::kHighest) return *std::max_element(values.begin(), values.end());
+  if (over == OverPoints::kMin) return *std::min_element(values.begin(), values.end());
+  if (over == OverPoints::kMax) return *std::max_element(values.begin(), values.end());
   double sum = 0, weights = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     sum += points[i].weight * values[i];

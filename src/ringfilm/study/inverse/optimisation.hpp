@@ -15,7 +15,7 @@ namespace ringfilm::study {
 enum class Goal { kMinimise, kMaximise };
 
 /// What becomes of a quantity over the operating points.
-enum class OverPoints { kMean, kLowest, kHighest };
+enum class OverPoints { kMean, kMin, kMax };
 
 struct Objective {
   cycle::Quantity quantity;
@@ -27,7 +27,7 @@ struct Constraint {
   cycle::Quantity quantity;
   bool is_lower = true;  ///< at_least: the quantity is the limit or more; else at_most
   double limit = 0;      ///< [SI]
-  OverPoints over = OverPoints::kLowest;
+  OverPoints over = OverPoints::kMin;
 };
 
 /// A key that takes one of several texts: an oil, a coating, a file.

@@ -18,7 +18,7 @@ constexpr std::size_t kMinPointsOfTexture = 16;
 constexpr double kDecay = 0.2;            // of the autocorrelation, the usual value of the standard
 constexpr int kRays = 360;                // directions in which it is followed, over half a turn
 constexpr int kAngles = 180;              // of the angular spectrum, one a degree
-constexpr int kLeastWaves = 4;            // over a side: coarser waves have no direction
+constexpr int kMinWaves = 4;            // over a side: coarser waves have no direction
 constexpr int kSmoothing = 2;             // angles to both sides
 constexpr int kApart = 10;                // least angle between two lays [degree]
 constexpr int kLobe = 8;                  // angles to both sides that belong to a lay
@@ -132,7 +132,7 @@ Angular angular_spectrum(const HeightMap& map) {
   const std::vector<std::complex<double>> waves = waves_of(values, length_x, length_y);
   const double per_x = 1 / (static_cast<double>(length_x) * map.step_x_m);
   const double per_y = 1 / (static_cast<double>(length_y) * map.step_y_m);
-  const double least = kLeastWaves * std::max(per_x, per_y), most = 0.5 / std::max(map.step_x_m, map.step_y_m);
+  const double least = kMinWaves * std::max(per_x, per_y), most = 0.5 / std::max(map.step_x_m, map.step_y_m);
   Angular power{}, weight{};
   const std::size_t columns = length_x / 2 + 1;
   for (std::size_t k = 0; k < length_y; ++k) {
