@@ -125,10 +125,7 @@ export function gasComposition(packed) {
       caseIndex: packed.seriesOf(region),
       part: region.name.startsWith('groove') ? 'viscous' : region.name === 'crankcase' ? 'boundary' : null,
       label: regionWords(region.name),
-      ...onCycleAxis(
-        gas.crank_angle,
-        columns[i].map((share) => 100 * share),
-      ),
+      ...onCycleAxis(gas.crank_angle, converted(columns[i], '%')),
     }));
   return {
     id: 'pack-composition',
