@@ -27,7 +27,7 @@ class LandTest(program.ProgramTest):
         self.assertEqual(of["lift_scatter"], [0, 0])  # one patch
 
     def test_a_case_takes_the_table(self):
-        self.land("--separations", "1 um, 1.2 um, 1.4 um, 1.7 um", "--cavitation-pressure", "1 bar", "-o", "land.nc")
+        self.land("--separations", "1.2 um, 1.4 um, 1.7 um, 2 um", "--cavitation-pressure", "1 bar", "-o", "land.nc")
         with_lift = ("--set", "film.land_lift=table", "--set", "film.land_law=land.nc")
         plain = json.loads(self.run_well("run", "case.toml", "--json"))
         lifted = json.loads(self.run_well("run", "case.toml", "--json", *with_lift))

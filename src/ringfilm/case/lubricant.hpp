@@ -26,7 +26,7 @@ struct Lubricant {
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
-  base::Shared<models::OilTable> table;                       ///< table in table_file; empty without one
+  base::Shared<models::OilTable> table;               ///< table in table_file; empty without one
   double temperature_viscosity_coefficient = 0.04;    ///< beta_0 [1/K], houpert
   double reference_temperature = 313.15;              ///< theta_0 [K], houpert and thermal-expansivity
   double thermal_expansivity = 7.5e-4;                ///< gamma [1/K]
@@ -52,8 +52,8 @@ struct Lubricant {
   // at most one of the two; nothing evaporates without them
   std::vector<models::OilFraction> distillation;  ///< fractions by boiling point, rising
   std::optional<double> noack;                    ///< loss of mass in the Noack test (ASTM D5800) [-]
-  double fuel = 0;   ///< fuel dissolved in the oil, share of the mass [-]
-  double water = 0;  ///< water dispersed in the oil, share of the mass [-]
+  double fuel = 0;                                ///< fuel dissolved in the oil, share of the mass [-]
+  double water = 0;                               ///< water dispersed in the oil, share of the mass [-]
   /// Kinematic viscosity of that fuel: diesel fuel, typical, assumed [m2/s]
   std::vector<TemperatureValue> fuel_viscosity = {{313.15, 2.7e-6}, {373.15, 1.1e-6}};
 

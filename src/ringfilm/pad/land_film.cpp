@@ -17,8 +17,8 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kMinCells = 12;         // of the coarsest grid in each direction
-constexpr int kMaxNodes = 2'000'000;   // as of a pad
+constexpr int kMinCells = 12;           // of the coarsest grid in each direction
+constexpr int kMaxNodes = 2'000'000;    // as of a pad
 constexpr int kLandHalvings = 6;        // of the speed from which a film is reached that was not found at once
 constexpr double kLandDensity = 850;    // without influence: flows are reported as volumes [kg/m3]
 constexpr double kAcrossOverWidth = 2;  // length of a patch across the motion over the width of the land (assumed)
@@ -287,7 +287,7 @@ void average(const std::vector<LandFilmPoint>& of, double LandFilmPoint::*member
     sum += one.*member;
     n += 1;
   }
-  mean = sum / n;  // NaN of none
+  mean = n > 0 ? sum / n : std::numeric_limits<double>::quiet_NaN();
   if (deviation == nullptr || n < 2) return;
   for (const LandFilmPoint& one : of) squares += (one.*member - mean) * (one.*member - mean);
   *deviation = std::sqrt(squares / (n - 1));

@@ -56,7 +56,11 @@ class GasCompositionTest(program.ProgramTest):
 
     def test_properties_of_the_mixture_set_the_flows(self):
         stated = self.found(*HYDROGEN)
-        mixture = self.found(*HYDROGEN, "gas_path.properties=mixture", "gas_path.mixture_burnt_share=0")
+        settings = (*HYDROGEN, "gas_path.properties=mixture", "gas_path.mixture_burnt_share=0")
+        words = [word for setting in settings for word in ("--set", setting)]
+        done = self.run_program("gas", PACK, "--json", *words)
+        self.assertIn("makes keys of the case unused", done.stderr)  # the properties that the pack states
+        mixture = json.loads(done.stdout)
         # Fresh hydrogen charge has R of 343 J/(kg K): the flow of an orifice goes with R^-1/2.
         ratio = mixture["blow_by_per_cycle"] / stated["blow_by_per_cycle"]
         self.assertAlmostEqual(ratio, (287 / 343) ** 0.5, delta=0.05)

@@ -83,8 +83,10 @@ class OilConsumptionTest(program.ProgramTest):
             self.assert_refused(self.run_program("run", PACK, "--set", setting), text)
 
     def test_volatility_is_stated_in_one_way(self):
-        case = (self.folder / "case.toml").read_text().replace(
-            "[lubricant]\n", f'[lubricant]\nnoack = 0.12\n{ONE_FRACTION.split(".", 1)[1]}\n'
+        case = (
+            (self.folder / "case.toml")
+            .read_text()
+            .replace("[lubricant]\n", f'[lubricant]\nnoack = 0.12\n{ONE_FRACTION.split(".", 1)[1]}\n')
         )
         (self.folder / "both.toml").write_text(case)
         done = self.run_program("run", "both.toml", "--set", "conditions=engine")
@@ -115,9 +117,7 @@ class OilConsumptionTest(program.ProgramTest):
             self.assertLessEqual(band["high"], found["high"])
 
     def test_study_has_the_consumption_of_each_operating_point(self):
-        (self.folder / "pack.toml").write_text(
-            f'include = ["{PACK}"]\n[solver]\ncells = 60\n[engine]\ncylinders = 4\n'
-        )
+        (self.folder / "pack.toml").write_text(f'include = ["{PACK}"]\n[solver]\ncells = 60\n[engine]\ncylinders = 4\n')
         (self.folder / "study.toml").write_text(
             'title = "points"\nkind = "compare"\n[[base]]\nname = "pack"\ncase = "pack.toml"\n'
             '[plan]\nmethod = "operating-points"\n[accuracy]\nsample = 0\n'

@@ -77,9 +77,7 @@ class Recovers(FitTest):
         found, parameters = self.fitted("product.toml")
         self.assertFalse(parameters["lubricant.viscosity"]["identified"])
         self.assertFalse(parameters["pad.speed"]["identified"])
-        self.assertEqual(
-            found["not_identified"], ["only the product lubricant.viscosity x pad.speed is determined"]
-        )
+        self.assertEqual(found["not_identified"], ["only the product lubricant.viscosity x pad.speed is determined"])
 
     def test_curve_of_a_ring_with_shift_and_gap(self):
         name = "fit_friction.toml"

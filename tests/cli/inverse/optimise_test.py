@@ -105,7 +105,7 @@ class Rings(OptimiseTest):
         self.assertGreaterEqual(min(films), 0.2e-6)
         mean = sum(w * p["quantities"]["fmep"] for w, p in zip((0.4, 0.6), best["points"]))
         self.assertAlmostEqual(best["quantities"]["fmep"], mean, delta=1e-9 * mean)
-        self.assertEqual(found["at_bounds"], ["ring.elastic_pressure at its lower bound"])
+        self.assertIn("ring.elastic_pressure at its lower bound", found["at_bounds"])
 
 
 class Limits(OptimiseTest):

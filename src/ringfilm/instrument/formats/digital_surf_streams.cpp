@@ -8,7 +8,7 @@
 namespace ringfilm::instrument {
 namespace {
 
-constexpr std::size_t kEntrySize = 8;      // unpacked and packed size of a stream
+constexpr std::size_t kEntrySize = 8;     // unpacked and packed size of a stream
 constexpr std::size_t kMaxPacked = 1032;  // deflate packs at most 258 bytes into 2 bit
 constexpr char kDamaged[] = "the file was cut short or damaged: copy it again, or save it without compression";
 

@@ -1,10 +1,12 @@
 #pragma once
 #include <optional>
 
+#include "ringfilm/base/constants.hpp"
+
 namespace ringfilm::models {
 
 /// Temperatures between which the pressure of saturated water holds [K].
-inline constexpr double kColdestWater = 273.15, kHottestWater = 647;
+inline constexpr double kColdestWater = base::kZeroCelsius, kHottestWater = 647;
 
 /// Pressure of saturated water vapour by Antoine's equation @cite antoine1888 with two sets of constants, that of 1 to
 /// 100 degC and that of 99 to 374 degC, of which the smaller value counts, eq-antoine [Pa].

@@ -82,9 +82,9 @@ std::vector<OilFraction> distillation_of_noack(double loss) {
                                     {0.15, first + 200, 0.6}};
   };
   boost::uintmax_t evaluations = 100;
-  const auto [low, high] = boost::math::tools::toms748_solve(
-      [&](double first) { return noack_loss(fractions(first)) - loss; }, kMin, kMax,
-      [](double a, double b) { return std::abs(b - a) <= kTolerance; }, evaluations);
+  const auto [low, high] =
+      boost::math::tools::toms748_solve([&](double first) { return noack_loss(fractions(first)) - loss; }, kMin, kMax,
+                                        [](double a, double b) { return std::abs(b - a) <= kTolerance; }, evaluations);
   return fractions(0.5 * (low + high));
 }
 

@@ -106,8 +106,9 @@ void TwistingRing::lay_sides(const SectionPolygon& corners, double face_width) {
     // Along the face it is cut at both ends of the running face. What looks away from the bore is not part of it.
     std::vector<double> cuts{0, 1};
     for (const double at : {begin, end}) {
+      if (from.axial == to.axial) continue;  // parallel to the flanks
       const double share = (at - from.axial) / (to.axial - from.axial);
-      if (std::isfinite(share) && share > 0 && share < 1) cuts.push_back(share);
+      if (share > 0 && share < 1) cuts.push_back(share);
     }
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {

@@ -2,7 +2,22 @@
 
 /** Sizes in SI of the symbols of which units are made, and of the prefixes before them. */
 const kSymbols = {
-  ...{ 1: 1, '%': 0.01, m: 1, s: 1, min: 60, h: 3600, l: 1e-3, g: 1e-3, K: 1, N: 1, J: 1, W: 1, Pa: 1, bar: 1e5 },
+  ...{
+    1: 1,
+    '%': 0.01,
+    m: 1,
+    s: 1,
+    min: 60,
+    h: 3600,
+    l: 1e-3,
+    g: 1e-3,
+    K: 1,
+    N: 1,
+    J: 1,
+    W: 1,
+    Pa: 1,
+    bar: 1e5,
+  },
   ...{ rad: 1, rpm: Math.PI / 30, degree: 1, deg: 1, P: 0.1, St: 1e-4 },
 };
 const kPrefixes = { n: 1e-9, u: 1e-6, m: 1e-3, c: 1e-2, k: 1e3, M: 1e6, G: 1e9 };
