@@ -17,7 +17,7 @@ constexpr double kWidestHole = 3;  ///< in steps; assumed
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The height at a place of a rising list, linear between two of its places; NaN in a hole.
-double interpolated(const std::vector<double>& x, const std::vector<double>& height, double place, double widest) {
+double height_between(const std::vector<double>& x, const std::vector<double>& height, double place, double widest) {
   const auto next = std::lower_bound(x.begin(), x.end(), place);
   if (next == x.end()) return height.back();
   const auto k = static_cast<std::size_t>(next - x.begin());
@@ -42,11 +42,11 @@ void resample_evenly(ChannelValues& values) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     even_x[i] = i + 1 == n ? values.x.back() : first + step * static_cast<double>(i);
-    even[i] = interpolated(values.x, measured, even_x[i], kWidestHole * step);
+    even[i] = height_between(values.x, measured, even_x[i], kWidestHole * step);
   }
   double sum = 0, mean = 0, squares = 0, count = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double difference = interpolated(even_x, even, values.x[i], kWidestHole * step) - measured[i];
+    const double difference = height_between(even_x, even, values.x[i], kWidestHole * step) - measured[i];
     if (std::isnan(difference)) continue;
     sum += difference * difference;
     mean += measured[i];

@@ -22,6 +22,8 @@ struct HeadLine {
   bool may_name(std::size_t n) const { return shape.n_cells == n && shape.n_words > 0 && !shape.holds_start_of_number; }
 };
 
+bool opens_unit(std::string_view cell) { return cell.starts_with('[') || cell.starts_with('('); }
+
 bool has_brackets(const HeadLine& line, char separator) {
   const std::vector<PlacedCell> cells = heading_cells(line.line.text, separator);
   return std::any_of(cells.begin(), cells.end(),
@@ -216,7 +218,7 @@ class HeadFinder {
     if (!last) return std::nullopt;
     const char separator = head_.separator;
     if (*last > 0 && may_name(*last - 1) && !has_brackets(lines_before_[*last], separator) &&
-        holds_units_alone(lines_before_[*last], separator)) {
+        holds_units_alone(lines_before_[*last], separator) && !holds_units_alone(lines_before_[*last - 1], separator)) {
       return *last - 1;
     }
     const bool is_better = has_brackets(lines_before_[*last], separator) && !has_brackets(lines_before_[0], separator);
@@ -321,7 +323,7 @@ RowShape row_of_cells(std::string_view line, char separator) {
     shape.holds_start_of_number = shape.holds_start_of_number || is_number_cell || starts_number(cell);
     if (shape.n_cells == 0) shape.starts_with_number = is_number_cell || is_gap;
     // Where blanks part the cells, "[um]" belongs to the name in front of it.
-    if (separator == ' ' && shape.n_cells > 0 && (cell.front() == '[' || cell.front() == '(')) --shape.n_cells;
+    if (separator == ' ' && shape.n_cells > 0 && opens_unit(cell)) --shape.n_cells;
     is_last_empty = cell.empty();
   }
   if (is_last_empty && shape.n_cells > 1) --shape.n_cells;
@@ -331,7 +333,7 @@ RowShape row_of_cells(std::string_view line, char separator) {
 std::vector<PlacedCell> heading_cells(std::string_view line, char separator) {
   std::vector<PlacedCell> merged;
   for (PlacedCell& cell : cells_of(line, separator)) {
-    const bool is_unit = separator == ' ' && !merged.empty() && (cell.text.front() == '[' || cell.text.front() == '(');
+    const bool is_unit = separator == ' ' && !merged.empty() && opens_unit(cell.text);
     if (is_unit) {
       merged.back().text += " " + cell.text;
     } else {
