@@ -394,7 +394,60 @@ def broken_film():
     return picture
 
 
+def land_on_hone():
+    """A flat land slides over a honed liner; w, s and where oil is dragged from a valley."""
+    picture = Picture("Flat land of width w sliding over a honed liner at the distance s of the mean planes", 230)
+    left, right, mean = 120, 620, 150
+    picture.rect(left, 40, right - left, 44, fill=METAL)
+    points = []
+    for k in range(0, 501, 4):
+        depth = sum(46 * math.exp(-(((k - at) / 13) ** 2)) for at in (90, 215, 330, 430))
+        points.append((left + k, mean - 14 + 3 * math.sin(k / 9) + depth))
+    outline = "".join(f"L{x} {y:.1f}" for x, y in points)
+    picture.path(f"M{left} 84H{right}" + "".join(f"L{x} {y:.1f}" for x, y in reversed(points)) + "Z", fill=OIL)
+    picture.path(f"M{left} 215" + outline + f"L{right} 215Z", fill=LINER, stroke="#444")
+    picture.line(left - 30, mean, right + 30, mean, dashes="8 4", stroke=GREY)
+    picture.arrow(left - 14, 84, left - 14, mean, colour=RED)
+    picture.text(left - 30, 120, "s", colour=RED, italic=True, size=16)
+    picture.arrow(left, 28, right, 28, colour=BLUE)
+    picture.text((left + right) / 2, 20, "w", colour=BLUE, italic=True, size=16, anchor="middle")
+    picture.arrow(right + 10, 62, right + 80, 62, width=2)
+    picture.text(right + 40, 52, "U", italic=True, size=16)
+    picture.text(left + 200, 66, "land", size=14)
+    picture.text(left + 200, 208, "liner with the grooves of the hone", size=13)
+    return picture
+
+
+def fit_of_a_curve():
+    """Measured points with their deviations, the model at the best parameters and its band."""
+    picture = Picture("Measured values with their deviations, the fitted model and its band", 250)
+    x0, x1, y0 = 70, 640, 200
+
+    def model(t):
+        return y0 - 120 * math.exp(-(((t - 0.3) / 0.13) ** 2)) - 30 * math.sin(3.1 * t)
+
+    steps = [k / 60 for k in range(61)]
+    upper = [(x0 + t * (x1 - x0), model(t) - 9 - 8 * t) for t in steps]
+    lower = [(x0 + t * (x1 - x0), model(t) + 9 + 8 * t) for t in reversed(steps)]
+    band = "L".join(f"{x:.1f} {y:.1f}" for x, y in upper + lower)
+    picture.path(f"M{band}Z", fill="#cfe0f3")
+    picture.path("M" + "L".join(f"{x0 + t * (x1 - x0):.1f} {model(t):.1f}" for t in steps), stroke=BLUE, width=2)
+    for k in range(1, 20):
+        t = k / 20
+        y = model(t) + 13 * math.sin(37.0 * k)
+        x = x0 + t * (x1 - x0)
+        picture.line(x, y - 14, x, y + 14, stroke=GREY)
+        picture.circle(x, y, 3.5, fill=RED)
+    picture.line(x0, y0 + 20, x1, y0 + 20, stroke="#444")
+    picture.line(x0, y0 + 20, x0, 30, stroke="#444")
+    picture.text((x0 + x1) / 2, y0 + 42, "crank angle", anchor="middle", size=13)
+    picture.text(x0 + 260, 60, "model m(u) with its band; measured y, deviation σ", size=13)
+    return picture
+
+
 PICTURES = {
+    "land-on-hone": land_on_hone,
+    "fit-of-a-curve": fit_of_a_curve,
     "broken-film": broken_film,
     "slider-crank": slider_crank,
     "cells": cells,

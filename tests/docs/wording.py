@@ -36,7 +36,6 @@ RULES = [
     (r"(?<!\bdata )(?<!\bstyle )\bsheets?\b", "two-dimensional (unrolled) film"),
     (r"\bmarch(es|ed|ing)?\b", "time integration; integrate, step"),
     (r"\bfilm parameters?\b", "lambda ratio"),
-    (r"(?<!\bpiston )(?<!\bsecond )\bland\b(?! on\b| \d| \\?\")", "running surface; core"),
     (r"\bdrive of wear\b", "Archard wear load"),
     (r"\bmade surfaces?\b", "synthetic surface"),
     (r"\bbearing curves?\b", "material ratio curve"),
@@ -51,7 +50,6 @@ RULES = [
 EXCEPTIONS = [
     (r"^(tests|benchmarks|cases|examples)/", r"(?i)//[/!]?<? ?(of|that of|the same|likewise|as above)\b"),
     (r"^tests/docs/wording\.py$", r""),
-    (r"^(verification|tests/unit/(pad|film))/", r"(?i)\bland\b"),  # of a step bearing
     (r"^docs/glossary\.md$", r"^\| (`lambda_ratio`|running surface) \|"),  # synonyms
     (r"^tests/cli/face_test\.py$", r"--land-height|--levelling"),  # names of an earlier version
     (r"^src/ringfilm/base/renamed\.hpp$", r"^ +\{\""),

@@ -93,11 +93,11 @@ struct Gas {
   std::optional<std::string> angle_unit;               ///< for a header that does not carry it
   std::optional<std::string> columns;                  ///< names and units of all columns, for a file without a header
   int skip_lines = 0;                                  ///< lines of the file in front of the table
-  std::optional<std::string> cycle;  ///< of several cycles: "mean", "median" or a number; absent: their mean
+  std::optional<std::string> cycle;  ///< which of several cycles: "mean", "median" or a number; absent: their mean
   double pressure_offset = 0;        ///< added to the trace of the cylinder [Pa]
   double angle_offset_deg = 0;       ///< added to the crank angles of the trace of the cylinder [degree]
   Pegging pegging = Pegging::kNone;  ///< how the zero of the trace of the cylinder is found
-  double polytropic_index = 1.32;    ///< of the compression, for pegging; typical, assumed [-]
+  double polytropic_index = 1.32;    ///< exponent of the compression, for pegging; typical, assumed [-]
   // model = "wiebe"; angles 0 = firing TDC
   double compression_ratio = 10.5;         ///< largest over smallest cylinder volume [-]
   double peak_pressure = 62e5;             ///< [Pa] absolute
@@ -307,7 +307,7 @@ struct Contact {
 /// Lift of a flat land on a rough liner (docs/theory/land.md), as `ringfilm land` writes it.
 struct LandLawTable {
   models::LandTable rows;                    ///< separations that rise, with lift
-  double width = 0;                          ///< of the land that was computed [m]
+  double width = 0;                          ///< width of the land that was computed [m]
   double roughness = 0;                      ///< rms height of the surfaces [m]
   double lowest_gap = 0;                     ///< at the first row [m]
   std::optional<double> log_lift_deviation;  ///< standard deviation of ln lift over the patches [-]

@@ -23,7 +23,7 @@ enum class RingTwist {
 
 /// The keys under `ring` that state its section.
 struct RingSection {
-  models::SectionPolygon corners;         ///< of a polygon; empty: by its form, or not stated [m]
+  models::SectionPolygon corners;         ///< corners of a polygon; empty: by its form, or not stated [m]
   SectionForm form = SectionForm::kNone;  ///< form of the section, in place of corners
   std::optional<double> height;           ///< along the bore's axis; absent: the face and what is below it [m]
   // form = kInnerBevel
@@ -34,7 +34,7 @@ struct RingSection {
   double step_height = 0;  ///< along the bore's axis [m]
   double step_depth = 0;   ///< radial [m]
   // form = kTaper and kNapier
-  double taper_angle_deg = 0;  ///< of the face against the bore's axis [degree]
+  double taper_angle_deg = 0;  ///< angle of the face against the bore's axis [degree]
   // form = kKeystone
   double keystone_angle_deg = 0;                                   ///< between both flanks [degree]
   models::SectionSide keystone_side = models::SectionSide::kBoth;  ///< inclined flanks

@@ -45,7 +45,7 @@ struct Ring {
   /// Gap over the face that gas passes all around, at each degree of crank angle; empty: none. Counts of oil rings,
   /// too, as does face_width [m].
   std::vector<double> face_opening;
-  models::RadialCollapse collapse;  ///< of a compression ring that gas presses off the liner
+  models::RadialCollapse collapse;  ///< what a compression ring does that gas presses off the liner
   bool leaves_liner = false;        ///< does it do so? solve_gas_path() finds it out
   /// Section of the ring with its tension; nothing: a rectangle of face width and thickness without assembly twist.
   std::optional<models::TwistingRing> section = {};

@@ -62,7 +62,7 @@ class PackSystem : public OdeSystem {
   /// Derivatives of a flow by the pressures at its ends [kg/(s Pa)] and the position of its ring [kg/s].
   struct FlowSlopes {
     double from, to, position;
-    double groove = 0;  ///< of kFace by the pressure behind its ring
+    double groove = 0;  ///< slope of kFace over the pressure behind its ring
   };
 
   double position(std::size_t ring, std::span<const double> y) const;

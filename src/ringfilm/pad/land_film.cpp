@@ -17,9 +17,9 @@
 namespace ringfilm::pad {
 namespace {
 
-constexpr int kMinCells = 12;           // of the coarsest grid in each direction
+constexpr int kMinCells = 12;           // number on the coarsest grid in each direction
 constexpr int kMaxNodes = 2'000'000;    // as of a pad
-constexpr int kLandHalvings = 6;        // of the speed from which a film is reached that was not found at once
+constexpr int kLandHalvings = 6;        // halvings of the speed from which a film is reached that was not found at once
 constexpr double kLandDensity = 850;    // without influence: flows are reported as volumes [kg/m3]
 constexpr double kAcrossOverWidth = 2;  // length of a patch across the motion over the width of the land (assumed)
 constexpr double kSame = 1e-9;          // lengths that differ by less of themselves are the same
@@ -215,7 +215,7 @@ class Patch {
     of.cavitated_fraction = static_cast<double>(empty) / static_cast<double>(state.deficit.size());
   }
 
-  static constexpr double kMinScale = 1e4;  // of pressures, where ambient is the cavitation pressure [Pa]
+  static constexpr double kMinScale = 1e4;  // scale of pressures, where ambient is the cavitation pressure [Pa]
 
   const LandFilmProblem& land_;
   std::vector<Level> levels_;  // from the coarsest on

@@ -10,14 +10,14 @@ namespace ringfilm::pad {
 /// is along the rows.
 struct LandFilmProblem {
   surface::HeightMap surface;              ///< sum of both surfaces, about its mean plane, away from the liner
-  double width = 0;                        ///< of the land along the motion [m]
+  double width = 0;                        ///< width of the land along the motion [m]
   double speed = 0;                        ///< [m/s]
   double viscosity = 0;                    ///< [Pa s]
   double ambient_pressure = 101325;        ///< at both edges of the land, absolute [Pa]
   double cavitation_pressure = 0;          ///< absolute, not above ambient [Pa]
-  film::Ends sides = film::Ends::kClosed;  ///< of a patch: its mirror images follow, or, joined, the map again
+  film::Ends sides = film::Ends::kClosed;  ///< sides of a patch: its mirror images follow, or, joined, the map again
   int patches = 4;                         ///< at most
-  std::vector<double> separations;         ///< of the mean planes [m]
+  std::vector<double> separations;         ///< distances of the mean planes [m]
 };
 
 /// What the film does at one separation: means over the patches, and their standard deviation.

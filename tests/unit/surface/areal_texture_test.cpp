@@ -34,7 +34,7 @@ TEST(ArealTexture, CrossedWavesHaveTheirClosedLengths) {
   const HeightMap map =
       map_of(256, 256, 1e-6, 1e-6, [&](double x, double y) { return 1e-7 * (std::sin(k * x) + std::cos(k * y)); });
   // r = (cos k x + cos k y)/2 falls to 0.2 first along the diagonal, at sqrt(2) acos(0.2)/k, last along the axes, at
-  // acos(-0.6)/k. 2 %: pairs of points that are no whole waves, and straight lines between shifts of a step.
+  // acos(-0.6)/k. 2 %: pairs of points apart by other than whole waves, and straight lines between shifts of a step.
   const AutocorrelationLengths lengths = autocorrelation_lengths(map);
   const double shortest = std::numbers::sqrt2 * std::acos(0.2) / k, longest = std::acos(-0.6) / k;
   EXPECT_NEAR(lengths.Sal_m / shortest, 1, 0.02);

@@ -24,6 +24,15 @@ constexpr When kMixture{
 constexpr When kRingInGroove{
     [](const Case& c) { return has_gas_path(c) && c.ring.gas_path.kind == RingKind::kCompression; },
     "gas_path.model = \"orifice-volume\", or for ringfilm gas, and ring.kind = \"compression\""};
+constexpr When kBodyInGroove{
+    [](const Case& c) {
+      return (has_gas_path(c) || c.ring.section.is_stated()) && c.ring.gas_path.kind == RingKind::kCompression;
+    },
+    "gas_path.model = \"orifice-volume\", or for ringfilm gas, or the section of the ring is stated, and ring.kind = "
+    "\"compression\""};
+constexpr When kLandOfRing{
+    [](const Case& c) { return has_gas_path(c) || c.ring.section.is_stated(); },
+    "gas_path.model = \"orifice-volume\", or for ringfilm gas, or the section of the ring is stated"};
 constexpr When kPartOfPack{[](const Case& c) {
                              return has_gas_path(c) || c.ring.gas_path.kind == RingKind::kOil ||
                                     c.stated.contains("ring.kind");
@@ -256,7 +265,7 @@ std::vector<Field> ring_fields() {
              .unit = kMicrometre,
              .range = above(0, 2e-3),
              .need = Need::kOptional,
-             .when = kRingInGroove,
+             .when = kBodyInGroove,
              .help = "clearance of the ring in its groove along the bore's axis",
              .example = "\"50 um\"",
              .uses = {.gas = true}}),
@@ -265,7 +274,7 @@ std::vector<Field> ring_fields() {
              .unit = kMillimetre,
              .range = above(0, 0.02),
              .need = Need::kOptional,
-             .when = kComputedGas,
+             .when = kLandOfRing,
              .help = "radial clearance between the piston lands and the bore",
              .example = "\"0.2 mm\"",
              .uses = {.gas = true}}),
@@ -274,7 +283,7 @@ std::vector<Field> ring_fields() {
              .unit = kGram,
              .range = above(0, 10),
              .need = Need::kOptional,
-             .when = kRingInGroove,
+             .when = kBodyInGroove,
              .help = "mass of the ring; with gas_path.ring_motion = \"axial\" this or ring.density",
              .example = "\"8 g\"",
              .uses = {.gas = true}}),
@@ -283,7 +292,7 @@ std::vector<Field> ring_fields() {
              .unit = si_unit("kg/m3"),
              .range = between(500, 25000),
              .need = Need::kOptional,
-             .when = kRingInGroove,
+             .when = kBodyInGroove,
              .help =
                  "density of the ring, of which its mass is made: times face width, radial thickness and circumference",
              .example = "\"7200 kg/m3\"",

@@ -303,7 +303,7 @@ void append_land_notes(const Setup& setup, const std::vector<Sample>& base, std:
                      "comes, the lift is an upper bound",
                      1});
   }
-  constexpr double kOtherWidth = 0.1;  // of the width; lift is about proportional to it
+  constexpr double kOtherWidth = 0.1;  // share of the width; lift is about proportional to it
   const double face = setup.input.ring.face_width;
   if (std::abs(face / width - 1) > kOtherWidth) {
     notes.push_back({"land-width-differs",

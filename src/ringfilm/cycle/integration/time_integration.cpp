@@ -347,7 +347,7 @@ std::optional<double> TimeIntegration::off_liner(const RingConditions& at) const
 
 /// As far beyond the reach of asperities.
 double TimeIntegration::separation_off_liner(double distance) const {
-  constexpr double kNothingTouches = 10;  // of a Gaussian surface, over its roughness [-]
+  constexpr double kNothingTouches = 10;  // distance of Gaussian surfaces, over their roughness [-]
   constexpr double kSmoothRing = 1e-6;    // [m]
   const models::AsperityContact* contact = problem().contact;
   const double reach =

@@ -67,7 +67,7 @@ struct Sample {
   double gas_holding_margin = 0;
   double peak_shear_rate = 0;        ///< largest along the face [1/s]
   double max_local_deformation = 0;  ///< by which face and liner are pressed apart at most, over their edges [m]
-  double twist = 0;                  ///< of the section, positive with the face towards the chamber [rad]
+  double twist = 0;                  ///< twist of the section, positive with the face towards the chamber [rad]
   double newton_iterations = 0;      ///< spent on the way here from the crank step before
   double crank_sub_steps = 0;        ///< steps taken on that way
   double fallbacks = 0;              ///< bracketed searches and shorter steps that were needed on it

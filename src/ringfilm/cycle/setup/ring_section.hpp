@@ -44,7 +44,7 @@ struct SectionValues {
   models::SectionArea area;
   models::PrincipalAxes axes;
   models::TorsionConstant torsion;
-  double centroid_radius = 0;             ///< of the ring in the bore [m]
+  double centroid_radius = 0;             ///< radius of the centroid of the ring in the bore [m]
   double twist_stiffness = 0;             ///< K of the closed ring [N m/rad]
   std::optional<double> assembly_couple;  ///< per length, that would hold the closed ring flat; nothing: no tension [N]
   std::optional<double> assembly_twist;   ///< twist by closing the ring; nothing: no tension is stated [rad]

@@ -71,7 +71,7 @@ struct RingSetup {
   film::FactorLaws factors;                           ///< flow factors of the ring's film
   std::optional<models::TwistingRing> twisting = {};  ///< section that turns over the cycle; nothing: it does not
   double mass = 0;                       ///< mass of a ring that twists; 0: not known, without inertia [kg]
-  models::RadialCollapse collapse = {};  ///< of the ring, where gas presses it off the liner
+  models::RadialCollapse collapse = {};  ///< what the ring does that gas presses off the liner
   std::shared_ptr<const models::LandLift> land = nullptr;  ///< lift of the honing; nullptr: none
 };
 

@@ -19,7 +19,7 @@ struct MenisciBalance {
   double excess = 0;
   double film_mass = 0;  ///< oil between the menisci [kg/m]
   /// Place up to which the film bears pressure, of the end that leaves: its meniscus, or before it where the pressure
-  /// would fall below that of the gas (eq-outlet) [m]
+  /// would fall below that of the gas (eq-menisci-outlet) [m]
   double outlet = 0;
   double peak_pressure = 0;  ///< highest at a point [Pa]
   /// Of a dry throat: film that arrives, and the largest that passes without a full film [m].

@@ -53,7 +53,7 @@ class Dissection {
 /// A face between two nodes: what motion and pressure drive through it.
 struct Face {
   int left, right;     // nodes
-  double conductance;  // of a unit of both K, per length of the other direction
+  double conductance;  // conductance for K = 1 on both sides, per length of the other direction
   double carried;      // gap that the wall carries oil through; 0: the wall does not move across it [m]
   double weight;       // length of the face [m]
 };

@@ -12,13 +12,13 @@ namespace ringfilm::instrument {
 struct LandAnalysis {
   surface::Preparation preparation;  ///< form and filters of each map, before both are added
   surface::MapEdges edges = surface::MapEdges::mirrored;
-  double width = 0;                   ///< of the land along the motion, that is, along the rows [m]
+  double width = 0;                   ///< width of the land along the motion, that is, along the rows [m]
   double speed = 0;                   ///< [m/s]
   double viscosity = 0;               ///< [Pa s]
   double ambient_pressure = 101325;   ///< at both edges, absolute [Pa]
   double cavitation_pressure = 0;     ///< absolute [Pa]
-  int patches = 4;                    ///< of the map, at most
-  std::vector<double> separations_m;  ///< of the mean planes, in the order of the table
+  int patches = 4;                    ///< number of patches of the map, at most
+  std::vector<double> separations_m;  ///< distances of the mean planes, in the order of the table
 };
 
 /// Lift and friction of a flat land on a liner: table, curves, fit. Throws InputError where the maps do not suit each

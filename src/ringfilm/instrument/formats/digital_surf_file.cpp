@@ -65,7 +65,7 @@ struct Header {
   std::size_t point_bytes = 0;
   std::size_t comment = 0;              ///< size of the text behind the header [byte]
   std::size_t data = 0;                 ///< offset of the first height, or of the table of packed streams
-  std::optional<PackedHeights> packed;  ///< of a compressed file
+  std::optional<PackedHeights> packed;  ///< heights of a compressed file
   std::vector<Doubt> doubts;            ///< what the file holds besides the heights
   double step_x = 0, step_y = 0, step_z = 0, offset_z = 0;
   std::string unit_x, unit_y, unit_z;
@@ -103,7 +103,7 @@ constexpr int kLayered[] = {8, 11, 16};
 
 bool is_layered(int type) { return std::find(std::begin(kLayered), std::end(kLayered), type) != std::end(kLayered); }
 
-/// What follows the heights: layers of their kind, or bytes of which the header says nothing. Whole rows of a single
+/// What follows the heights: layers of their kind, or bytes that the header does not describe. Whole rows of a single
 /// map are heights that its header does not count.
 void doubt_tail(const BinaryReader& in, std::size_t end, int type, Header& header) {
   if (end >= in.size()) return;

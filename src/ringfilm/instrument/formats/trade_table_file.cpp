@@ -25,7 +25,7 @@ constexpr int kMaxHeadOfTrade = 200;
 struct TradeHead {
   std::string format;
   int last_line = 0;  ///< behind which the numbers begin, from 1
-  std::string unit;   ///< of the heights; may be empty
+  std::string unit;   ///< unit of the heights; may be empty
   double height_factor = 1;
   double step_x = 0, step_y = 0;
   std::string step_unit;

@@ -63,7 +63,7 @@ struct X3pAxis {
 struct Description {
   std::string path;
   std::string folder;     ///< folder of main.xml in the archive, with its slash
-  X3pFloatScale heights;  ///< of heights of the types F and D
+  X3pFloatScale heights;  ///< scale of heights of the types F and D
   std::vector<Doubt> doubts;
   X3pAxis x, y, z;
   std::size_t points_x = 0, points_y = 0, layers = 1;

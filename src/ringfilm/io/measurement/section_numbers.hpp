@@ -10,7 +10,7 @@ namespace ringfilm::io {
 
 /// A value of the section of a ring: one number, or those of its axes in their order.
 struct SectionNumbers {
-  std::string name;           ///< of the key in JSON
+  std::string name;           ///< name of the key in JSON
   std::string unit;           ///< SI
   std::vector<double> value;  ///< a single number, (axial, radial) or (axial, radial, product)
 };

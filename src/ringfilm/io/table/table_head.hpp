@@ -73,9 +73,9 @@ struct TableHead {
   char separator = ',';
   std::vector<Heading> columns;  ///< empty where nothing names them
   std::optional<TextLines::Line> header, units;
-  StatedUnits stated_units;  ///< of the row of units
+  StatedUnits stated_units;  ///< units of the row of units
   std::vector<TextLine> comments, skipped;
-  TextLines rows{std::string_view()};  ///< stands in front of the first row
+  TextLines rows{std::string_view()};  ///< begins in front of the first row
 };
 
 /// A head that cannot be read.
@@ -88,7 +88,7 @@ class HeadFault : public std::runtime_error {
   std::string remedy;
 };
 
-/// @param lines stands where the table, its comments included, begins
+/// @param lines begins where the table, its comments included, does
 TableHead table_head(TextLines lines, TableHeader rule, const TableReading& stated);
 
 }  // namespace ringfilm::io

@@ -80,7 +80,7 @@ std::optional<double> number_of(std::string_view cell, bool decimal_commas) {
     char* const comma = std::find(turned, end, ',');
     if (comma != end) *comma = '.';
   }
-  // 1.0D-3 of Fortran: an exponent stands behind a digit or a point.
+  // 1.0D-3 of Fortran: an exponent follows a digit or a point.
   char* const power = std::find_if(turned, end, [](char c) { return c == 'd' || c == 'D'; });
   if (power != end && power != turned && (is_digit(power[-1]) || power[-1] == '.')) *power = 'e';
   const std::optional<double> value = whole_number_of({turned, static_cast<std::size_t>(end - turned)});

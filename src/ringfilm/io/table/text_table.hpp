@@ -87,7 +87,7 @@ std::vector<TextTable> read_text_tables(const std::string& file, std::string_vie
 
 /// How a text begins.
 struct TextOutline {
-  int line = 0;                      ///< of the first line that is neither blank nor a comment, from 1
+  int line = 0;                      ///< number of the first line that is neither blank nor a comment, from 1
   std::string words;                 ///< that line
   bool starts_with_numbers = false;  ///< is the first cell of that line a number, or missing?
   std::vector<Heading> columns;      ///< names in that line, or in the header right above the first numbers

@@ -5,7 +5,7 @@
 /// Units of the trade that a table or a formula converts, not a factor: HRC, SUS, degrees Engler.
 namespace ringfilm::io {
 
-/// The value in `si_unit` of a number in one of these units; nothing where `unit` is none of them or measures something
+/// The value in `si_unit` of a number in one of these units; nothing where `unit` is another one or measures something
 /// else. Throws UnitError for a number outside the range of the conversion.
 ///
 /// HRC [Pa]: Vickers hardness of steels that are not austenitic after @cite astm_e140, 20 to 68 HRC, straight between

@@ -17,7 +17,7 @@ struct SourceText {
   std::string text;                ///< UTF-8 without byte-order mark, line ends "\n"
   std::vector<std::string> lines;  ///< lines of `text`
   std::string sha256;              ///< SHA-256 of the bytes in the file
-  std::string encoding;            ///< of a file that is not UTF-8: "UTF-16", "Windows-1252"; else empty
+  std::string encoding;            ///< encoding of a file that is not UTF-8: "UTF-16", "Windows-1252"; else empty
   bool has_byte_order_mark = false;
 
   /// The place in this file; line and column count from 1.

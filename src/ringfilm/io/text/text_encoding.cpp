@@ -21,7 +21,7 @@ class Conversion {
   Conversion(const Conversion&) = delete;
   Conversion& operator=(const Conversion&) = delete;
 
-  /// The bytes as UTF-8; nothing where the library does not know the encoding, or the bytes are not in it.
+  /// The bytes as UTF-8; nothing where the library lacks the encoding, or the bytes are not in it.
   std::optional<std::string> operator()(std::string_view bytes) {
     if (!is_open()) return std::nullopt;
     std::string input(bytes), text(3 * bytes.size() + 4, '\0');  // a unit of two bytes becomes three at the most

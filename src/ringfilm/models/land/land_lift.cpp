@@ -31,7 +31,7 @@ LandTable checked(LandTable table) {
     }
     if (!is_first && !(table.lift[k] < table.lift[k - 1])) {
       throw InputError("the lift of the land table does not fall with the separation",
-                       "more --patches make it smoother; leave out the separations at which it rises");
+                       "more --patches make it smoother; omit the separations at which it rises");
     }
   }
   if (!(table.speed_viscosity > 0)) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kUnit = 1e6;          // the index takes mm2/s
 constexpr double kIndexShift = 0.8;    // [mm2/s]
-constexpr double kWaterDensity = 970;  // that of 80 degC; 2 % either way from 20 to 120 degC [kg/m3]
+constexpr double kWaterDensity = 970;  // at 80 degC; 2 % either way from 20 to 120 degC [kg/m3]
 
 double blending_index(double nu) { return std::log(std::log(nu * kUnit + kIndexShift)); }
 

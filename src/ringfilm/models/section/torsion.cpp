@@ -93,8 +93,8 @@ Shape shape_at(const std::array<double, 3>& at, const Eigen::Matrix<double, 3, 2
 /// Both problems of torsion have the same matrix.
 struct Assembled {
   std::vector<Eigen::Triplet<double>> matrix;
-  Eigen::VectorXd of_stress;   ///< of the stress function: 2 times the integral of each shape function
-  Eigen::VectorXd of_warping;  ///< of the warping function: integral of slope times (r, -a)
+  Eigen::VectorXd of_stress;   ///< right-hand side of the stress function: 2 times the integral of each shape function
+  Eigen::VectorXd of_warping;  ///< right-hand side of the warping function: integral of slope times (r, -a)
   double polar = 0;            ///< polar second moment
 };
 

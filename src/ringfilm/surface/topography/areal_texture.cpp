@@ -15,9 +15,9 @@ namespace ringfilm::surface {
 namespace {
 
 constexpr std::size_t kMinPointsOfTexture = 16;
-constexpr double kDecay = 0.2;            // of the autocorrelation, the usual value of the standard
+constexpr double kDecay = 0.2;            // decay of the autocorrelation, the usual value of the standard
 constexpr int kRays = 360;                // directions in which it is followed, over half a turn
-constexpr int kAngles = 180;              // of the angular spectrum, one a degree
+constexpr int kAngles = 180;              // angles of the spectrum, one a degree
 constexpr int kMinWaves = 4;              // over a side: coarser waves have no direction
 constexpr int kSmoothing = 2;             // angles to both sides
 constexpr int kApart = 10;                // least angle between two lays [degree]
