@@ -127,7 +127,7 @@ struct FilmInputs {
   std::shared_ptr<const FlowFactors> factors;  ///< nullptr: none
   double h_m_before = 0;  ///< film by which the narrowest stretch of the gap is found (GasReach); 0: unknown [m]
   BrokenFilm broken = BrokenFilm::kFreeSurface;
-  double surface_tension = 0;  ///< tension of the meniscus behind the film (eq-outlet); 0: it leaves half of the gap [N/m]
+  double surface_tension = 0;  ///< oil against gas (eq-outlet); 0: half of the gap is left [N/m]
   std::optional<int> crest;    ///< node up to which a full film keeps the gases of both edges apart (GasReach)
   Fallback fallback = Fallback::kSearch;
   /// Mass that appears per length and time, at the nodes; empty: none. For manufactured solutions [kg/(m2 s)].

@@ -1,5 +1,7 @@
 #include "ringfilm/case/keys/case_fields.hpp"
 
+#include <algorithm>
+
 #include "ringfilm/case/keys/case_fields_table.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 
@@ -96,8 +98,11 @@ std::vector<Field> all_fields() {
   append_thermal_fields(fields);
   append_gas_fields(fields);
   append_gas_composition_fields(fields);
-  append_section_fields(fields);  // keys of [ring], whose tables follow
   append_ring_fields(fields);
+  std::vector<Field> of_section;
+  append_section_fields(of_section);
+  const auto is_first_of_face = [](const Field& one) { return one.key == "ring.face.form"; };
+  fields.insert(std::find_if(fields.begin(), fields.end(), is_first_of_face), of_section.begin(), of_section.end());
   append_gas_path_fields(fields);
   append_contact_fields(fields);
   append_measured_fields(fields);
