@@ -111,12 +111,8 @@ const std::string kHeads = "crank_angle [degree],pressure [bar]";
 
 TEST(TraceKeys, RefuseATraceAsACaseDoes) {
   auto rows = bell();
-  std::reverse(rows.begin(), rows.end());
-  EXPECT_THAT(reported(kHeads, rows), HasSubstr("p.csv:3:1: the crank angle falls from 358 to 356 degree"));
-  rows = bell();
   rows.insert(rows.begin() + 5, rows[4]);
   EXPECT_THAT(reported(kHeads, rows), HasSubstr("the crank angle -352 degree comes twice"));
-  EXPECT_THAT(reported(kHeads, bell(-360, 1078)), HasSubstr("the crank angles span 1438 degree"));
   EXPECT_THAT(reported(kHeads, bell(-360, 358, 1e-3)), HasSubstr("the highest pressure of the trace is 0.0412 bar"));
   EXPECT_THAT(reported(kHeads, bell(-360, 358, 1e5)), HasSubstr("the highest pressure of the trace is 4.12e+06 bar"));
   EXPECT_THAT(reported("crank_angle [degree],pressure [mm]", bell()),
