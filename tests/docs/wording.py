@@ -36,6 +36,7 @@ RULES = [
     (r"(?<!\bdata )(?<!\bstyle )\bsheets?\b", "two-dimensional (unrolled) film"),
     (r"\bmarch(es|ed|ing)?\b", "time integration; integrate, step"),
     (r"\bfilm parameters?\b", "lambda ratio"),
+    (r"(?<!\bpiston )(?<!\bsecond )\bland\b(?! on\b| \d| \\?\")", "running surface; core"),
     (r"\bdrive of wear\b", "Archard wear load"),
     (r"\bmade surfaces?\b", "synthetic surface"),
     (r"\bbearing curves?\b", "material ratio curve"),
@@ -50,6 +51,10 @@ RULES = [
 EXCEPTIONS = [
     (r"^(tests|benchmarks|cases|examples)/", r"(?i)//[/!]?<? ?(of|that of|the same|likewise|as above)\b"),
     (r"^tests/docs/wording\.py$", r""),
+    (r"^(verification|tests/unit/(pad|film))/", r"(?i)\bland\b"),  # of a step bearing
+    (r"(^|/)\w*land\w*\.\w+$", r"(?i)\bland\b"),  # the flat land of an oil ring, and its lift
+    (r"", r"(?i)\bland\b.*(lift|hon)|(lift|hon).*\bland\b|`land\b|land\.(md|nc)|ringfilm land\b"),
+    (r"", r"\bland-(law|width|load)|guide/land|\bflat land\b|\bno land\b|\bland (that was|as wide)|\"land\""),
     (r"^docs/glossary\.md$", r"^\| (`lambda_ratio`|running surface) \|"),  # synonyms
     (r"^tests/cli/face_test\.py$", r"--land-height|--levelling"),  # names of an earlier version
     (r"^src/ringfilm/base/renamed\.hpp$", r"^ +\{\""),

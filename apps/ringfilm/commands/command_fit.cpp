@@ -96,19 +96,9 @@ them. docs/manual/fit.md describes the file.
 )";
 
 void declare_fit(CommandOptions& add, InverseRequest& request) {
-  add.text("FIT.toml", request.path, "", "file of the fit")->required();
-  const CLI::Option* output = add.text("-o,--output", request.output, "OUT", "folder for results (default ./<fit>)");
-  add.flag("--json", request.json, "print the fit as JSON, SI units, instead of the table");
-  add.flag("--resume", request.resume, "continue with the cases that are there; this is always done");
-  add.flag("--overwrite", request.overwrite, "compute all cases anew");
-  add_threads(add, request.threads);
-  add.rule([=, &request](Faults&) {
-    if (request.resume && request.overwrite) {
-      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew",
-                       "keep one of the two");
-    }
-    if (!is_stated(output)) request.output = std::filesystem::path(request.path).stem().string();
-  });
+  declare_inverse(add, request,
+                  {"FIT.toml", "file of the fit", "folder for results (default ./<fit>)",
+                   "print the fit as JSON, SI units, instead of the table"});
 }
 
 }  // namespace

@@ -128,19 +128,9 @@ file.
 )";
 
 void declare_optimise(CommandOptions& add, InverseRequest& request) {
-  add.text("OPT.toml", request.path, "", "file of the optimisation")->required();
-  const CLI::Option* output = add.text("-o,--output", request.output, "OUT", "folder for results (default ./<file>)");
-  add.flag("--json", request.json, "print the optimisation as JSON, SI units, instead of the table");
-  add.flag("--resume", request.resume, "continue with the cases that are there; this is always done");
-  add.flag("--overwrite", request.overwrite, "compute all cases anew");
-  add_threads(add, request.threads);
-  add.rule([=, &request](Faults&) {
-    if (request.resume && request.overwrite) {
-      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew",
-                       "keep one of the two");
-    }
-    if (!is_stated(output)) request.output = std::filesystem::path(request.path).stem().string();
-  });
+  declare_inverse(add, request,
+                  {"OPT.toml", "file of the optimisation", "folder for results (default ./<file>)",
+                   "print the optimisation as JSON, SI units, instead of the table"});
 }
 
 }  // namespace

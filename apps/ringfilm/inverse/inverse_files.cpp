@@ -6,8 +6,25 @@
 #include <filesystem>
 
 #include "ringfilm/base/error.hpp"
+#include "text/shared_options.hpp"
 
 namespace ringfilm::app {
+
+void declare_inverse(CommandOptions& add, InverseRequest& request, const InverseWords& words) {
+  add.text(words.file, request.path, "", words.meaning)->required();
+  const CLI::Option* output = add.text("-o,--output", request.output, "OUT", words.output);
+  add.flag("--json", request.json, words.printed);
+  add.flag("--resume", request.resume, "continue with the cases that are there; this is always done");
+  add.flag("--overwrite", request.overwrite, "compute all cases anew");
+  add_threads(add, request.threads);
+  add.rule([=, &request](Faults&) {
+    if (request.resume && request.overwrite) {
+      throw InputError("--resume keeps the cases that are there, --overwrite computes them anew",
+                       "keep one of the two");
+    }
+    if (!is_stated(output)) request.output = std::filesystem::path(request.path).stem().string();
+  });
+}
 
 std::string prepared_store(const InverseRequest& request) {
   namespace fs = std::filesystem;

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "command_options.hpp"
 #include "ringfilm/run/inverse/run_inverse.hpp"
 #include "stop_request.hpp"
 
@@ -15,6 +16,16 @@ struct InverseRequest {
   bool json = false;
   bool resume = false, overwrite = false;
 };
+
+/// Words of their help.
+struct InverseWords {
+  const char* file;     ///< name of the file that the command reads, "FIT.toml"
+  const char* meaning;  ///< what that file is
+  const char* output;   ///< meaning of the folder
+  const char* printed;  ///< meaning of --json
+};
+/// The options of both commands.
+void declare_inverse(CommandOptions& add, InverseRequest& request, const InverseWords& words);
 
 /// Makes the folder of the output and, to overwrite, removes the points in it. Throws OutputError.
 /// @returns the file of the points

@@ -87,7 +87,7 @@ TEST(GasPath, TheFaceIsAChannelAroundTheBore) {
   EXPECT_DOUBLE_EQ(network.face_opening(0, 719.5, pressure), 0.5e-6);
 }
 
-// A weak second ring whose land above fills slowly: sealed, the gas below would press it off by bars.
+// A weak second ring whose piston land above fills slowly: sealed, the gas below would press it off by bars.
 TEST(GasPath, ARingThatGasPressesOffTheLinerOpensLikeAValve) {
   Pack pack = two_ring_pack();
   pack.rings[0].gap_area = 2e-8;

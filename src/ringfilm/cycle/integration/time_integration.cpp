@@ -104,6 +104,7 @@ TimeIntegration::TimeIntegration(const Setup& setup, const PlaceOnLiner& place) 
 RingConditions TimeIntegration::conditions(double from_deg, double to_deg, double time_step) const {
   RingConditions at = ring_conditions(setup_, to_deg, time_step, heat_);
   if (liner_oil_) liner_oil_->limit(at, from_deg, to_deg);
+  at.off_liner = off_liner(at);
   return at;
 }
 
@@ -335,8 +336,8 @@ void TimeIntegration::forget_past() {
 std::optional<double> TimeIntegration::off_liner(const RingConditions& at) const {
   const film::FilmInputs& inputs = at.inputs;
   if (!inputs.has_gas() || !film_.has_simple_gap()) return std::nullopt;
-  const double width = problem().grid.width, pressing = inputs.mean_pressure(problem().grid);
   if (is_lifted_) return 0;
+  const double width = problem().grid.width, pressing = inputs.mean_pressure(problem().grid);
   if (std::max(inputs.left.pressure, inputs.right.pressure) < pressing) return std::nullopt;
   film::FilmInputs now = inputs;
   now.h_m_before = state_.h_m;
@@ -368,11 +369,7 @@ void TimeIntegration::propose() {
     forget_past();
   }
   // Nor where the ring comes down on the liner, or is off it.
-  step_.at.off_liner = off_liner(step_.at);
-  if (is_off_liner() || instant_.at.off_liner) {
-    forget_past();
-    step_.at.off_liner = off_liner(step_.at);
-  }
+  if (is_off_liner() || instant_.at.off_liner) forget_past();
   // A step that can be shortened is not searched for: most films that Newton's method misses change fast.
   if (adaptive() && step_.ticks > kSearchedTicks) step_.at.inputs.fallback = film::Fallback::kNone;
   if (step_.at.axis != axis_) {
@@ -512,7 +509,6 @@ Instant TimeIntegration::side_step(double crank_angle_deg, film::FilmState& to) 
       if (at.axis != axis) turn(to);
       axis = at.axis;
       side_before_ = to;
-      at.off_liner = off_liner(at);
       if (at.off_liner) to.h_m = separation_off_liner(*at.off_liner);
       report = solve_film(at, side_before_, to);
       if (!report.converged) break;

@@ -20,7 +20,8 @@ struct TraceColumns {
   std::optional<std::string> pressure_unit, angle_unit;  ///< for a header without units
   cycle::PressureReference reference{};
   TracePlace place = TracePlace::kCylinder;
-  std::optional<std::string> cycle{};  ///< which of several: "mean", "median" or its number; their mean where not stated
+  std::optional<std::string>
+      cycle{};  ///< which of several: "mean", "median" or its number; their mean where not stated
   TableReading table{};
 };
 

@@ -129,70 +129,69 @@ void FitResiduals::put_nuisances(const VectorXd& x, const ModelOutput& output, M
   }
 }
 
-std::optional<MatrixXd> FitResiduals::jacobian(const VectorXd& x) const {
+/// The model at the unknowns and, parameter by parameter and step by step, to the left and right of them.
+FitResiduals::Stencil FitResiduals::stencil(const VectorXd& x, const std::vector<double>& steps) const {
   std::vector<std::vector<double>> places = {places_in(x, n_parameters())};
-  std::vector<VectorXd> at = {x};
+  Stencil all;
+  all.at = {x};
   for (std::size_t j = 0; j < n_parameters(); ++j) {
-    const auto [left, right] = difference_about(x[static_cast<Index>(j)], kStep);
-    for (const double place : {left, right}) {
-      at.push_back(x);
-      at.back()[static_cast<Index>(j)] = place;
-      places.push_back(places_in(at.back(), n_parameters()));
+    for (const double step : steps) {
+      const auto [left, right] = difference_about(x[static_cast<Index>(j)], step);
+      for (const double place : {left, right}) {
+        all.at.push_back(x);
+        all.at.back()[static_cast<Index>(j)] = place;
+        places.push_back(places_in(all.at.back(), n_parameters()));
+      }
     }
   }
-  const std::vector<std::optional<ModelOutput>> outputs = model_(places);
-  if (!outputs.front()) return std::nullopt;
+  all.outputs = model_(places);
+  return all;
+}
+
+/// Where the case beside has no solution the difference is one-sided.
+std::optional<FitResiduals::Pair> FitResiduals::pair(const Stencil& all, std::size_t index, Index column) const {
+  const std::size_t first = 1 + 2 * index;
+  const std::size_t left = all.outputs[first] ? first : 0, right = all.outputs[first + 1] ? first + 1 : 0;
+  if (left == right) return std::nullopt;
+  const double width = all.at[right][column] - all.at[left][column];
+  return Pair{*all.outputs[left], *all.outputs[right], width,
+              (of_output(all.at[right], *all.outputs[right]) - of_output(all.at[left], *all.outputs[left])) / width};
+}
+
+std::optional<MatrixXd> FitResiduals::jacobian(const VectorXd& x) const {
+  const Stencil all = stencil(x, {kStep});
+  if (!all.outputs.front()) return std::nullopt;
   MatrixXd jacobian(n_measured_ + n_priors_, n_unknowns());
   for (std::size_t j = 0; j < n_parameters(); ++j) {
-    // Where the case beside has no solution the difference is one-sided.
-    const std::size_t left = outputs[1 + 2 * j] ? 1 + 2 * j : 0, right = outputs[2 + 2 * j] ? 2 + 2 * j : 0;
-    if (left == right) return std::nullopt;
     const auto column = static_cast<Index>(j);
-    jacobian.col(column) = (of_output(at[right], *outputs[right]) - of_output(at[left], *outputs[left])) /
-                           (at[right][column] - at[left][column]);
+    const std::optional<Pair> about = pair(all, j, column);
+    if (!about) return std::nullopt;
+    jacobian.col(column) = about->quotient;
   }
-  put_nuisances(x, *outputs.front(), jacobian);
+  put_nuisances(x, *all.outputs.front(), jacobian);
   return jacobian;
 }
 
 std::optional<Derivatives> FitResiduals::derivatives(const VectorXd& x) const {
   // Central differences with a step and twice as much: their difference is three times the error of the first.
-  std::vector<std::vector<double>> places = {places_in(x, n_parameters())};
-  std::vector<VectorXd> at = {x};
-  for (std::size_t j = 0; j < n_parameters(); ++j) {
-    for (const double step : {kStep, 2 * kStep}) {
-      const auto [left, right] = difference_about(x[static_cast<Index>(j)], step);
-      for (const double place : {left, right}) {
-        at.push_back(x);
-        at.back()[static_cast<Index>(j)] = place;
-        places.push_back(places_in(at.back(), n_parameters()));
-      }
-    }
-  }
-  const std::vector<std::optional<ModelOutput>> outputs = model_(places);
-  if (!outputs.front()) return std::nullopt;
+  const Stencil all = stencil(x, {kStep, 2 * kStep});
+  if (!all.outputs.front()) return std::nullopt;
   Derivatives found;
   found.of_residuals.resize(n_measured_ + n_priors_, n_unknowns());
-  const auto n_predicted = static_cast<Index>(outputs.front()->predicted.size());
+  const auto n_predicted = static_cast<Index>(all.outputs.front()->predicted.size());
   found.of_predicted.resize(n_predicted, static_cast<Index>(n_parameters()));
   double error = 0;
   for (std::size_t j = 0; j < n_parameters(); ++j) {
     const auto column = static_cast<Index>(j);
-    std::vector<VectorXd> quotients;
-    for (const std::size_t first : {1 + 4 * j, 3 + 4 * j}) {
-      const std::size_t left = outputs[first] ? first : 0, right = outputs[first + 1] ? first + 1 : 0;
-      if (left == right) return std::nullopt;
-      const double width = at[right][column] - at[left][column];
-      quotients.push_back((of_output(at[right], *outputs[right]) - of_output(at[left], *outputs[left])) / width);
-      if (quotients.size() > 1) continue;
-      const Eigen::Map<const VectorXd> high(outputs[right]->predicted.data(), n_predicted),
-          low(outputs[left]->predicted.data(), n_predicted);
-      found.of_predicted.col(column) = (high - low) / width;
-    }
-    error += (quotients[1] - quotients[0]).squaredNorm();
-    found.of_residuals.col(column) = quotients[0];
+    const std::optional<Pair> near = pair(all, 2 * j, column), far = pair(all, 2 * j + 1, column);
+    if (!near || !far) return std::nullopt;
+    const Eigen::Map<const VectorXd> high(near->right.predicted.data(), n_predicted),
+        low(near->left.predicted.data(), n_predicted);
+    found.of_predicted.col(column) = (high - low) / near->width;
+    error += (far->quotient - near->quotient).squaredNorm();
+    found.of_residuals.col(column) = near->quotient;
   }
-  put_nuisances(x, *outputs.front(), found.of_residuals);
+  put_nuisances(x, *all.outputs.front(), found.of_residuals);
   found.error = std::sqrt(error);
   return found;
 }

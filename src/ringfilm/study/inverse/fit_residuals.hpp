@@ -58,6 +58,20 @@ class FitResiduals {
   LeastSquares problem() const;
 
  private:
+  struct Stencil {
+    std::vector<Eigen::VectorXd> at;  ///< unknowns; the first are those in the middle
+    std::vector<std::optional<ModelOutput>> outputs;
+  };
+  Stencil stencil(const Eigen::VectorXd& x, const std::vector<double>& steps) const;
+  /// A difference of the stencil.
+  struct Pair {
+    const ModelOutput &left, &right;
+    double width;              ///< by which the parameter differs
+    Eigen::VectorXd quotient;  ///< difference of the residuals over the width
+  };
+  /// Nothing where neither case beside has a solution. @param index among the pairs @param column of the parameter
+  std::optional<Pair> pair(const Stencil& all, std::size_t index, Eigen::Index column) const;
+
   /// All residuals of an output of the model, which may belong to other nuisances.
   Eigen::VectorXd of_output(const Eigen::VectorXd& x, const ModelOutput& output) const;
   SeriesErrors errors_of(std::size_t series, const Eigen::VectorXd& x) const;

@@ -109,6 +109,14 @@ std::vector<std::pair<double, double>> bell(double from = -360, double to = 358,
 
 const std::string kHeads = "crank_angle [degree],pressure [bar]";
 
+// Angles that fall and cycles behind each other are read; the level of the pressure remains to be asked for.
+TEST(TraceKeys, ReadFallingAnglesAndSeveralCycles) {
+  auto rows = bell();
+  std::reverse(rows.begin(), rows.end());
+  EXPECT_THAT(reported(kHeads, rows), HasSubstr("gas.pressure_reference: absolute or gauge?"));
+  EXPECT_THAT(reported(kHeads, bell(-360, 1078)), HasSubstr("gas.pressure_reference: absolute or gauge?"));
+}
+
 TEST(TraceKeys, RefuseATraceAsACaseDoes) {
   auto rows = bell();
   rows.insert(rows.begin() + 5, rows[4]);
