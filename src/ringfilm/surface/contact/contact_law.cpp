@@ -34,16 +34,6 @@ RoughContact contact_at(const SurfacePair& pair, std::size_t position) {
 
 std::size_t positions_of(const SurfacePair& pair) { return pair.second ? std::max<std::size_t>(pair.shifts, 1) : 1; }
 
-double mean_height(const HeightMap& map) {
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < map.points(); ++i) {
-    if (!map.measured(i)) continue;
-    sum += map.height_m[i];
-    count += 1;
-  }
-  return count > 0 ? sum / count : 0;
-}
-
 /// Largest first: each solution is the first guess of the next.
 std::vector<std::size_t> falling_order(std::span<const double> values) {
   std::vector<std::size_t> order(values.size());

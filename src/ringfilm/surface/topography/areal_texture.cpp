@@ -36,16 +36,6 @@ void check_texture(const HeightMap& map) {
   }
 }
 
-double mean_height(const HeightMap& map) {
-  double sum = 0, count = 0;
-  for (std::size_t i = 0; i < map.points(); ++i) {
-    if (!map.measured(i)) continue;
-    sum += map.height_m[i];
-    count += 1;
-  }
-  return sum / count;
-}
-
 /// Autocorrelation for shifts up to half of the map, each over the pairs of points that it has.
 class Autocorrelation {
  public:

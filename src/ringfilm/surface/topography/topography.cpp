@@ -21,6 +21,16 @@ std::string length_text(double length_m) {
   return text_in(length_m, size < 1e-7 ? kNanometre : size < 1e-3 ? kMicrometre : kMillimetre);
 }
 
+double mean_height(const HeightMap& map) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (!map.measured(i)) continue;
+    sum += map.height_m[i];
+    count += 1;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
 std::size_t measured_points(const HeightMap& map) {
   if (map.missing.empty()) return map.points();
   return map.points() - static_cast<std::size_t>(std::count_if(map.missing.begin(), map.missing.end(),

@@ -33,6 +33,9 @@ void check_map(const HeightMap& map, std::size_t least_points = 1);
 /// How many points have a height.
 std::size_t measured_points(const HeightMap& map);
 
+/// Mean of the heights that were measured; 0 of none [m].
+double mean_height(const HeightMap& map);
+
 /// A length as messages print it, for example "0.25 um".
 std::string length_text(double length_m);
 
