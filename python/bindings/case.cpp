@@ -400,8 +400,8 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       R"(A commented case file to start from, a str, as `ringfilm new` writes it.
 
 engine: "passenger-car", "heavy-duty" or "hydrogen". load: "part" or "full". state: "new", "run-in" or "worn", of the
-surfaces. pack: all rings of the engine in place of the top ring alone. trace: a file of the cylinder pressure, whose columns and
-units are read; what the file does not show is marked MISSING in the text.)");
+surfaces. pack: all rings of the engine in place of the top ring alone. trace: a file of the cylinder pressure, whose
+columns and units are read; what the file does not show is marked MISSING in the text.)");
 }
 
 }  // namespace ringfilm::python

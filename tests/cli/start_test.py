@@ -322,7 +322,7 @@ class OilsTest(StartTest):
         self.with_oil('grade = "SAE 10W-41"\n')
         refused = self.refused("check", "case.toml")
         self.assertIn('no shipped oil has the grade "SAE 10W-41"', refused)
-        self.assertIn('choose one of "SAE 0W-20", "SAE 10W-40"', refused)
+        self.assertIn('choose one of "SAE 0W-12", "SAE 0W-16", "SAE 0W-20", "SAE 0W-8", "SAE 10W-40"', refused)
         self.assertNotIn("lubricant.density is missing", refused)
 
     def test_file_and_grade_together_are_refused_with_both_lines(self):

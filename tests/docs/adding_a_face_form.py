@@ -13,7 +13,7 @@ LAWS = "tests/laws/motion_and_gas_laws_test.cpp"
 CASE = "src/ringfilm/case/"
 KEYS = [CASE + "keys/case_fields_pad.cpp", CASE + "keys/case_fields_ring.cpp"]
 HEADERS = [
-    *(CASE + name for name in ("case.hpp", "case_choices.hpp", "case_face.hpp", "keys/case_fields_table.hpp")),
+    *(CASE + name for name in ("case_choices.hpp", "case_face.hpp", "ring_face.hpp", "keys/case_fields_table.hpp")),
     "src/ringfilm/models/ring.hpp",
 ]
 FACE = "src/ringfilm/models/ring.cpp"

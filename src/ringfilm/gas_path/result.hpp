@@ -119,7 +119,7 @@ struct GasSums {
   std::optional<double> trapped_mass;                       ///< GasPathResult::trapped_mass [kg]
   double mass_defect = 0;                                   ///< GasPathResult::mass_defect [-]
   double periodicity_error = 0;                             ///< GasPathResult::periodicity [-]
-  std::optional<double> fuel_to_crankcase;        ///< flow of fuel into the crankcase, eq-crankcase-flow [kg/s]
+  std::optional<double> fuel_to_crankcase;        ///< flow of fuel into the crankcase, eq-crankcase-shares [kg/s]
   std::optional<double> water_to_crankcase;       ///< flow of water into the crankcase [kg/s]
   std::optional<double> crankcase_fuel_share;     ///< mole share of fuel in the crankcase [-]
   std::optional<double> condensate_in_crankcase;  ///< CompositionResult::condensate_flow [kg/s]

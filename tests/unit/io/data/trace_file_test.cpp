@@ -153,7 +153,7 @@ TEST_F(Trace, RefusesAnUnknownUnitInTheRowOfUnits) {
               HasSubstr("p.csv:2:1: the column crank_angle is dimensionless, not an angle"));
   // Text between the numbers, or below the units, is not a row of units.
   EXPECT_THAT(reported("crank_angle,p\ndeg,3 bar\n0,1\n1,2\n"), HasSubstr("p.csv:2:1: \"deg\" is not a number"));
-  EXPECT_THAT(reported("crank_angle,p\ndeg,bar\ndeg,bar\n1,2\n"), HasSubstr("p.csv: the file has only one row"));
+  EXPECT_THAT(reported("crank_angle,p\ndeg,bar\ndeg,bar\n1,2\n"), HasSubstr("p.csv:3:1: \"deg\" is not a number"));
 }
 
 TEST_F(Trace, RefusesWhatIsNotATraceWithLineAndColumn) {
