@@ -17,6 +17,8 @@ constexpr double kRounding = 1e-12;
 /// Share of its mean speed with which a step of second order ends at the least: one that ends at a dead centre takes up
 /// oil, too [-].
 constexpr double kMinSpeed = 0.02;
+/// Films on the liner that are thinner than this do not matter between smooth surfaces either [m].
+constexpr double kSmooth = 0.1e-6;
 
 }  // namespace
 
@@ -77,6 +79,11 @@ double share_elsewhere(const std::vector<double>& mass_per_area, const std::vect
   return all > 0 ? largest / all : 0.0;
 }
 
+double least_oil(const Setup& setup) {
+  const double roughness = std::max(setup.input.contact.roughness, kSmooth);
+  return setup.ring.oil.density * roughness * setup.input.ring.face_width;
+}
+
 LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
   const double length = below_first_ring + last_ring.engine.crank.stroke() + last_ring.input.ring.face_width;
   const double reach = last_ring.input.supply.reach.value_or(0);
@@ -85,9 +92,10 @@ LinerFilm fresh_liner(const Setup& last_ring, double below_first_ring) {
   return film;
 }
 
-LinerOil::LinerOil(const Setup& setup, const PlaceOnLiner& place)
+LinerOil::LinerOil(const Setup& setup, const film::FilmGrid& grid, const PlaceOnLiner& place)
     : setup_(&setup),
-      face_width_(setup.input.ring.face_width),
+      begin_(0.5 * grid.spacing.front()),
+      end_(grid.width - 0.5 * grid.spacing.back()),
       reach_(place.is_last ? setup.input.supply.reach.value_or(0) : std::numeric_limits<double>::infinity()),
       below_first_ring_(place.below_first_ring),
       film_(place.film ? place.film : std::make_shared<LinerFilm>(fresh_liner(setup, 0))),
@@ -99,8 +107,8 @@ LinerOil::Sweep LinerOil::sweep(double from_deg, double to_deg) const {
     return below_first_ring_ + setup_->engine.crank.position(radians(wrapped(angle)));
   };
   const double from = place(from_deg), to = place(to_deg);
-  if (to < from) return {to, from, to + face_width_, from + face_width_, true};
-  return {from + face_width_, to + face_width_, from, to, false};
+  if (to < from) return {to + begin_, from + begin_, to + end_, from + end_, true};
+  return {from + end_, to + end_, from + begin_, to + begin_, false};
 }
 
 double LinerOil::mass_ahead(const Sweep& swept) const {
@@ -137,7 +145,7 @@ void LinerOil::limit(RingConditions& at, double from_deg, double to_deg, double 
   if (lead.fluid != film::EdgeFluid::kGas) return;
   const double ahead = mass_ahead(swept);
   at.oil_ahead = ahead / swept.length();
-  const double before = of_flow_before * (swept.up ? at_chamber_ : -at_crankcase_);
+  const double before = of_flow_before * passed_.in;
   lead.supply = std::max(ahead + bead_ - before, 0.0) / (at.inputs.time_step * speed);
 }
 
@@ -162,12 +170,18 @@ LinerOil::Account LinerOil::of_last_cycle() const {
 }
 
 double LinerOil::mean(const std::vector<double>& films, double begin, double end, bool below) const {
-  const double shift = below_first_ring_ + (below ? face_width_ : 0);
+  const double shift = below_first_ring_ + (below ? setup_->input.ring.face_width : 0);
   return LinerFilm(film_->cell(), films).mass(begin + shift, end + shift) / (end - begin);
 }
 
-void LinerOil::pass(const RingConditions& at, double from_deg, double to_deg, double of_flow_before,
-                    double from_chamber, double to_crankcase) {
+film::PassedOil LinerOil::passed(const RingConditions& at, double of_flow_before, double from_chamber,
+                                 double to_crankcase) const {
+  const bool up = at.inputs.U > 0;
+  return {of_flow_before * passed_.in + at.inputs.time_step * (up ? from_chamber : -to_crankcase),
+          of_flow_before * passed_.out + at.inputs.time_step * (up ? to_crankcase : -from_chamber)};
+}
+
+void LinerOil::pass(const RingConditions& at, double from_deg, double to_deg, const film::PassedOil& passed) {
   const Sweep swept = sweep(from_deg, to_deg);
   const auto stroke = static_cast<std::size_t>(stroke_at(0.5 * (from_deg + to_deg))) % kStrokes;
   if (swept.up != up_ || !begun_) {
@@ -182,14 +196,11 @@ void LinerOil::pass(const RingConditions& at, double from_deg, double to_deg, do
     }
   }
   const double ahead = mass_ahead(swept);
-  at_chamber_ = of_flow_before * at_chamber_ + at.inputs.time_step * from_chamber;
-  at_crankcase_ = of_flow_before * at_crankcase_ + at.inputs.time_step * to_crankcase;
-  const double taken = swept.up ? at_chamber_ : -at_crankcase_;
-  const double left = swept.up ? at_crankcase_ : -at_chamber_;
+  passed_ = passed;
   account_.replenished += ahead - film_->mass(swept.lead_begin, swept.lead_end);
-  account_.taken += taken;
-  account_.left += left;
-  bead_ += ahead - taken;
+  account_.taken += passed.in;
+  account_.left += passed.out;
+  bead_ += ahead - passed.in;
   const film::EdgeState& lead = swept.up ? at.inputs.left : at.inputs.right;
   if (bead_ < 0 && lead.fluid != film::EdgeFluid::kGas) {
     // An inlet of oil takes more than lies on the liner: that is oil from elsewhere.
@@ -200,7 +211,7 @@ void LinerOil::pass(const RingConditions& at, double from_deg, double to_deg, do
     (up_ ? account_.scraped_up : account_.scraped_down) += bead_;
     bead_ = 0;
   }
-  const double laid = left + owed_;
+  const double laid = passed.out + owed_;
   owed_ = std::min(laid, 0.0);
   for (LinerFilm* film : {film_.get(), &left_}) {
     film->lay(swept.trail_begin, swept.trail_end, std::max(laid, 0.0), swept.up);
@@ -209,7 +220,7 @@ void LinerOil::pass(const RingConditions& at, double from_deg, double to_deg, do
 
 double LinerOil::on_liner(double crank_angle_deg) const {
   const double place = below_first_ring_ + setup_->engine.crank.position(radians(wrapped(crank_angle_deg)));
-  return film_->mass(0, place) + film_->mass(place + face_width_, film_->length()) + std::min(bead_, 0.0) + owed_;
+  return film_->mass(0, place + begin_) + film_->mass(place + end_, film_->length()) + std::min(bead_, 0.0) + owed_;
 }
 
 }  // namespace ringfilm::cycle

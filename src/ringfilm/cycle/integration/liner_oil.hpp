@@ -8,6 +8,7 @@
 #include "ringfilm/cycle/setup/ring_conditions.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
 #include "ringfilm/film/film_state.hpp"
+#include "ringfilm/film/wall_transport.hpp"
 
 /// The oil that lies on the liner and what passes of the ring leave of it (docs/theory/oil-supply.md).
 namespace ringfilm::cycle {
@@ -43,6 +44,9 @@ class LinerFilm {
 /// Scatter from cell to cell, which follows the steps, does not count.
 double share_elsewhere(const std::vector<double>& mass_per_area, const std::vector<double>& other);
 
+/// Oil of which a ring notices no more [kg/m]: as thick as the surfaces are rough, over the width of its face.
+double least_oil(const Setup& setup);
+
 /// Strokes from firing TDC on: power, exhaust, intake, compression.
 inline constexpr std::size_t kStrokes = 4;
 
@@ -65,7 +69,8 @@ struct PlaceOnLiner {
 /// account of all oil. Per length of circumference.
 class LinerOil {
  public:
-  explicit LinerOil(const Setup& setup, const PlaceOnLiner& place = {});
+  /// @param grid of the face, whose first and last cells are passed by what enters and leaves
+  LinerOil(const Setup& setup, const film::FilmGrid& grid, const PlaceOnLiner& place);
 
   /// Does the ring move the other way than in the step before, or for the first time?
   bool turns(double from_deg, double to_deg) const { return !begun_ || sweep(from_deg, to_deg).up != up_; }
@@ -75,11 +80,15 @@ class LinerOil {
   /// The same of a step of second order, eq-supply-of-step. @param of_flow_before as in pass
   void limit(RingConditions& at, double from_deg, double to_deg, double of_flow_before) const;
 
-  /// Takes an accepted step into account, eq-step-flow. @param at with the time step of the scheme
-  /// @param of_flow_before share of what the step before passed; 0 of first order
-  /// @param from_chamber,to_crankcase mass flows in +x from the chamber edge through the edges [kg/(m s)]
-  void pass(const RingConditions& at, double from_deg, double to_deg, double of_flow_before, double from_chamber,
-            double to_crankcase);
+  /// Oil that passes the edges in a step, eq-step-flow: what enters ahead, and what leaves behind.
+  /// @param at with the time step of the scheme  @param of_flow_before share of what the step before passed; 0 of first
+  /// order  @param from_chamber,to_crankcase mass flows in +x from the chamber edge through the edges [kg/(m s)]
+  film::PassedOil passed(const RingConditions& at, double of_flow_before, double from_chamber,
+                         double to_crankcase) const;
+  /// Takes an accepted step into account.
+  void pass(const RingConditions& at, double from_deg, double to_deg, const film::PassedOil& passed);
+  /// By how much the ring moves [m].
+  double way(double from_deg, double to_deg) const { return sweep(from_deg, to_deg).length(); }
 
   /// Films by distance from the TDC position of the first ring, before and after the last passes of this one.
   struct Pass {
@@ -120,15 +129,17 @@ class LinerOil {
   void turn(bool up);
 
   const Setup* setup_;
-  double face_width_, reach_;        ///< [m]
+  /// Where oil passes between liner and film, from the chamber edge: the balance of mass begins and ends halfway along
+  /// the first and the last cell of the face [m].
+  double begin_, end_;
+  double reach_;                     ///< [m]
   double below_first_ring_;          ///< [m]
   std::shared_ptr<LinerFilm> film_;  ///< as all rings have left it
   LinerFilm fresh_;                  ///< as the oil ring leaves it
   LinerFilm left_;                   ///< as this ring leaves it in its present stroke
   double bead_ = 0;                  ///< negative: taken from what the next step sweeps [kg/m]
   double owed_ = 0;                  ///< behind the ring, to be laid by the next step, at most 0 [kg/m]
-  double at_chamber_ = 0;            ///< passed in +x through the chamber edge in the step before [kg/m]
-  double at_crankcase_ = 0;          ///< passed in +x through the crankcase edge in the step before [kg/m]
+  film::PassedOil passed_;           ///< in the step before
   bool up_ = true;
   bool begun_ = false;
   std::array<Pass, kStrokes> passes_;

@@ -98,7 +98,9 @@ const film::EdgeState& crankcase_edge(const RingConditions& at) {
 }  // namespace
 
 TimeIntegration::TimeIntegration(const Setup& setup, const PlaceOnLiner& place) : setup_(setup), film_(setup) {
-  if (setup.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner) liner_oil_.emplace(setup, place);
+  if (setup.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner) {
+    liner_oil_.emplace(setup, film_.across().grid, place);
+  }
 }
 
 RingConditions TimeIntegration::conditions(double from_deg, double to_deg, double time_step) const {
@@ -113,8 +115,15 @@ void TimeIntegration::account_of_oil() {
   if (!liner_oil_) return;
   const film::FilmView view = film::film_view(problem(), step_.at.inputs, candidate_);
   const auto flow = [&](int face) { return film::mass_flux(view, step_.at.inputs, candidate_, face); };
-  liner_oil_->pass(step_.at, angle_deg_, step_.to_deg, step_.of_flow_before, flow(0),
-                   flow(problem().grid.n_cells() - 1));
+  film::PassedOil passed =
+      liner_oil_->passed(step_.at, step_.of_flow_before, flow(0), flow(problem().grid.n_cells() - 1));
+  const bool can_move = film2d() == nullptr && problem().cavitation == film::Cavitation::kMassConserving;
+  oil_moves_ = can_move && step_.at.inputs.has_gas();
+  if (oil_moves_) {
+    moved_ = candidate_;
+    film::move_with_wall(problem(), step_.at.inputs, state_, liner_oil_->way(angle_deg_, step_.to_deg), passed, moved_);
+  }
+  liner_oil_->pass(step_.at, angle_deg_, step_.to_deg, passed);
 }
 
 void TimeIntegration::count(const film::FilmReport& report) {
@@ -202,7 +211,10 @@ bool TimeIntegration::remember_two_films() {
   const double least = problem().kernels->remembered_mass(
       {scheme.of_state, -scheme.of_before, 0, mass.data(), before_.mass_per_area.data(), nullptr},
       static_cast<int>(mass.size()), history_.mass_per_area.data());
-  if (least < 0) return false;
+  if (least < 0 && (!step_.at.inputs.has_gas() || film2d() != nullptr ||
+                    film::spread_debt_in_gas(problem(), step_.at.inputs, history_.mass_per_area) < 0)) {
+    return false;
+  }
   step_.at.inputs.time_step = scheme.time_step;
   step_.of_flow_before = scheme.of_before;
   if (liner_oil_) liner_oil_->limit(step_.at, angle_deg_, step_.to_deg, scheme.of_before);
@@ -482,6 +494,7 @@ void TimeIntegration::conclude(const film::FilmReport& report, StepObserver& way
   instant_ = {wrapped(angle_deg_), step_.at, previous, &state_, effort_, liner_oil_ ? liner_oil_->bead() : 0};
   step_.state_was_turned = step_.is_repeated = is_lifted_ = false;
   waypoints.after_step(*this);
+  if (oil_moves_) std::swap(state_, moved_);
   if (tick_ == kTicks) {
     k_ = (k_ + 1) % steps_per_cycle(setup_.input.solver);
     angle_deg_ = k_ * setup_.input.solver.crank_step_deg;

@@ -209,6 +209,8 @@ class TimeIntegration {
   std::optional<LinerOil> liner_oil_;
   film::FilmState state_, before_, older_, candidate_, side_before_;
   film::FilmState history_;         ///< what a step of second order remembers
+  film::FilmState moved_;           ///< the film as the next step finds it where oil moves with the wall
+  bool oil_moves_ = false;          ///< does it in the step that was solved last?
   Axis axis_ = Axis::kFromChamber;  ///< orientation of `state_` and `before_`
   Fluids fluids_;                   ///< at the edges of `state_`
   bool is_lifted_ = false;          ///< no film of the proposed step carries as little as the load
