@@ -1,6 +1,7 @@
 #include "ringfilm/cycle/approach.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
@@ -28,6 +29,19 @@ double allowed_distance(const Case& c) {
   // The film follows from the oil on the liner, which is not known better.
   const bool follows_liner = c.film.supply_at_inlet() == OilSupply::kFilmOnLiner;
   return follows_liner ? std::max(iterated, c.solver.step_error) : iterated;
+}
+
+void FilmOfCycle::end_cycle() {
+  const std::size_t n = h_m_.size(), n_stroke = n / 4;
+  moved_ = 0;
+  for (std::size_t stroke = 0; stroke < 4; ++stroke) {
+    double sum = 0;
+    for (std::size_t i = stroke * n_stroke; i < (stroke + 1) * n_stroke; ++i) {
+      sum += h_m_[i] > 0 && before_[i] > 0 ? std::abs(std::log(h_m_[i] / before_[i])) : kUnknown;
+    }
+    moved_ = std::max(moved_, sum / static_cast<double>(n_stroke));
+  }
+  before_ = h_m_;
 }
 
 void Approach::add(double distance, double of_film, double allowed, double crank_angle_deg) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "ringfilm/case/case.hpp"
@@ -7,6 +9,26 @@ namespace ringfilm::cycle {
 
 /// By how much the state of a cycle that repeats itself may differ from that of one cycle before [-].
 double allowed_distance(const Case& c);
+
+/// What all cycles to come may change the film in the mean of a stroke, over `solver.step_error` [-].
+inline constexpr double kFilmAhead = 5;
+
+/// The film of a cycle against that of the one before.
+class FilmOfCycle {
+ public:
+  explicit FilmOfCycle(std::size_t n_angles) : h_m_(n_angles), before_(n_angles) {}
+
+  void add(std::size_t angle, double h_m) { h_m_[angle] = h_m; }
+  /// A cycle has ended.
+  void end_cycle();
+  /// By how much the last cycle has changed the film: the mean over a stroke, of the one that changed most [-].
+  double moved() const { return moved_; }
+
+ private:
+  std::vector<double> h_m_, before_;  ///< smallest film thickness, by crank angle; 0: not known [m]
+  double moved_ = kUnknown;
+  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
+};
 
 /// How the state of a cycle approaches, from cycle to cycle, the one that repeats itself.
 class Approach {

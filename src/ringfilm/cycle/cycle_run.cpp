@@ -40,10 +40,10 @@ CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
                  : std::move(setup)),
       shares_liner_(place.film != nullptr),
       place_(std::move(place)),
-      settling_(of_own_liner),
       n_steps_(steps_per_cycle(setup_.input.solver)),
       step_deg_(kCycleDeg / n_steps_),
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
+      film_(static_cast<std::size_t>(n_steps_)),
       integration_(setup_, with_liner(setup_, place_)),
       recorder_(setup_),
       k_(static_cast<int>(std::lround((place_.film ? kStartOfOilDeg : kStartAngleDeg) / step_deg_)) % n_steps_),
@@ -51,7 +51,10 @@ CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
       oil_ahead_(place_.film != nullptr ? kNotKnown : 0),
       approach_(setup_.input) {
   attempt([this] { integration_.start(k_); });
-  if (place_.film && !shares_liner_) settling_.begin(*place_.film);
+  if (place_.film && !shares_liner_) {
+    settling_.emplace(least_oil(setup_) / place_.film->cell(), of_own_liner);
+    settling_->begin(*place_.film);
+  }
 }
 
 template <class Part>
@@ -75,12 +78,14 @@ void CycleRun::conclude(const film::FilmReport& report) {
 void CycleRun::arrived() {
   k_ = (k_ + 1) % n_steps_;
   ++steps_integrated_;
+  film_.add(static_cast<std::size_t>(k_), integration_.instant().state->h_m);
   const int since_start = steps_integrated_ % n_steps_;
   const bool has_oil = place_.film != nullptr;
   const bool is_checked = since_start * step_deg_ <= kCheckedDeg;
   if (has_oil && begins_compression()) {
     CycleRun* const alone = this;
-    if (!shares_liner_) settling_.begin_next_cycle(*place_.film, {&alone, 1});
+    film_.end_cycle();
+    if (!shares_liner_) settling_->begin_next_cycle(*place_.film, {&alone, 1});
   } else if (k_ % check_every_ == 0 && is_checked) {
     compare_with_last_cycle();
   }
@@ -109,8 +114,9 @@ void CycleRun::forget_last_cycle() {
 }
 
 bool CycleRun::oil_repeats() const {
-  const double moves = approach_.takes_unsettled() ? distance_.on_liner : std::max(distance_.on_liner, oil_ahead_);
-  return moves <= setup_.input.solver.step_error;
+  const double allowed = setup_.input.solver.step_error;
+  if (approach_.takes_unsettled()) return distance_.on_liner <= allowed;
+  return std::max(distance_.on_liner, oil_ahead_) <= allowed && film_ahead_ <= kFilmAhead * allowed;
 }
 
 double CycleRun::distance_ahead() const { return std::max(distance_.largest(), oil_ahead_); }

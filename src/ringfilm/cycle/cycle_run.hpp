@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,9 +52,15 @@ class CycleRun final : public BatchMember {
   bool begins_compression() const;
   /// Compares the state with that of one cycle before, if there is one, and keeps it.
   void compare_with_last_cycle();
+  /// By how much the last cycle has changed the film, FilmOfCycle.
+  double film_moved() const { return film_.moved(); }
   bool oil_repeats() const;
   /// @param ahead what all cycles to come are expected to move, as a share of the oil on the liner
-  void expect_oil_to_move(double ahead) { oil_ahead_ = ahead; }
+  /// @param cycles the multiple of what the last one moved that this is
+  void expect_oil_to_move(double ahead, double cycles) {
+    oil_ahead_ = ahead;
+    film_ahead_ = std::max(cycles, 1.0) * film_.moved();
+  }
   /// After a change of the oil on the liner: cycles are compared from the present state on.
   void forget_last_cycle();
 
@@ -73,17 +80,19 @@ class CycleRun final : public BatchMember {
   Setup setup_;
   bool shares_liner_;  ///< with other rings of a pack, which settle the oil together
   PlaceOnLiner place_;
-  OilSettling settling_;  ///< settling of the oil where the liner is not shared
-  int n_steps_;           ///< number of steps of a cycle
+  std::optional<OilSettling> settling_;  ///< settling of the oil on a liner of its own
+  int n_steps_;                          ///< number of steps of a cycle
   double step_deg_;
   int check_every_;
+  FilmOfCycle film_;
   TimeIntegration integration_;
   Recorder recorder_;
   std::map<int, TimeIntegration::Snapshot> one_cycle_ago_;  ///< by base angle
   int k_ = 0;                                               ///< base angle
   int steps_integrated_ = 0;
   TimeIntegration::Distance distance_;
-  double oil_ahead_;  ///< what all cycles to come are expected to move on the liner, as a share
+  double film_ahead_ = 0;  ///< what all cycles to come are expected to change the film, relative
+  double oil_ahead_;       ///< what all cycles to come are expected to move on the liner, as a share
   Approach approach_;
   bool repeats_ = false;
   std::optional<Stop> stop_;

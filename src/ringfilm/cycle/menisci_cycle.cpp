@@ -19,6 +19,8 @@ namespace {
 
 /// Cells of the liner in which cycles are compared and mixed.
 constexpr std::size_t kLinerCells = 1000;
+/// Angles at which the film of a cycle is compared with that of the one before.
+constexpr std::size_t kFilmAngles = 720;
 /// Samples lie no farther apart where gas blows through [degree].
 constexpr double kSpacingWithGas = 2.5;
 /// Angle within which gas begins or ceases to blow through [degree].
@@ -64,8 +66,10 @@ Sample sample_of(const Setup& setup, const film::FilmProblem& contact, const Men
 
 MenisciCycles::MenisciCycles(const Setup& setup, double tolerance) : integration_(setup, tolerance) {
   const double allowed = allowed_distance(setup.input), allowed_of_oil = kOilScatter * setup.input.solver.step_error;
+  const double allowed_ahead = kFilmAhead * setup.input.solver.step_error;
   Approach approach(setup.input);
-  OilSettling settling;
+  FilmOfCycle film(kFilmAngles);
+  OilSettling settling(least_oil(setup) / integration_.liner().length() * kLinerCells);
   settling.begin(integration_.liner().in_cells(kLinerCells));
   while (!repeats_ && !approach.moves_on()) {
     const film::MenisciState begin = integration_.state();
@@ -76,9 +80,17 @@ MenisciCycles::MenisciCycles(const Setup& setup, double tolerance) : integration
                 now.scraped_down - before.scraped_down};
     ++cycles_;
     settling.end_cycle(integration_.liner().in_cells(kLinerCells));
+    for (std::size_t k = 0; k < kFilmAngles; ++k) {
+      double angle_deg = kCycleDeg / kFilmAngles * static_cast<double>(k);
+      film.add(k, std::exp(step_at(integration_.steps(), angle_deg).state_at(angle_deg).ln_h_m));
+    }
+    film.end_cycle();
+    const double film_ahead = std::max(settling.cycles_ahead(), 1.0) * film.moved();
     film_moved_ = difference(integration_.state(), begin, setup.input.ring.face_width);
     oil_moved_ = std::max(settling.moved(), settling.ahead());
-    repeats_ = film_moved_ <= allowed && (approach.takes_unsettled() ? settling.moved() : oil_moved_) <= allowed_of_oil;
+    repeats_ = film_moved_ <= allowed &&
+               (approach.takes_unsettled() ? settling.moved() <= allowed_of_oil
+                                           : oil_moved_ <= allowed_of_oil && film_ahead <= allowed_ahead);
     if (repeats_) break;
     approach.add(distance(), film_moved_, allowed, 0);
     if (cycles_ >= kPlainCycles) {

@@ -23,12 +23,8 @@ constexpr double kAstray = 2;
 constexpr double kMinShare = 0.1;
 /// What moves less than this share of what moved before comes to rest by itself.
 constexpr double kFast = 0.25;
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
+/// Keeps the weight of a cell finite above which there is nothing.
+constexpr double kNothing = 1e-60;
 
 std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> d(a.size());
@@ -38,9 +34,18 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
 
 }  // namespace
 
+double AndersonMixing::product(const std::vector<double>& a, const std::vector<double>& b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i] * weight_[i];
+  return sum;
+}
+
 void AndersonMixing::add(const std::vector<double>& argument, const std::vector<double>& image) {
   Pair now{image, difference(image, argument), 0, share_elsewhere(image, argument)};
   std::partial_sum(now.moved.begin(), now.moved.end(), now.moved.begin());
+  weight_.resize(image.size());
+  std::partial_sum(image.begin(), image.end(), weight_.begin());
+  for (double& above : weight_) above = 1 / std::max({above * above, least_ * least_, kNothing});
   now.norm = std::sqrt(product(now.moved, now.moved));
   if (!history_.empty() && now.norm > kAstray * moved()) history_.clear();
   history_.push_back(std::move(now));
@@ -96,7 +101,7 @@ std::optional<std::vector<double>> OilSettling::mixture() const {
 void OilSettling::begin_next_cycle(LinerFilm& liner, std::span<CycleRun* const> rings) {
   end_cycle(liner.mass_per_area());
   for (CycleRun* ring : rings) {
-    ring->expect_oil_to_move(ahead());
+    ring->expect_oil_to_move(ahead(), mixing_.cycles_ahead());
     ring->compare_with_last_cycle();
   }
   if (!rings.front()->oil_repeats()) {

@@ -19,6 +19,9 @@ enum class OilIteration { kPlain, kMixed };
 /// eq-oil-mixing.
 class AndersonMixing {
  public:
+  /// @param least of the quantity in a cell and all before it that counts
+  explicit AndersonMixing(double least = 0) : least_(least) {}
+
   /// What all cycles to come move, as a multiple of what the first one moved, if each moves 0.9 of the one before.
   static constexpr double kUnknownApproach = 10;
   /// @param image what the map makes of the argument; at least 0 in all cells, as are the mixtures
@@ -41,16 +44,23 @@ class AndersonMixing {
   struct Pair {
     std::vector<double> image;
     std::vector<double> moved;  ///< integral of image less argument up to each cell
-    double norm = 0;            ///< norm of `moved`
+    double norm = 0;            ///< norm of `moved` in its own weights
     double share = 0;           ///< share of all oil that lies elsewhere in the image than in the argument
   };
-  std::vector<Pair> history_;  ///< the latest last
+  /// Of the integrals of two changes up to each cell, over what the last image has up to there.
+  double product(const std::vector<double>& a, const std::vector<double>& b) const;
+
+  double least_;
+  std::vector<Pair> history_;   ///< the latest last
+  std::vector<double> weight_;  ///< by cell, of squares
 };
 
 /// The oil on a liner over the cycles that its rings need until it repeats.
 class OilSettling {
  public:
-  explicit OilSettling(OilIteration iteration = OilIteration::kMixed) : iteration_(iteration) {}
+  /// @param least_per_cell oil of which the rings notice no more, in one cell [kg/m2]
+  explicit OilSettling(double least_per_cell, OilIteration iteration = OilIteration::kMixed)
+      : iteration_(iteration), mixing_(least_per_cell) {}
 
   /// The first cycle begins.
   void begin(const LinerFilm& liner) { begin(liner.mass_per_area()); }
@@ -65,6 +75,8 @@ class OilSettling {
   double ahead() const { return mixing_.ahead(); }
   /// What the last cycle moved, as such a share [-].
   double moved() const { return mixing_.moved_share(); }
+  /// The multiple of what the last cycle moved that all to come are expected to move [-].
+  double cycles_ahead() const { return mixing_.cycles_ahead(); }
   /// The oil with which the next cycle is to begin where that is not what the last one has left.
   std::optional<std::vector<double>> mixture() const;
 

@@ -52,7 +52,8 @@ class MenisciLiner {
   /// The oil ring lays its film beyond its reach: ahead of a downstroke.
   void replenish();
 
-  double bead() const { return bead_; }  ///< [kg/m]
+  double bead() const { return bead_; }      ///< [kg/m]
+  double length() const { return length_; }  ///< of the liner, from TDC position to BDC position of the ring [m]
 
   /// Oil since the start [kg/m], of which `taken` and `left` are not counted.
   using Account = LinerOil::Account;

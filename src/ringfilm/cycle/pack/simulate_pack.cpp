@@ -56,7 +56,7 @@ std::vector<RingOutcome> simulate_pack(std::vector<Setup> rings, Observer* obser
   for (;;) {
     const bool settles_first = iteration == OilIteration::kMixed;
     PackRuns pack(rings, below, settles_first ? start_of_oil(rings, below) : fresh_liner(rings.back(), below.back()));
-    OilSettling settling(iteration);
+    OilSettling settling(least_oil(rings.front()) / pack.liner().cell(), iteration);
     integrate(pack, settling, observer);
     const auto& runs = pack.runs();
     const auto stopped =

@@ -20,8 +20,9 @@ struct Coarse {
   double step_deg;
 };
 constexpr std::array kCoarse = {Coarse{50, 2}, Coarse{100, 2}, Coarse{100, 1}};
-/// The oil has settled where a cycle moves less than this share of what the cycles of the case may move [-].
-constexpr double kSettled = 0.03;
+/// The oil has settled where a cycle changes each film, in the mean of a stroke, by less than this share of
+/// `solver.step_error`, and moves no more than that of the oil [-].
+constexpr double kSettled = 0.15;
 constexpr int kMaxCoarseCycles = 60;
 
 /// Oil that cycle after cycle is taken from a stretch of the liner, or laid there, as what rings have pushed together
@@ -79,6 +80,8 @@ std::optional<std::vector<Setup>> on(const Coarse& coarse, std::vector<Setup> ri
     solver.cells = coarse.cells;
     solver.crank_step_deg = coarse.step_deg;
     solver.crank_step_control = StepControl::kFixed;
+    ring.input.output = {};  // nobody reads these cycles
+    ring.input.output.crank_angles_deg = {0};
   }
   return rings;
 }
@@ -95,12 +98,21 @@ std::optional<LinerFilm> settled(const std::vector<Setup>& rings, const std::vec
                                  const LinerFilm& fresh) {
   PackRuns pack(rings, below, fresh);
   SlowStretches slow;
+  OilSettling settling(least_oil(rings.front()) / fresh.cell());
+  settling.begin(fresh);
   for (int cycle = 0; cycle < kMaxCoarseCycles; ++cycle) {
     const std::vector<double> begin = pack.liner().mass_per_area();
     if (!finish_cycle(pack)) return std::nullopt;
     const double moved = share_elsewhere(pack.liner().mass_per_area(), begin);
+    settling.end_cycle(pack.liner().mass_per_area());
     const bool leaps = slow.leap(pack.liner(), begin);
-    if (!leaps && moved <= kSettled * rings.front().input.solver.step_error) break;
+    double film = moved;
+    for (const auto& run : pack.runs()) film = std::max(film, run->film_moved());
+    if (!leaps && film <= kSettled * rings.front().input.solver.step_error) break;
+    if (!leaps) {
+      if (std::optional<std::vector<double>> mixed = settling.mixture()) pack.liner().replace(*std::move(mixed));
+    }
+    settling.begin(pack.liner());
   }
   return pack.liner();
 }
