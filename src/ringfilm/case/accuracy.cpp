@@ -24,6 +24,28 @@ constexpr double kFinestByGap = 0.5;
 /// Next to gas the film ends at a meniscus: values came as near with cells and steps for a fifth of the accuracy.
 constexpr double kOfFilmNextToGas = 0.2;
 
+/// With oil on the liner, of which a nearly dry ring lives for many cycles: fixed steps and cells by gap cost less than
+/// adaptive ones for the same values (docs/theory/oil-supply.md, "Accuracy").
+struct OnLiner {
+  double accuracy;  ///< [%]
+  int cells_by_gap;
+  double crank_step_deg;
+};
+constexpr std::array kMeasuredOnLiner = {OnLiner{0.1, 800, 0.25}, OnLiner{0.5, 400, 0.5}, OnLiner{1, 200, 0.5},
+                                         OnLiner{5, 100, 1}};
+/// Uniform cells for as many by gap [-].
+constexpr double kUniformPerByGap = 4.0 / 3;
+/// Change of a cycle that counts as none, over the accuracy [1/%].
+constexpr double kStepErrorPerPercent = 1e-3;
+constexpr double kToleranceOnLiner = 1e-6;
+
+/// The coarsest that was measured to be as accurate.
+const OnLiner& on_liner_for(double accuracy) {
+  const auto coarser = std::upper_bound(kMeasuredOnLiner.begin() + 1, kMeasuredOnLiner.end(), accuracy,
+                                        [](double value, const OnLiner& m) { return value < m.accuracy; });
+  return *(coarser - 1);
+}
+
 /// The longest step up to `longest` of which the angles that are asked for are multiples; of others that are listed
 /// 1 degree, which most lists are multiples of.
 double step_for(const Output& output, double longest) {
@@ -56,13 +78,24 @@ Resolution resolution_for(double accuracy) {
 Case with_accuracy(Case c, CellLengths coarse) {
   Solver& solver = c.solver;
   if (!solver.accuracy) return c;
+  solver.time_scheme = TimeScheme::kBdf2;
+  if (c.film.supply_at_inlet() == OilSupply::kFilmOnLiner && !c.is_unrolled()) {
+    const OnLiner& resolution = on_liner_for(*solver.accuracy);
+    solver.cell_lengths = coarse;
+    const double cells = resolution.cells_by_gap * (coarse == CellLengths::kByGap ? 1 : kUniformPerByGap);
+    solver.cells = static_cast<int>(std::lround(cells));
+    solver.crank_step_deg = step_for(c.output, resolution.crank_step_deg);
+    solver.crank_step_control = StepControl::kFixed;
+    solver.step_error = kStepErrorPerPercent * *solver.accuracy;
+    solver.tolerance = kToleranceOnLiner;
+    return c;
+  }
   const double accuracy = *solver.accuracy * (c.film.has_gas_edge() ? kOfFilmNextToGas : 1);
   const Resolution resolution = resolution_for(accuracy);
   solver.cell_lengths = accuracy < kFinestByGap ? CellLengths::kUniform : coarse;
   solver.cells = solver.cell_lengths == CellLengths::kByGap ? resolution.cells_by_gap : resolution.uniform_cells;
   solver.crank_step_deg = step_for(c.output, resolution.crank_step_deg);
   solver.crank_step_control = StepControl::kAdaptive;
-  solver.time_scheme = TimeScheme::kBdf2;
   solver.step_error = resolution.step_error;
   solver.tolerance = resolution.tolerance;
   return c;
@@ -77,10 +110,11 @@ bool is_chosen_by_accuracy(const std::string& key) {
 
 std::string accuracy_text(const Case& c) {
   return formatted(
-      "solver.accuracy = %.3g %%: computed on %d %s cells with crank steps of %.3g degree at the most, "
+      "solver.accuracy = %.3g %%: computed on %d %s cells with crank steps of %.3g degree%s, "
       "time_scheme = \"bdf2\", step_error = %.2g and tolerance = %.1g, whatever [solver] states of these",
       *c.solver.accuracy, c.solver.cells, c.solver.cell_lengths == CellLengths::kUniform ? "uniform" : "by-gap",
-      c.solver.crank_step_deg, c.solver.step_error, c.solver.tolerance);
+      c.solver.crank_step_deg, c.solver.crank_step_control == StepControl::kFixed ? "" : " at the most",
+      c.solver.step_error, c.solver.tolerance);
 }
 
 }  // namespace ringfilm::cycle
