@@ -6,7 +6,27 @@ A name without an ending is a page of docs/manual. Pages of docs/manual that are
 
 # (caption, pages)
 SECTIONS = [
-    ("Begin here", ["five-minutes", "install", "docs/manual/guide/platforms", "command-line", "case-file", "report"]),
+    (
+        "Begin here",
+        ["five-minutes", "gallery", "install", "docs/manual/guide/platforms", "command-line", "case-file", "report"],
+    ),
+    (
+        "A page for each job",
+        [
+            "docs/manual/jobs/first-pack",
+            "docs/manual/jobs/lower-friction",
+            "docs/manual/jobs/which-oil",
+            "docs/manual/jobs/which-coating",
+            "docs/manual/jobs/blow-by",
+            "docs/manual/jobs/oil-consumption",
+            "docs/manual/jobs/flutter",
+            "docs/manual/jobs/scuffing-and-wear",
+            "docs/manual/jobs/bore-distortion",
+            "docs/manual/jobs/suppliers-surfaces",
+            "docs/manual/jobs/floating-liner",
+            "docs/manual/jobs/cylinder-deactivation",
+        ],
+    ),
     (
         "Judging a result",
         [
