@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws docs/figures/overview.svg, the figure of the README, from the shipped cases.
+"""Draws docs/figures/overview.svg, the rings of styles2014, from the shipped cases.
 
 usage: docs/figures/overview.py [path of the program, default build/ringfilm [file to write]]
 """
