@@ -3,7 +3,8 @@
 
 usage: claims.py FOLDER      the folder of the project
 
-A claim is refused as long as the keys that contradict it are in docs/manual/case-keys.txt. Exit code 1 if a page has one.
+A claim is refused as long as the keys that contradict it are in docs/manual/case-keys.txt. Exit code 1 if a page has
+one.
 """
 import re
 import sys
@@ -29,9 +30,7 @@ PARTS = ("# ", "**Question.**", "**Inputs.**", "```sh", "![", "**How far to trus
 def keys_of(listed):
     """{section: its keys} of case-keys.txt."""
     sections = re.split(r"^\[([\w.]+)\]$", listed, flags=re.M)
-    return {
-        name: set(re.findall(r"^  (\w+) ", text, re.M)) for name, text in zip(sections[1::2], sections[2::2])
-    }
+    return {name: set(re.findall(r"^  (\w+) ", text, re.M)) for name, text in zip(sections[1::2], sections[2::2])}
 
 
 def faults(root):
