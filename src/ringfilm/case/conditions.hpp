@@ -9,7 +9,7 @@ namespace ringfilm::cycle {
 /// Linear between the points, constant beyond them. @param points one at least
 double along_stroke(const std::vector<StrokeValue>& points, double distance);
 
-/// Do the conditions have gas at the edges, oil on the liner and hot walls?
+/// Do the conditions have gas at the edges, oil on the liner and walls of an engine?
 bool is_engine(Conditions conditions);
 
 /// Starts a case from the edges, the supply and the temperatures of `conditions`; what it states replaces them.

@@ -121,7 +121,7 @@ StartCase start_case(const StartOptions& options) {
   StartCase start;
   std::vector<StartValue> values = {
       {"title", quoted(title), "for people"},
-      {"conditions", quoted("engine"), kAssumed + ": gas at the edges, oil on the liner, hot walls"}};
+      {"conditions", quoted("engine"), kAssumed + ": gas at the edges, oil on the liner"}};
   append(engine.engine, values);
   append(point.operation, values);
   append(start_walls(point), values);

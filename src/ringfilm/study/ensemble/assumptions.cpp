@@ -270,7 +270,7 @@ Assumption flooded_inlet(const cycle::Setup& setup) {
         std::move(others));
   }
   if (!cycle::is_engine(c.conditions)) {
-    // All at once: gas takes friction away, short oil and hot walls add it.
+    // All at once: gas takes friction away, short oil and the walls of an engine add it.
     Alternative engine{"conditions = \"engine\"", [](Case& x) { set_conditions(cycle::Conditions::kEngine, x); }};
     Case changed = c;
     engine.apply(changed);
