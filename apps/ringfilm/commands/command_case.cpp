@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -11,6 +12,7 @@
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/cycle/setup/setup.hpp"
+#include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/data/shipped_pairs.hpp"
@@ -18,6 +20,8 @@
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
+#include "ringfilm/run/assumed_inputs.hpp"
+#include "ringfilm/study/ensemble/assumed_inputs.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 #include "text/shared_options.hpp"
 #include "text/wrapped_text.hpp"
@@ -94,11 +98,65 @@ cycle::Case case_with_settings(const std::string& path, const std::vector<io::Ov
 
 namespace {
 
-void check(const CaseOptions& options) {
+struct CheckOptions : CaseOptions {
+  bool assumptions = false;  ///< what assumed inputs decide is computed, however long it takes
+  int threads = 0;
+};
+
+/// Adds what the assumed inputs of a ring or pack decide, where it takes a second or so or was asked for.
+void add_assumed_inputs(const CheckOptions& options, const cycle::Case& input, io::CaseCheck& check) {
+  if (input.problem != cycle::Problem::kCycle || !(options.assumptions || study::is_quick(input))) return;
+  const auto called_assumed = io::keys_called_assumed(options.case_path, options.overrides);
+  try {
+    check.assumed_inputs = run::assumed_inputs(input, called_assumed, options.threads);
+  } catch (const ConvergenceError& stop) {
+    check.notes.push_back(
+        {"assumed-inputs", std::string("what the assumed inputs decide was not computed: ") + stop.what(), 1});
+  }
+}
+
+std::string percent(double change) { return fmt::format("{:+.1f} %", 100 * change); }
+
+/// Changes below this are those of a coarse computation.
+constexpr double kLeastChange = 0.01;
+/// More of them decide nothing.
+constexpr std::size_t kMostInputs = 10;
+
+void print_assumed_inputs(const CheckOptions& options, const io::CaseCheck& check, const cycle::Case& input) {
+  if (input.problem != cycle::Problem::kCycle) return;
+  if (!check.assumed_inputs) {
+    const std::size_t n = run::n_assumed_inputs(input, io::keys_called_assumed(options.case_path, options.overrides));
+    if (n > 0 && !options.assumptions) {
+      std::cout << fmt::format("assumed inputs: {}; --assumptions computes which of them decide the result most\n", n);
+    }
+    return;
+  }
+  const std::vector<study::AssumedInput>& all = *check.assumed_inputs;
+  const auto end = std::find_if(
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostInputs)),
+      [](const study::AssumedInput& one) { return !one.solved || std::abs(one.fmep_change) < kLeastChange; });
+  if (end != all.begin()) {
+    std::cout << "assumed inputs that decide the result most, each changed alone:\n";
+    std::cout << fmt::format("  {:>9} {:>10}  {}\n", "FMEP", "min. film", "setting (now)");
+  }
+  for (auto one = all.begin(); one != end; ++one) {
+    std::cout << fmt::format("  {:>9} {:>10}  {} ({}, {})\n", percent(one->fmep_change), percent(one->min_film_change),
+                             one->setting, one->value, one->is_default ? "default" : "called assumed in the file");
+  }
+  const auto n_others = all.end() - end;
+  if (n_others > 0) std::cout << fmt::format("  {} more assumed inputs change less\n", n_others);
+}
+
+void check(const CheckOptions& options) {
   const std::string& path = options.case_path;
+  const auto found_in = [&](const cycle::Case& input) {
+    io::CaseCheck found = checked(input, path);
+    add_assumed_inputs(options, input, found);
+    return found;
+  };
   if (options.summary == SummaryForm::kJson) {
     try {
-      std::cout << io::check_json(checked(case_with_settings(path, options.overrides), path));
+      std::cout << io::check_json(found_in(case_with_settings(path, options.overrides)));
     } catch (const InputError& error) {
       std::cout << io::errors_json(path, error.faults());
       throw;
@@ -106,9 +164,10 @@ void check(const CaseOptions& options) {
     return;
   }
   const cycle::Case input = case_with_settings(path, options.overrides);
-  const io::CaseCheck found = checked(input, path);
+  const io::CaseCheck found = found_in(input);
   print_inputs(found);
   print_assumptions(found, input);
+  print_assumed_inputs(options, found, input);
   for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";
 }
 
@@ -207,8 +266,12 @@ constexpr const char* kCheckFooter = R"(Examples:
   ringfilm check case.toml
   ringfilm check case.toml --set operating.speed='3000 rpm'
   ringfilm check case.toml --json
+  ringfilm check pack.toml --assumptions
 
 Default inputs are keys that the case does not state; modelling assumptions are what the models take for granted.
+Assumed inputs are defaults that are assumed and keys whose line in the file has a comment with the word "assumed". Each
+is made 20 % larger alone, a temperature 10 K higher, and computed coarsely. That is done at once for one ring whose film
+is integrated in some hundredths of a second, for others with --assumptions.
 )";
 
 constexpr const char* kFieldsFooter = R"(Examples:
@@ -239,8 +302,11 @@ Numbers marked "typical, assumed" are guesses at the size. Of a trace the column
 angle 0 are read; what the file does not show is printed as missing.
 )";
 
-void declare_check(CommandOptions& add, CaseOptions& options) {
+void declare_check(CommandOptions& add, CheckOptions& options) {
   add_case(add, options);
+  add.flag("--assumptions", options.assumptions,
+           "compute which assumed inputs decide friction and film, where that takes long, too: of a pack some minutes");
+  add_jobs(add, options.threads);
   add.json(options.summary, "print inputs, default inputs, modelling assumptions and notes as JSON");
 }
 
@@ -267,7 +333,7 @@ void declare_new(CommandOptions& add, NewOptions& options) {
 }  // namespace
 
 void add_check_command(Program& program) {
-  program.add("check", "Read a case of a ring or a pad, report everything that is wrong with it, run nothing",
+  program.add("check", "Read a case of a ring or a pad, report everything that is wrong with it and what is assumed",
               kCheckFooter, declare_check, check);
 }
 

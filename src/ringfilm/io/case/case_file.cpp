@@ -385,6 +385,11 @@ cycle::Case read_case_dropping(const std::string& path, const std::vector<Overri
   return case_of(std::move(pack), units, purpose);
 }
 
+std::set<std::string> keys_called_assumed(const std::string& path, const std::vector<Override>& overrides) {
+  std::vector<DroppedKey> dropped;
+  return read_case_tree(path, overrides, &dropped).assumed;
+}
+
 std::string listed(const std::vector<DroppedKey>& dropped) {
   std::string text;
   for (const auto& [key, mark] : dropped) {

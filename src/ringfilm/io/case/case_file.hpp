@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ cycle::Case read_case_dropping(const std::string& path, const std::vector<Overri
 /// or missing. Throws InputError, of a pad, too.
 cycle::Case read_closure_case(const std::string& path, const std::vector<Override>& overrides, const Units& units,
                               std::vector<DroppedKey>& dropped);
+
+/// Keys whose line in the case file, or the header of their section, has a comment with the word "assumed", of a ring
+/// of a pack as "ring.2.face_width"; not those that overrides state. Throws InputError where the file cannot be read.
+std::set<std::string> keys_called_assumed(const std::string& path, const std::vector<Override>& overrides);
 
 /// "ring.elastic_pressure (my.toml:31), ...", for messages.
 std::string listed(const std::vector<DroppedKey>& dropped);

@@ -111,6 +111,12 @@ void number_rings(TomlValue& root) {
   }
 }
 
+/// Does the line of a key or section end with a comment that calls it assumed?
+bool has_assumed_comment(const SourceMark& mark) {
+  const std::size_t comment = mark.line_text.find('#');
+  return comment != std::string::npos && mark.line_text.find("assumed", comment) != std::string::npos;
+}
+
 std::string place(const SourceMark& mark) {
   if (mark.line == 0) return mark.file;
   return mark.file + ":" + std::to_string(mark.line) + ":" + std::to_string(mark.column);
@@ -140,7 +146,10 @@ class Gatherer {
     drop_other_ways(stated);
     drop_other_conditions(stated);
     add_oil(stated);
-    for (const TomlEntry& entry : stated) replace(entry);
+    for (const TomlEntry& entry : stated) {
+      tree_.assumed.erase(entry.key);
+      replace(entry);
+    }
     for (auto& [key, entry] : entries_) tree_.entries.push_back(entry);
     return std::move(tree_);
   }
@@ -180,12 +189,23 @@ class Gatherer {
     number_rings(root);
     FlatToml flat = flatten(root, folder_of(path));
     drop_unknown_sections(flat);
+    note_assumed(flat);
     for (const TomlEntry& entry : flat.entries) {
       if (entry.key == "include") {
         add_includes(entry);
       } else {
         add(entry);
       }
+    }
+  }
+
+  void note_assumed(const FlatToml& flat) {
+    std::set<std::string> sections;
+    for (const TomlEntry& section : flat.sections) {
+      if (has_assumed_comment(section.value.key_mark)) sections.insert(section.key);
+    }
+    for (const TomlEntry& entry : flat.entries) {
+      if (has_assumed_comment(entry.value.key_mark) || lies_in(entry.key, sections)) tree_.assumed.insert(entry.key);
     }
   }
 

@@ -19,6 +19,8 @@ struct CaseTree {
   std::vector<Fault> faults;            ///< unknown and repeated keys, files that cannot be read
   std::set<std::string> faulty;         ///< keys, or whole sections ("engine."), that cannot be checked further
   std::set<std::string> from_oil_file;  ///< keys that describe the oil, whether this case has a use for them or not
+  std::set<std::string> assumed;        ///< keys whose line, or the header of a section of theirs, has a comment with
+                                        ///< the word "assumed"
   bool complete = true;                 ///< false: a file is missing, so that keys may be
 };
 

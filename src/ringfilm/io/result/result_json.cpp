@@ -133,12 +133,14 @@ std::string check_json(const CaseCheck& check) {
       put_members(entry, assumptions.emplace_back(ordered_json{{"ring", i + 1}}));
     }
   }
-  const ordered_json object = {{"case", check.path},
-                               {"stated", stated},
-                               {"default_inputs", defaults},
-                               {"modelling_assumptions", assumptions},
-                               {"notes", record_array(check.notes)},
-                               {"errors", ordered_json::array()}};
+  const ordered_json object = {
+      {"case", check.path},
+      {"stated", stated},
+      {"default_inputs", defaults},
+      {"modelling_assumptions", assumptions},
+      {"assumed_inputs", check.assumed_inputs ? record_array(*check.assumed_inputs) : ordered_json()},
+      {"notes", record_array(check.notes)},
+      {"errors", ordered_json::array()}};
   return json_text(object);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/io/result/result_file.hpp"
+#include "ringfilm/study/ensemble/assumed_inputs.hpp"
 
 namespace ringfilm::io {
 
@@ -25,10 +27,12 @@ struct CaseCheck {
   std::vector<CaseEntry> inputs;                             ///< all keys in use
   std::vector<std::vector<study::LedgerEntry>> assumptions;  ///< modelling assumptions of each ring; none of a pad
   std::vector<cycle::Note> notes;                            ///< those of reading with the topic "input"
+  /// What the assumed inputs decide, the first most; absent where it was not computed.
+  std::optional<std::vector<study::AssumedInput>> assumed_inputs = {};
 };
 
-/// The check of a case as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes", and "errors", which
-/// is empty.
+/// The check of a case as JSON: "stated" and "default_inputs", "modelling_assumptions" and "notes", "assumed_inputs"
+/// (null where they were not computed), and "errors", which is empty.
 std::string check_json(const CaseCheck& check);
 
 /// What is wrong with a case as JSON: "case" and "errors", each with its file, line, column and text of the line (null
