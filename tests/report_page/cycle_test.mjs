@@ -41,12 +41,17 @@ test('usual ranges are those that the manual argues', () => {
   for (const [words, { low, high }] of [
     ['top ring alone', top],
     ['second compression ring', second],
-    ['oil ring with all its rails', oil],
     ['ring pack', pack],
   ]) {
     const row = `| ${words}, diesel engine | ${kDieselFactor * low} to ${kDieselFactor * high} kPa |`;
     assert.ok(page.includes(row), row);
   }
+  const { low, high } = oil.diesel;
+  assert.ok(page.includes(`| oil ring with all its rails, diesel engine | ${low} to ${high} kPa | patton1989`));
+  // Half to three quarters of the friction without gas load after patton1989, a quarter to twice of that.
+  const withoutGas = (4.06e4 * (1 + 1000 / 1200)) / 130 ** 2;
+  assert.ok(Math.abs((0.25 * 0.5 * withoutGas) / low - 1) < 0.15);
+  assert.ok(Math.abs((2 * 0.75 * withoutGas) / high - 1) < 0.15);
   assert.ok(page.includes(`a bore above ${usual.kLargestCarBore} mm or a peak pressure above`));
   assert.ok(page.includes(`a peak pressure above ${usual.kHighestCarPeak} bar`));
   assert.ok(page.includes(`| ${kUsualCoefficient.low} to ${kUsualCoefficient.high} |`));
@@ -113,6 +118,7 @@ test('rings of a pack are judged by their kind, rails together, and so is the pa
   assert.match(pack, /^pack: above, .*4 to 40 kPa of a ring pack of a car engine$/);
   // The peak of the cylinder decides for all, also for rings that hardly feel it.
   verdicts(180e5).forEach((line) => assert.match(line, /diesel engine/));
+  assert.match(verdicts(180e5)[2], /0\.5 to 7 kPa of an oil ring of a diesel engine/);
 });
 
 test('oil above a ring is the film behind it on downstrokes, where the oil on the liner is followed', () => {

@@ -16,7 +16,7 @@ using base::kZeroCelsius;
 
 // docs/manual/guide/typical-inputs.md has the sources.
 /// Computed with data/packs; assumed [m].
-constexpr double kOilRingFilm = kMicrometre.scale.to_si(0.8), kOilRingReach = 10e-3;
+constexpr double kOilRingFilm = kOilRingFilms.high, kOilRingReach = 10e-3;
 
 /// Walls of a ring and its liner.
 struct Walls {

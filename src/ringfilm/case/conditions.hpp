@@ -2,6 +2,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ringfilm/base/display.hpp"
 #include "ringfilm/case/case.hpp"
 
 namespace ringfilm::cycle {
@@ -23,5 +24,11 @@ void keep_own_temperature(Case& c);
 
 /// Do these conditions replace a key that files state, where the command line or a study asks for them?
 bool is_replaced_by(Conditions conditions, std::string_view key);
+
+/// Smallest and largest film that the packs of data/packs leave for their first ring at 1000 to 4000 rpm [m].
+struct FilmBand {
+  double low, high;
+};
+inline constexpr FilmBand kOilRingFilms{kMicrometre.scale.to_si(0.4), kMicrometre.scale.to_si(0.8)};
 
 }  // namespace ringfilm::cycle

@@ -14,6 +14,7 @@
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/run/run.hpp"
 #include "ringfilm/study/ensemble/batch.hpp"
+#include "ringfilm/study/ensemble/supply_slope.hpp"
 
 namespace ringfilm::run {
 namespace {
@@ -140,6 +141,9 @@ void integrate(const Request& requested, Rings& rings, Observer* observer) {
     ring.input = found.input.is_pack() ? std::move(found.input.rings[i]) : std::move(found.input);
     if (requested.accuracy_estimate && !are_together && ring.input.solver.accuracy) ring.error_estimate = true;
     CycleOutcome& done = rings.outcomes.emplace_back();
+    if (requested.accuracy_estimate && of.n_rings == 0 && !outcomes[i].stop) {
+      study::add_supply_note(ring.input, outcomes[i].result);
+    }
     if (outcomes[i].stop) done.stopped = ConvergenceError(outcomes[i].stop->message, outcomes[i].stop->crank_angle_deg);
     if (requested.describe || of.n_rings > 0) {
       done.document = io::result_document(ring.input, std::move(outcomes[i].result));

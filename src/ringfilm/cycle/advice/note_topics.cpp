@@ -81,6 +81,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"gas-pegged", kFull, kCase},
       {"gas-breaks-through", kFull, kCrankAngles},
       {"friction-mostly-boundary", kFull, kCase},
+      {"supply-steep", kFull, kCase},
       {"error-estimate-missing", kFull, kCase},
       {"error-estimate-one-sided", kFull, kCase},
       {"cavitation-pressure-lowered", kFull, kCase},

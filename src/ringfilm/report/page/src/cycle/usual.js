@@ -2,11 +2,12 @@
 import { element } from '../dom.js';
 import { converted, number } from '../units.js';
 
-/** Usual friction mean effective pressure in the engine of a car [kPa], by the kind of ring and of the pack. */
+/** Usual friction mean effective pressure in the engine of a car [kPa], by the kind of ring and of the pack; `diesel`:
+ * of a diesel engine, where it is not that of a car times kDieselFactor, as gas loads are. An oil ring has none. */
 export const kUsualFmep = {
   top: { low: 1, high: 20, words: 'a top ring' },
   second: { low: 0.5, high: 8, words: 'a second compression ring' },
-  oil: { low: 1, high: 12, words: 'an oil ring' },
+  oil: { low: 1, high: 12, words: 'an oil ring', diesel: { low: 0.5, high: 7 } },
   pack: { low: 4, high: 40, words: 'a ring pack' },
 };
 /** Peak pressures and ranges of a diesel engine are about so many times those of a car. */
@@ -39,7 +40,7 @@ const kWords = {
 
 /** The range of FMEP of a kind in the engine of a case, by its bore and peak pressure, and in words by which. */
 export function fmepRange(model, c, kind) {
-  const { low, high, words } = kUsualFmep[kind];
+  const { low, high, words, diesel } = kUsualFmep[kind];
   const bore = converted(model.input(c, 'engine.bore')?.value_si ?? 0, 'mm');
   const peak = converted(c.values.peak_gas_pressure ?? 0, 'bar');
   const reasons = [
@@ -48,8 +49,8 @@ export function fmepRange(model, c, kind) {
   ].filter(Boolean);
   return reasons.length
     ? {
-        low: kDieselFactor * low,
-        high: kDieselFactor * high,
+        low: diesel ? diesel.low : kDieselFactor * low,
+        high: diesel ? diesel.high : kDieselFactor * high,
         words: `${words} of a diesel engine, for ${reasons.join(' and ')}`,
       }
     : { low, high, words: `${words} of a car engine` };
