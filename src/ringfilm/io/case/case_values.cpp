@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/io/text/toml_table.hpp"
 
@@ -225,8 +227,29 @@ class Setter {
 
   bool in_range(const TomlValue& value, double number) {
     if (!field_.range || field_.range->contains(number)) return true;
-    refuse(value, "is out of range", "allowed is " + range_words(field_, units_) + omission_words(number));
+    refuse(value, "is out of range",
+           "allowed is " + range_words(field_, units_) + omission_words(number) + share_words(number));
     return false;
+  }
+
+  /// A share that was written in percent.
+  std::string share_words(double number) const {
+    constexpr double kWhole = 100;  // [%]
+    const bool is_share = field_.unit == "1" && field_.range->low >= 0 && field_.range->high == 1;
+    if (!is_share || !(number >= 2 && number <= kWhole)) return "";
+    return "; it is a share: write " + number_text(number / kWhole, 4) + " for " + number_text(number, 4) + " %";
+  }
+
+  /// "0.8" of "80 %".
+  static std::optional<std::string> number_of_percentage(const std::string& text) {
+    char* end = nullptr;
+    const double percentage = std::strtod(text.c_str(), &end);
+    const std::string rest = end;
+    if (end == text.c_str() || rest.find_first_not_of(' ') == std::string::npos ||
+        rest.substr(rest.find_first_not_of(' ')) != "%") {
+      return std::nullopt;
+    }
+    return number_text(percentage / 100, 4);
   }
 
   /// What happens without the key, of an optional one that is stated as zero where that is not allowed.
@@ -241,7 +264,8 @@ class Setter {
   std::optional<double> plain_quantity(const TomlValue& value, const std::string& unit, const std::string& example) {
     try {
       if (unit == "1" && value.kind == Kind::kText) {
-        throw UnitError("is text", "a number without unit is required here, for example " + example);
+        throw UnitError("is text", "a number without unit is required here, for example " +
+                                       number_of_percentage(value.text).value_or(example));
       }
       return quantity_of(value, unit, example, units_);
     } catch (const UnitError& problem) {

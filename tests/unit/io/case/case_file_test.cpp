@@ -161,6 +161,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"TextForBareNumber",
                 [] { return with_more(&CaseText::contact, "[liner]\npoissons_ratio = \"0.2\"\n"); },
                 {"liner.poissons_ratio = \"0.2\" is text", "a number without unit is required"}},
+        Mistake{"ShareInPercent",
+                [] { return with_more(&CaseText::gas, "pressure_behind_ring = 90\n"); },
+                {"gas.pressure_behind_ring = 90 is out of range", "it is a share: write 0.9 for 90 %"}},
+        Mistake{
+            "ShareAsTextInPercent",
+            [] { return with_more(&CaseText::gas, "pressure_behind_ring = \"90 %\"\n"); },
+            {"gas.pressure_behind_ring = \"90 %\" is text", "a number without unit is required here, for example 0.9"}},
         Mistake{"Gauge",
                 [] { return with_more(&CaseText::gas, "crankcase_pressure = \"0.1 barg\"\n"); },
                 {"\"0.1 barg\" is a gauge pressure", "add the atmosphere"}},
