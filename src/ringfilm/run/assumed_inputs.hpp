@@ -14,7 +14,7 @@ inline constexpr double kAssumedStep = 0.2, kAssumedTemperatureStep = 10;  ///< 
 
 /// The assumed inputs of a case with films, each changed alone and computed coarsely (study::coarse_case), the one that
 /// changes the FMEP most first. Assumed are defaults whose description has the word, what `conditions` set, and what
-/// the case states and `called_assumed` names; keys of oil consumption alone, which change no film, are left out.
+/// the case states and `called_assumed` names; keys of oil consumption alone, which change no film, are omitted.
 /// Throws ConvergenceError where the unchanged case has no result, InputError where it breaks a rule.
 /// @param called_assumed as io::keys_called_assumed lists them @param threads 0: as many as the machine runs at once
 std::vector<study::AssumedInput> assumed_inputs(const cycle::Case& c, const std::set<std::string>& called_assumed,

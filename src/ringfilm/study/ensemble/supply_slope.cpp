@@ -36,7 +36,7 @@ std::string change_words(double change) {
 }
 
 std::string band_words(double one, double other) {
-  const auto [low, high] = std::minmax(number_in(one, kKilopascal), number_in(other, kKilopascal));
+  const double low = number_in(std::min(one, other), kKilopascal), high = number_in(std::max(one, other), kKilopascal);
   return fmt::format("; between {} and {}, what packs leave at 1000 to 4000 rpm, it lies between {:.3g} and {:.3g} kPa",
                      text_in(cycle::kOilRingFilms.low, kMicrometre, 2),
                      text_in(cycle::kOilRingFilms.high, kMicrometre, 2), low, high);
