@@ -270,8 +270,8 @@ constexpr const char* kCheckFooter = R"(Examples:
 
 Default inputs are keys that the case does not state; modelling assumptions are what the models take for granted.
 Assumed inputs are defaults that are assumed and keys whose line in the file has a comment with the word "assumed". Each
-is made 20 % larger alone, a temperature 10 K higher, and computed coarsely. That is done at once for one ring whose film
-is integrated in some hundredths of a second, for others with --assumptions.
+is made 20 % larger alone, a temperature 10 K higher, and computed coarsely: at once for one ring whose film
+is integrated in some hundredths of a second, else with --assumptions.
 )";
 
 constexpr const char* kFieldsFooter = R"(Examples:
