@@ -23,6 +23,7 @@ struct Lubricant {
   std::optional<std::string> grade;                   ///< or the grade of the shipped oil that has them
   std::string name;                                   ///< for people; empty if the case states the values itself
   std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
+  std::optional<double> viscosity_index;              ///< of ASTM D2270, with one viscosity at 40 or 100 degC [-]
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws
@@ -62,6 +63,8 @@ struct Lubricant {
   bool thins() const { return shear_thinning != ShearThinning::kNone && second_newtonian_ratio < 1; }
   /// Is there what its evaporation follows from?
   bool evaporates() const { return noack || !distillation.empty(); }
+  /// The viscosities as stated, with that which the index adds at 100 or 40 degC where it can [m2/s].
+  std::vector<TemperatureValue> viscosities() const;
   /// The fractions as stated, or those that belong to the Noack loss.
   std::vector<models::OilFraction> fractions() const {
     return distillation.empty() && noack ? models::distillation_of_noack(*noack) : distillation;

@@ -220,6 +220,26 @@ TEST(CaseRules, LetHoupertTakeOneValueAtItsReference) {
   EXPECT_THAT(keys_at_fault(c), Contains("lubricant.kinematic_viscosity"));
 }
 
+TEST(CaseRules, LetAViscosityIndexReplaceTheSecondViscosity) {
+  Case c = sound_case();
+  c.lubricant.kinematic_viscosity = {{313.15, 73.30e-6}};
+  EXPECT_THAT(keys_at_fault(c), Contains("lubricant.kinematic_viscosity"));
+  c.lubricant.viscosity_index = 92;
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
+  ASSERT_EQ(c.lubricant.viscosities().size(), 2u);
+  EXPECT_NEAR(c.lubricant.viscosities()[1].value, 8.86e-6, 0.05e-6);  // example of ASTM D2270; half a unit of the index
+  c.lubricant.kinematic_viscosity = {{373.15, 8.86e-6}};
+  ASSERT_EQ(c.lubricant.viscosities().size(), 2u);
+  EXPECT_NEAR(c.lubricant.viscosities()[0].value, 73.30e-6, 0.3e-6);
+  EXPECT_THAT(keys_at_fault(c), IsEmpty());
+  c.lubricant.kinematic_viscosity = {{323.15, 50e-6}};
+  EXPECT_THAT(keys_at_fault(c), Contains("lubricant.viscosity_index"));
+  c.lubricant.kinematic_viscosity = {{313.15, 3e-6}};  // below 2 mm2/s at 100 degC
+  EXPECT_THAT(keys_at_fault(c), Contains("lubricant.viscosity_index"));
+  c.lubricant.kinematic_viscosity = {{313.15, 73.30e-6}, {373.15, 8.86e-6}};
+  EXPECT_THAT(keys_at_fault(c), Contains("lubricant.viscosity_index"));
+}
+
 TEST(CaseRules, AskForStepsThatMakeACycle) {
   Case c = sound_case();
   for (const double step : {1.0, 0.5, 0.1, 0.3, 720.0 / 7919.0}) {

@@ -1,5 +1,6 @@
 #include "ringfilm/case/keys/case_fields_table.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
+#include "ringfilm/models/oil/viscosity_index.hpp"
 
 namespace ringfilm::cycle::table {
 namespace {
@@ -121,6 +122,15 @@ void append_lubricant_fields(std::vector<Field>& fields) {
                          "temperature will do",
                  .example = "[{ temperature = \"40 degC\", value = \"59.99 mm2/s\" }, "
                             "{ temperature = \"100 degC\", value = \"9.590 mm2/s\" }]",
+                 .uses = {.pad = true}}),
+          field({.key = "lubricant.viscosity_index",
+                 .kind = OptionalNumberKind{member<&Case::lubricant, &Lubricant::viscosity_index>},
+                 .unit = kPlainNumber,
+                 .range = between(0, models::kMaxViscosityIndex),
+                 .need = Need::kOptional,
+                 .when = kLawsOfTemperature,
+                 .help = "viscosity index (ASTM D2270), with one kinematic viscosity, at 40 or 100 degC",
+                 .example = "160",
                  .uses = {.pad = true}}),
           field({.key = "lubricant.fuel",
                  .kind = NumberKind{member<&Case::lubricant, &Lubricant::fuel>},

@@ -77,6 +77,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"edge-flow-grows", kLimited, kCase},
       {"surfaces-flattened", kLimited, kCase},
       {"viscosity-extrapolated", kLimited, kCase},
+      {"viscosity-off-line", kLimited, kCase},
       {"density-extrapolated", kLimited, kCase},
       {"gas-pegged", kFull, kCase},
       {"gas-breaks-through", kFull, kCrankAngles},

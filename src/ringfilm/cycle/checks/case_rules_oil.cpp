@@ -1,5 +1,6 @@
 #include "ringfilm/cycle/checks/case_rules_oil.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -9,6 +10,7 @@
 #include "ringfilm/models/oil/dilution.hpp"
 #include "ringfilm/models/oil/oil_temperature.hpp"
 #include "ringfilm/models/oil/shear_thinning.hpp"
+#include "ringfilm/models/oil/viscosity_index.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -42,6 +44,29 @@ void check_density(const Lubricant& oil, Breaches& breaches) {
   for (const TemperatureValue& point : oil.density) refuse_unless_oil(point.value);
 }
 
+void check_viscosity_index(const Lubricant& oil, Breaches& breaches) {
+  if (!oil.viscosity_index || oil.kinematic_viscosity.empty()) return;
+  const std::string index = "lubricant.viscosity_index = " + number_text(*oil.viscosity_index);
+  const auto& nu = oil.kinematic_viscosity;
+  if (nu.size() > 1) {
+    breaches.push_back({"lubricant.viscosity_index",
+                        index + " is stated with viscosities at " + std::to_string(nu.size()) + " temperatures",
+                        "omit the index, which follows from them, or state one viscosity, at 40 or 100 degC"});
+    return;
+  }
+  if (oil.viscosities().size() > 1) return;
+  const double T = nu.front().temperature;
+  const bool is_of_index = std::abs(T - models::kLowIndexTemperature) < 0.01 ||
+                           std::abs(T - models::kHighIndexTemperature) < 0.01;
+  breaches.push_back(
+      {"lubricant.viscosity_index",
+       index + (is_of_index ? " and " + text_in(nu.front().value, kSquareMillimetrePerSecond) + " at " +
+                                  text_in(T, kCelsius) + " give no viscosity at the other temperature"
+                            : " is stated with a viscosity at " + text_in(T, kCelsius)),
+       is_of_index ? "ASTM D2270 begins at 2 mm2/s at 100 degC: state the viscosity at a second temperature"
+                   : "the index (ASTM D2270) relates the viscosities at 40 and 100 degC: state one of these"});
+}
+
 void check_dilution(const Lubricant& oil, Breaches& breaches) {
   if (oil.fuel + oil.water > 1) {
     breaches.push_back({"lubricant.water",
@@ -56,7 +81,7 @@ void check_dilution(const Lubricant& oil, Breaches& breaches) {
                         "add the viscosity at another temperature, for example 100 degC"});
   }
   check_points("lubricant.fuel_viscosity", oil.fuel_viscosity, Trend::kFalling, breaches);
-  for (const TemperatureValue& point : oil.kinematic_viscosity) {
+  for (const TemperatureValue& point : oil.viscosities()) {
     if (point.value > models::kMinBlendedViscosity) continue;
     breaches.push_back({"lubricant.kinematic_viscosity",
                         "lubricant.kinematic_viscosity = " + text_in(point.value, kSquareMillimetrePerSecond) +
@@ -151,12 +176,14 @@ void append_thermal_breaches(const Case& c, std::vector<RuleBreach>& breaches) {
 
 void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& breaches) {
   check_density(oil, breaches);
-  const auto& nu = oil.kinematic_viscosity;
+  check_viscosity_index(oil, breaches);
+  const std::vector<TemperatureValue> nu = oil.viscosities();
   const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
   if (nu.size() == 1 && !houpert) {
+    if (oil.viscosity_index) return;  // was said
     breaches.push_back({"lubricant.kinematic_viscosity",
                         "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",
-                        "add the viscosity at another temperature, for example 100 degC"});
+                        "add the viscosity at another temperature, for example 100 degC, or lubricant.viscosity_index"});
   } else if (nu.size() == 1 && nu.front().temperature != oil.reference_temperature) {
     breaches.push_back({"lubricant.kinematic_viscosity",
                         "lubricant.kinematic_viscosity has one value, and it is not at lubricant.reference_temperature",

@@ -1,6 +1,7 @@
 #include "ringfilm/cycle/setup/oil_setup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -61,8 +62,9 @@ models::OilLaws oil_laws(const Lubricant& oil) {
     throw InputError("lubricant.density has no value", "state one, or values at temperatures");
   }
   models::OilLaws laws;
-  laws.viscosity_temperature = temperatures(oil.kinematic_viscosity);
-  laws.kinematic_viscosity = values(oil.kinematic_viscosity);
+  const std::vector<TemperatureValue> viscosities = oil.viscosities();
+  laws.viscosity_temperature = temperatures(viscosities);
+  laws.kinematic_viscosity = values(viscosities);
   laws.density = {temperatures(oil.density), values(oil.density),
                   oil.density_temperature == DensityTemperature::kTable
                       ? models::DensityTemperatureLaw::kTable
@@ -106,6 +108,28 @@ void add_dilution_note(const Lubricant& oil, double T, double eta_T, std::vector
   notes.push_back({"oil-diluted", message, 1});
 }
 
+/// Three or more viscosities that do not lie on one line of ASTM D341.
+void add_off_line_note(const models::OilLaws& laws, std::vector<Note>& notes) {
+  constexpr double kUsualScatter = 0.03;  // of the viscosity; chosen: a few times the reproducibility of ASTM D445
+  const auto& T = laws.viscosity_temperature;
+  if (T.size() < 3) return;
+  const models::Walther line = models::Walther::fit(T, laws.kinematic_viscosity);
+  double worst = 0, worst_T = 0;
+  for (std::size_t i = 0; i < T.size(); ++i) {
+    const double off = line.kinematic_viscosity(T[i]) / laws.kinematic_viscosity[i] - 1;
+    if (std::abs(off) > std::abs(worst)) {
+      worst = off;
+      worst_T = T[i];
+    }
+  }
+  if (std::abs(worst) <= kUsualScatter) return;
+  notes.push_back({"viscosity-off-line",
+                   "the line of ASTM D341 through the " + std::to_string(T.size()) +
+                       " viscosities of lubricant.kinematic_viscosity misses that at " + celsius(worst_T) +
+                       formatted(" by %+.1f %%: is one of them wrong?", 100 * worst),
+                   1});
+}
+
 std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaws& laws,
                                       const models::WallTemperatures::Range& range) {
   std::vector<Note> notes;
@@ -124,9 +148,12 @@ std::vector<Note> extrapolation_notes(const Lubricant& oil, const models::OilLaw
     const double temperature = range.low < *low ? range.low : range.high;
     notes.push_back({"viscosity-extrapolated",
                      "oil viscosity is asked for at " + celsius(temperature) + ", outside its measured points (" +
-                         celsius(*low) + " to " + celsius(*high) + "): the temperature law is continued",
+                         celsius(*low) + " to " + celsius(*high) +
+                         "): the temperature law is continued; a viscosity measured near it as a further point of "
+                         "lubricant.kinematic_viscosity makes it certain",
                      1});
   }
+  if (oil.viscosity_temperature == ViscosityTemperature::kWalther) add_off_line_note(laws, notes);
   return notes;
 }
 

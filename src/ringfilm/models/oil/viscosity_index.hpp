@@ -5,6 +5,7 @@
 /// compared with those, L and H, of two reference oils of the index 0 and 100 that have the same viscosity at 100 degC.
 namespace ringfilm::models {
 
+inline constexpr double kLowIndexTemperature = 313.15, kHighIndexTemperature = 373.15;  ///< 40 and 100 degC [K]
 /// Viscosity at 100 degC where the practice begins [m2/s].
 inline constexpr double kMinIndexedViscosity = 2e-6;
 /// Highest index that is taken as one of an oil: the best base oils have about 160, improved oils up to 300 [-].
