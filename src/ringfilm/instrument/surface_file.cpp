@@ -128,6 +128,21 @@ bool same_unit(const std::string& a, const std::string& b, const io::Units& unit
          (is_length(a, units) && is_length(b, units) && units.scale(a, "m").to_si(1) == units.scale(b, "m").to_si(1));
 }
 
+/// The unit of a list whose x, y and z have one: that of x and y if the user states it, else the assumed one.
+Scale assumed_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
+                    const io::Units& units, Record& record) {
+  if (options.lateral_unit) {
+    record.notes.push_back(fmt::format("unit of heights: {}, as that of x and y", *options.lateral_unit));
+    return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
+                        "give a length, for example " + options.names.lateral_unit, units);
+  }
+  record.doubts.push_back(
+      {fmt::format("the file states no unit: {0} was assumed for x, y and z, which makes steps of {1:.6g} {0}",
+                   values.assumed_unit, values.step_x),
+       "if it is another one, state it, for example " + options.names.height_unit});
+  return units.scale(values.assumed_unit, "m");
+}
+
 Scale height_scale(const std::string& path, const ChannelValues& values, const SurfaceOptions& options,
                    const io::Units& units, Record& record) {
   const std::string& stated = values.channel.unit;
@@ -140,6 +155,7 @@ Scale height_scale(const std::string& path, const ChannelValues& values, const S
     }
     return scale;
   }
+  if (stated.empty() && !values.assumed_unit.empty()) return assumed_scale(path, values, options, units, record);
   if (stated.empty()) {
     refuse(path, fmt::format("the file does not state in which unit channel \"{}\" is", values.channel.name),
            "state it, for example " + options.names.height_unit);
@@ -184,6 +200,12 @@ Scale lateral_scale(const std::string& path, const ChannelValues& values, const 
     }
     return length_scale(path, *options.lateral_unit, "the stated unit of x and y is",
                         "give a length, for example " + options.names.lateral_unit, units);
+  }
+  if (values.step_unit.empty() && !values.assumed_unit.empty()) {
+    if (options.height_unit) {
+      record.notes.push_back(fmt::format("unit of x and y: {}, as that of the heights", *options.height_unit));
+    }
+    return units.scale(options.height_unit.value_or(values.assumed_unit), "m");
   }
   if (values.step_unit.empty()) {
     refuse(path, "the file does not state in which unit x and y are",
@@ -370,9 +392,17 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
 
 bool is_refusal(const Doubt& doubt) { return doubt.weight == Doubt::Weight::kRefusal; }
 
-/// Adds the doubts about the heights to those of the reading. Without a refusal all of them are notes; with one the
-/// file is refused for it, with what is doubtful in the reading.
-void check_heights(const surface::HeightMap& map, Loaded& loaded) {
+void set_missing(surface::HeightMap& map, const std::vector<std::size_t>& points) {
+  if (map.missing.empty()) map.missing.assign(map.points(), 0);
+  for (const std::size_t point : points) {
+    map.missing[point] = 1;
+    map.height_m[point] = 0;
+  }
+}
+
+/// Adds the doubts about the heights to those of the reading, and takes points as missing where these require it.
+/// Without a refusal all of them are notes; with one the file is refused for it, with what is doubtful in the reading.
+void check_heights(surface::HeightMap& map, Loaded& loaded) {
   std::vector<Doubt> doubts = loaded.doubts;
   if (std::none_of(doubts.begin(), doubts.end(), is_refusal)) {  // else the heights are not those of the file
     const std::vector<Doubt> found = height_doubts(map, loaded.unit);
@@ -380,7 +410,10 @@ void check_heights(const surface::HeightMap& map, Loaded& loaded) {
     std::copy_if(found.begin(), found.end(), std::back_inserter(doubts),
                  [is_refused](const Doubt& doubt) { return !is_refused || is_refusal(doubt); });
   }
-  for (const Doubt& doubt : doubts) loaded.origin.doubts.push_back(doubt.message + "; " + doubt.remedy);
+  for (const Doubt& doubt : doubts) {
+    loaded.origin.doubts.push_back(doubt.message + "; " + doubt.remedy);
+    if (doubt.weight == Doubt::Weight::kMissing) set_missing(map, doubt.points);
+  }
   if (std::none_of(doubts.begin(), doubts.end(), is_refusal)) return;
   std::vector<Fault> faults;
   for (const Doubt& doubt : doubts) faults.push_back({{loaded.origin.path, 0, 0, ""}, doubt.message, doubt.remedy});
@@ -455,8 +488,8 @@ SurfaceFile read_surface_file(const std::string& path, const SurfaceOptions& opt
   for (std::size_t i = 0; i < map.missing.size(); ++i) {
     if (map.missing[i] != 0) map.height_m[i] = 0;
   }
-  result.plausibility_line = plausibility_line(map);
   check_heights(map, loaded);
+  result.plausibility_line = plausibility_line(map);
   result.origin = std::move(loaded.origin);
   return result;
 }
@@ -478,20 +511,28 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
   } else {
     scale = lateral_scale(path, values, options, units, record);
   }
-  surface::HeightMap map;
+  const auto place_m = [&](std::size_t i) {
+    return step_m > 0 ? step_m * static_cast<double>(i) : scale.to_si(values.x[i]);
+  };
+  std::vector<std::size_t> measured;
   for (std::size_t i = 0; i < values.value.size(); ++i) {
-    if (values.is_missing(i)) continue;
-    result.trace.x_m.push_back(step_m > 0 ? step_m * static_cast<double>(i) : scale.to_si(values.x[i]));
-    result.trace.height_m.push_back(values.value[i]);
+    if (!values.is_missing(i)) measured.push_back(i);
   }
-  if (result.trace.x_m.size() < 2) refuse(path, "the profile has one measured point", "two or more are required");
+  if (measured.size() < 2) refuse(path, "the profile has one measured point", "two or more are required");
+  surface::HeightMap map;
   map.points_x = values.channel.points_x;
   map.points_y = 1;
-  map.step_x_m = (result.trace.x_m.back() - result.trace.x_m.front()) / static_cast<double>(values.value.size() - 1);
+  map.step_x_m =
+      (place_m(measured.back()) - place_m(measured.front())) / static_cast<double>(values.value.size() - 1);
   map.height_m = std::move(values.value);
   map.missing = std::move(values.missing);
-  result.plausibility_line = plausibility_line(map);
   check_heights(map, loaded);
+  result.plausibility_line = plausibility_line(map);
+  for (const std::size_t i : measured) {
+    if (!map.measured(i)) continue;
+    result.trace.x_m.push_back(place_m(i));
+    result.trace.height_m.push_back(map.height_m[i]);
+  }
   result.origin = std::move(loaded.origin);
   return result;
 }

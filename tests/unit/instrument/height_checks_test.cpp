@@ -30,7 +30,10 @@ std::vector<std::string> doubts(const surface::HeightMap& map) {
   std::vector<std::string> lines;
   for (const Doubt& doubt : height_doubts(map, kUm)) {
     EXPECT_NE(doubt.remedy, "") << doubt.message;
-    lines.push_back((doubt.weight == Doubt::Weight::kRefusal ? "refused: " : "") + doubt.message);
+    lines.push_back((doubt.weight == Doubt::Weight::kRefusal   ? "refused: "
+                     : doubt.weight == Doubt::Weight::kMissing ? "missing: "
+                                                               : "") +
+                    doubt.message);
   }
   return lines;
 }
@@ -117,6 +120,10 @@ TEST(HeightChecks, ALineOfOneValueIsNotedWithItsNumberAndValue) {
   EXPECT_THAT(doubts(map), ElementsAre("row 48 holds one value throughout, -0.8 um"));
   for (std::size_t row = 12; row < 47; ++row) fill_row(row, -0.8e-6);  // a scan that was broken off
   EXPECT_THAT(doubts(map), ElementsAre("36 rows hold one value throughout, the first of them row 13: -0.8 um"));
+  fill_row(47, -0.08);  // with 80 mm nothing can be computed: not a measured row
+  for (std::size_t row = 12; row < 47; ++row) fill_row(row, -0.08);
+  EXPECT_THAT(doubts(map), ElementsAre(AllOf(HasSubstr("missing: 36 rows hold one value throughout"),
+                                             HasSubstr("these points were taken as missing"))));
 }
 
 TEST(HeightChecks, AValueFarFromAllOthersIsNamedWithItsPlace) {
@@ -131,13 +138,17 @@ TEST(HeightChecks, AValueFarFromAllOthersIsNamedWithItsPlace) {
   at(20, 30) = at(21, 30) = 8e-6;
   EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("3 points far from the rest repeat one value, 8 um, the first of them "
                                                  "row 3, column 7")));
-  // So far that nothing can be computed with them: refused, and for this reason alone.
+  // So far that nothing can be computed with them: a value that repeats marks missing points.
   at(7, 3) = at(20, 30) = at(21, 30) = -9999e-6;
-  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("refused: 3 points far from the rest repeat one value, -9999 um")));
+  EXPECT_THAT(doubts(map), ElementsAre(AllOf(HasSubstr("missing: 3 points far from the rest repeat one value, -9999 um"),
+                                             HasSubstr("these points were taken as missing"))));
+  EXPECT_THAT(height_doubts(map, {"um", 1e-6}).front().points,
+              ElementsAre(map.index(6, 2), map.index(19, 29), map.index(20, 29)));
   for (std::size_t i = 0; i < map.points(); i += 3) map.height_m[i] = -9999e-6;
-  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("refused: 1026 points far from the rest")));
+  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("missing: 1026 points far from the rest")));
+  // A single height does not: the map is refused.
   at(1, 1) = 9999e-6;
-  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("-9999 um"), HasSubstr("1 height lies far from the rest")));
+  EXPECT_THAT(doubts(map), ElementsAre(HasSubstr("refused: "), HasSubstr("refused: 1 height lies far from the rest")));
 }
 
 TEST(HeightChecks, AValueAmongTheOthersThatIsMuchMoreFrequent) {
@@ -187,7 +198,7 @@ TEST(HeightChecks, LinesThatWereNotMeasuredAreNoneThatWereWrittenTwice) {
 TEST(HeightChecks, SlopesAndHeightsBeyondThoseOfSurfaces) {
   const surface::HeightMap map = map_of_surface();
   EXPECT_THAT(doubts(scaled(map, 30)), ElementsAre(HasSubstr("the rms slope is ")));
-  EXPECT_THAT(doubts(scaled(map, 1e6)), ElementsAre(HasSubstr("refused: the rms slope is ")));
+  EXPECT_THAT(doubts(scaled(map, 1e6)), ElementsAre(AllOf(HasSubstr("the rms slope is "), Not(HasSubstr("refused")))));
   surface::HeightMap waves = map;  // 40 um high waves of 2 mm length, in a map of 4 mm
   waves.step_x_m = waves.step_y_m = 64e-6;
   for (std::size_t i = 0; i < waves.points(); ++i)
@@ -250,6 +261,22 @@ TEST(HeightChecks, AFileIsReadWithItsDoubtsOrRefused) {
   options.height_unit = "pm";
   const std::string words = refusal("a.csv", spike, options);
   EXPECT_THAT(words, AllOf(HasSubstr("below the size of an atom"), HasSubstr("state the right one")));
+}
+
+TEST(HeightChecks, ARowThatWasNotMeasuredIsMissingInTheMapThatIsRead) {
+  std::string text;
+  for (int j = 0; j < 12; ++j) {
+    for (int i = 0; i < 10; ++i) {
+      text += number_text(j == 11 ? -8000.0 : std::sin(3.7 * i * i + 1.3 * j * j + i * j)) + (i < 9 ? "," : "\n");
+    }
+  }
+  SurfaceOptions options;
+  options.height_unit = "um";
+  options.step_x = "5 um";
+  const SurfaceFile file = read_bytes("a.csv", text, options);
+  EXPECT_THAT(file.origin.doubts, ElementsAre(HasSubstr("row 12 holds one value throughout, -8000 um")));
+  for (std::size_t i = 0; i < 120; ++i) EXPECT_EQ(file.map.measured(i), i < 110) << i;
+  EXPECT_THAT(file.plausibility_line, HasSubstr("8.33 % missing"));  // 10 of 120 points
 }
 
 TEST(HeightChecks, WhatTheUserStatesAgainstTheFileIsADoubt) {

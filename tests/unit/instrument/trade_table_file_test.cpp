@@ -77,6 +77,72 @@ TEST(TradeTable, PointsOfAlicona) {
   SurfaceOptions options;
   options.height_unit = options.lateral_unit = "um";
   expect_map(text + "}\n}\n", 1e-6, options);
+  options.lateral_unit.reset();  // one unit for all three
+  expect_map(text + "}\n}\n", 1e-6, options);
+  options = {};
+  expect_map(text + "}\n}\n", 1e-6, options);
+  EXPECT_THAT(read_bytes("a.csv", text + "}\n}\n").origin.doubts,
+              Contains(HasSubstr("the file states no unit: um was assumed for x, y and z, which makes steps of 1 um")));
+}
+
+TEST(TradeTable, PointsOfAliconaInMetres) {
+  std::string text = "GPoint3DVector { 48 n {\n";
+  for (int i = 0; i < 48; ++i) text += fmt::format("{:.9f} {:.9f} {:.12f}\n", 1e-6 * (i % 8), 1e-6 * (i / 8), 1e-6 * height_of(i));
+  expect_map(text + "}\n}\n", 1e-6);
+  EXPECT_THAT(read_bytes("a.csv", text).origin.doubts, Contains(HasSubstr("m was assumed")));
+}
+
+/// The head of the MetroPro reference guide up to the first #, for 8 x 6 points from column 3 and row 2 of the camera.
+std::string zygo_head(const char* first, bool has_zoom) {
+  return std::string(first) +
+         "\n0 8 3 5 \"Mon Jan 01 00:00:00 2024         \"\n0 0 0 0 0 0\n3 2 8 6\n\"comment 1 2 3\"\n\"\"\n\"\"\n"
+         "0 0.5 6.33e-007 0.3 1.02 0 1.0e-006 1704067200\n640 480 0 0 0 0 \"50X\"\n0 0 0 0 0 0 0 0 0 0\n"
+         "1 1 20 2 0 0 0 0 0\n0 \"\"\n1 0\n" +
+         (has_zoom ? "\"1.00X\"\n" : "") + "#\n";
+}
+
+TEST(TradeTable, ZygoAscii) {
+  constexpr double kHeightOfPhase = 0.5 * 6.33e-7 * 1.02 / 32768;  // 9.9e-12 m: the phases round to half of that
+  const auto with = [&](int missing, const std::string& intensities) {
+    std::string text = zygo_head("Zygo ASCII Data File - Format 2", true) + intensities + "#\n";
+    for (int i = 0; i < 48; ++i) {
+      text += i == missing ? "2147483640" : fmt::format("{:.0f}", 1e-6 * height_of(i) / kHeightOfPhase);
+      text += i % 10 == 9 ? " \n" : " ";
+    }
+    return text + "\n#\n";
+  };
+  for (const std::string intensities : {"", "0 0 0\n12 13 14\n"}) {
+    const SurfaceFile file = read_bytes("a.asc", with(9, intensities));
+    ASSERT_EQ(file.map.points_x, 8u);
+    ASSERT_EQ(file.map.points_y, 6u);
+    EXPECT_NEAR(file.map.step_x_m, 1e-6, 1e-15);
+    for (int i = 0; i < 48; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      if (i == 9) continue;
+      EXPECT_NEAR(file.map.height_m[at], 1e-6 * height_of(i), 0.51 * kHeightOfPhase);
+    }
+    EXPECT_FALSE(file.map.measured(9));
+    EXPECT_EQ(file.origin.format, "text, Zygo ASCII");
+  }
+  const std::string whole = with(-1, "");
+  EXPECT_THAT(refusal("a.asc", whole.substr(0, whole.size() - 30)), HasSubstr("of 8 x 6"));
+  std::string many = whole;
+  many.replace(many.find("3 2 8 6"), 7, "3 2 9999 9999");
+  EXPECT_THAT(refusal("a.asc", many), HasSubstr("more than the file can hold"));
+}
+
+TEST(TradeTable, ZygoXyz) {
+  std::string text = zygo_head("Zygo XYZ Data File - Format 1", false);
+  for (int i = 0; i < 48; ++i) {
+    text += i == 9 ? fmt::format("{} {} No Data\n", 3 + i % 8, 2 + i / 8)
+                   : fmt::format("{} {} {:.6f}\n", 3 + i % 8, 2 + i / 8, height_of(i));
+  }
+  const SurfaceFile file = read_bytes("a.xyz", text + "#\n");
+  ASSERT_EQ(file.map.points(), 48u);
+  EXPECT_FALSE(file.map.measured(9));
+  EXPECT_NEAR(file.map.height_m[47], 1e-6 * height_of(47), 1e-12);
+  EXPECT_NEAR(file.map.step_y_m, 1e-6, 1e-15);
+  EXPECT_THAT(refusal("a.xyz", text + "3 9 0.5\n#\n"), HasSubstr("the point lies outside of the 8 x 6 points"));
 }
 
 TEST(TradeTable, ProfilesOfOtherPrograms) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ringfilm/base/trimmed.hpp"
+#include "ringfilm/instrument/formats/zygo_text_file.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
 #include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/io/table/table_head.hpp"
@@ -216,6 +217,9 @@ ChannelValues alicona_points(const std::string& file, const std::string& text, i
   }
   ChannelValues values = on_regular_grid(file, points);
   values.channel.name = "heights";
+  // The list has no place for a unit. Steps are between 1 nm and 1 mm in what instruments measure.
+  constexpr double kMaxStepInMetres = 1e-3;
+  values.assumed_unit = values.step_x < kMaxStepInMetres ? "m" : "um";
   if (table.n_columns > 3) values.notes.push_back("x, y, z: columns 1 to 3; the normals behind them were omitted");
   return values;
 }
@@ -228,6 +232,7 @@ std::optional<InstrumentFile> read_trade_table(const std::string& file, const st
   io::TextLines lines(text);
   const std::optional<io::TextLines::Line> first = lines.next_row(',');
   if (!first) return std::nullopt;
+  if (is_zygo_text(text)) return read_zygo_text(file, text);
   if (io::without_blanks(first->text).starts_with("GPoint3DVector")) {
     result.format = "text, Alicona points";
     values = alicona_points(file, text, first->number);

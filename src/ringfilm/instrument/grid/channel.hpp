@@ -17,11 +17,12 @@ inline constexpr std::size_t kMaxInstrumentFile = std::size_t{1} << 30;
 
 /// A reason to doubt that the heights are those of the surface, as they were read.
 struct Doubt {
-  /// Is the user informed, or is the file refused?
-  enum class Weight { kNote, kRefusal };
-  std::string message;            ///< place, value and rule
-  std::string remedy;             ///< next step
-  Weight weight = Weight::kNote;  ///< kRefusal: the result would certainly not be a surface
+  /// Is the user informed, are points taken as missing, or is the file refused?
+  enum class Weight { kNote, kMissing, kRefusal };
+  std::string message;                   ///< place, value and rule
+  std::string remedy;                    ///< next step
+  Weight weight = Weight::kNote;         ///< kRefusal: the result would certainly not be a surface
+  std::vector<std::size_t> points = {};  ///< points with the doubtful value; of kMissing: those that are taken as missing
 };
 
 /// What a file states about one of its maps before the values are read.
@@ -38,6 +39,7 @@ struct ChannelValues {
   double step_x = 0.0;                ///< [step_unit]; 0 where the file does not state it
   double step_y = 0.0;                ///< [step_unit]; 0 where the file does not say, and of a profile
   std::string step_unit;              ///< e.g. "m"; empty where the file does not state it
+  std::string assumed_unit;           ///< unit of x, y, z alike where neither file nor user states it; mostly empty
   std::string step_unit_y;            ///< unit of step_y where it is another one than step_unit; else empty
   std::vector<Fault> step_faults;     ///< what is wrong with the size that the file states
   std::vector<double> x;              ///< [step_unit] places of a profile that need not be even; else empty

@@ -141,6 +141,16 @@ struct OddLines {
   }
 };
 
+std::vector<std::size_t> points_of_lines(const HeightMap& map, bool is_row, const std::vector<std::size_t>& lines) {
+  std::vector<std::size_t> points;
+  for (const std::size_t k : lines) {
+    for (std::size_t i = 0; i < (is_row ? map.points_x : map.points_y); ++i) {
+      points.push_back(is_row ? map.index(i, k) : map.index(k, i));
+    }
+  }
+  return points;
+}
+
 /// The lines of one direction. Where half of them are straight, the surface is: nothing is odd then.
 void find_odd_lines(const HeightMap& map, bool is_row, const HeightUnit& unit, OddLines& odd) {
   const std::size_t count = is_row ? map.points_y : map.points_x;
@@ -176,7 +186,8 @@ void find_odd_lines(const HeightMap& map, bool is_row, const HeightUnit& unit, O
                               ? fmt::format("{} {} holds one value throughout, {}", word, first + 1, value)
                               : fmt::format("{} {}s hold one value throughout, the first of them {} {}: {}",
                                             constants.size(), word, word, first + 1, value),
-                          std::string("if it was not measured, remove it or ") + kMask});
+                          std::string("if it was not measured, remove it or ") + kMask, Weight::kNote,
+                          points_of_lines(map, is_row, constants)});
   }
   if (!few) return;
   const auto from_edge = [&](bool from_start) {
@@ -317,10 +328,12 @@ Bulk bulk_of(const HeightMap& map, const OddLines& odd, const std::vector<double
   return bulk;
 }
 
-std::size_t first_with(const HeightMap& map, const OddLines& odd, double value) {
-  std::size_t i = 0;
-  while (!map.measured(i) || map.height_m[i] != value || odd.contains(map, i)) ++i;
-  return i;
+std::vector<std::size_t> points_with(const HeightMap& map, const OddLines& odd, double value) {
+  std::vector<std::size_t> points;
+  for (std::size_t i = 0; i < map.points(); ++i) {
+    if (map.measured(i) && map.height_m[i] == value && !odd.contains(map, i)) points.push_back(i);
+  }
+  return points;
 }
 
 /// What lies on one side of the bulk, rising.
@@ -336,11 +349,13 @@ void add_far_heights(const HeightMap& map, const OddLines& odd, const Bulk& bulk
   if (distinct > kFewValues && share > kFewFar) return;  // grooves, steps: part of the surface
   const std::string others =
       fmt::format("the rest lies between {} and {}", shown(bulk.low, unit), shown(bulk.high, unit));
-  const std::string where = place(map, first_with(map, odd, repeated));
+  std::vector<std::size_t> points = points_with(map, odd, repeated);
+  const std::string where = place(map, points.front());
   if (most > 1) {
     doubts.push_back({fmt::format("{} points far from the rest repeat one value, {}, the first of them {}; {}", most,
                                   shown(repeated, unit), where, others),
-                      std::string("if the value marks points without a height, ") + kMask});
+                      std::string("if the value marks points without a height, ") + kMask, Weight::kNote,
+                      std::move(points)});
   } else {
     doubts.push_back(
         {fmt::format("{} far from the rest, for example {} in {}; {}",
@@ -376,7 +391,7 @@ void add_frequent_values(const HeightMap& map, const OddLines& odd, const Bulk& 
     doubts.push_back(
         {fmt::format("{:.2g} % of the heights are {}{}, the first of them {}, and the values next to it are {:.0f} "
                      "times rarer",
-                     100 * share, shown(values[i].value, unit), end, place(map, first_with(map, odd, values[i].value)),
+                     100 * share, shown(values[i].value, unit), end, place(map, points_with(map, odd, values[i].value).front()),
                      static_cast<double>(values[i].times) / times_of_neighbours(values, i)),
          std::string("if the value marks points without a height or the end of the range, ") + kMask});
   }
@@ -434,15 +449,14 @@ bool is_impossible(const Extent& of, const HeightMap& map) {
 void add_size_doubts(const Extent& of, const HeightMap& map, std::vector<Doubt>& doubts) {
   const char* const symbol = map.is_profile() ? "Rq" : "Sq";
   const std::string units = "the unit of the heights or the step is wrong: state the right one";
-  const Weight weight = is_impossible(of, map) ? Weight::kRefusal : Weight::kNote;
   if (of.rms_slope > kSteep) {
     doubts.push_back({fmt::format("the rms slope is {:.4g}, and no surface can be measured that is steeper than {}",
                                   of.rms_slope, kSteep),
-                      units, weight});
+                      units});
   } else if (of.Sq_m > kHighShare * longer_side(map)) {
     doubts.push_back({fmt::format("{} is {}, more than {} of the length of {}", symbol, surface::length_text(of.Sq_m),
                                   kHighShare, surface::length_text(longer_side(map))),
-                      units, weight});
+                      units});
   } else if (of.Sq_m == 0) {
     doubts.push_back({"all heights are equal", "is it the right file or channel?"});
   } else if (of.Sq_m < kAtom_m) {
@@ -453,6 +467,27 @@ void add_size_doubts(const Extent& of, const HeightMap& map, std::vector<Doubt>&
   } else if (const double ratio = of.Sq_m * of.curvature_per_m * 8 / (3 * std::sqrt(std::numbers::pi));
              ratio > kSharp) {  // beta = 3 sqrt(pi) / (8 sqrt(m4)), eq-asperity-radius
     doubts.push_back({fmt::format("sigma/beta is {:.4g} as read; no surface has more than {}", ratio, kSharp), units});
+  }
+}
+
+/// A value that repeats far from the rest, or throughout a line, and makes the map impossible is not a height: its
+/// points are missing. The map is refused where it is impossible without them, too.
+void weigh_impossible(const HeightMap& map, const Extent& whole, std::vector<Doubt>& doubts) {
+  std::vector<std::uint8_t> mark(map.points(), 0);
+  for (const Doubt& doubt : doubts) {
+    for (const std::size_t point : doubt.points) mark[point] = 1;
+  }
+  const Extent rest = extent_of(map, [&](std::size_t i) { return map.measured(i) && mark[i] == 0; });
+  const bool is_refused = is_impossible(rest, map);
+  for (Doubt& doubt : doubts) {
+    if (doubt.points.empty() && !is_refused) continue;
+    doubt.weight = is_refused ? Weight::kRefusal : Weight::kMissing;
+    doubt.message += fmt::format("; with all points the rms height is {} and the rms slope {:.3g}",
+                                 surface::length_text(whole.Sq_m), whole.rms_slope);
+    if (!is_refused) {
+      doubt.message += ": these points were taken as missing";
+      doubt.remedy = std::string("if they are heights, the unit or the step is wrong: state the right one; else ") + kMask;
+    }
   }
 }
 
@@ -493,13 +528,7 @@ std::vector<Doubt> height_doubts(const HeightMap& map, const HeightUnit& unit) {
     const Extent rest = extent_of(map, [&](std::size_t i) {
       return map.measured(i) && !odd.contains(map, i) && map.height_m[i] >= bulk.low && map.height_m[i] <= bulk.high;
     });
-    if (is_impossible(whole, map)) {
-      for (Doubt& doubt : doubts) {
-        doubt.weight = Weight::kRefusal;
-        doubt.message += fmt::format("; with all points the rms height is {} and the rms slope {:.3g}",
-                                     surface::length_text(whole.Sq_m), whole.rms_slope);
-      }
-    }
+    if (is_impossible(whole, map)) weigh_impossible(map, whole, doubts);
     add_size_doubts(rest, map, doubts);
   }
   add_length_doubt(map, unit, doubts);

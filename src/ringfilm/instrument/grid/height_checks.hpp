@@ -17,6 +17,7 @@ struct HeightUnit {
 /// What cannot be a measured surface, or hardly: rows and columns of one value or written twice, edges that are numbers
 /// or places, heights far outside all others, values that come too often, ranges that end, slopes, roughness and
 /// curvatures beyond those of surfaces, a length in front of a profile. Empty for fewer than eight measured points.
+/// Points of one value that alone make the map impossible are to be taken as missing (Doubt::Weight::kMissing).
 std::vector<Doubt> height_doubts(const surface::HeightMap& map, const HeightUnit& unit);
 
 /// Leading values of a text that count the values behind them: the head of the file was read as heights.
