@@ -97,6 +97,7 @@ struct Gas {
   double pressure_offset = 0;        ///< added to the trace of the cylinder [Pa]
   double angle_offset_deg = 0;       ///< added to the crank angles of the trace of the cylinder [degree]
   Pegging pegging = Pegging::kNone;  ///< how the zero of the trace of the cylinder is found
+  std::optional<double> imep;        ///< stated for this pressure, to be compared with that of the pressure [Pa]
   double polytropic_index = 1.32;    ///< exponent of the compression, for pegging; typical, assumed [-]
   // model = "wiebe"; angles 0 = firing TDC
   double compression_ratio = 10.5;         ///< largest over smallest cylinder volume [-]

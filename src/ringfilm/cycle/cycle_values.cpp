@@ -10,6 +10,7 @@
 #include "ringfilm/cycle/between_samples.hpp"
 #include "ringfilm/cycle/regimes.hpp"
 #include "ringfilm/cycle/setup/contact_setup.hpp"
+#include "ringfilm/cycle/setup/indicated_pressure.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/models/oil/oil_fit.hpp"
 
@@ -291,6 +292,9 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
+  const models::CyclePressure cylinder = cylinder_pressure(c);
+  values["imep"] = indicated_pressure(c.engine, cylinder).net;
+  if (const auto index = compression_index(c, cylinder)) values["compression_index"] = *index;
   if (const auto& pair = setup.ring.asperities) values["roughness_parameter"] = pair->N * pair->beta * pair->sigma;
   if (const auto lambda = full_film_lambda_ratio(setup.ring)) values["full_film_lambda_ratio"] = *lambda;
   if (const auto curve = plateau_curve(c.contact)) {

@@ -19,10 +19,10 @@ Lubricant oil_with(std::vector<TemperatureValue> viscosities) {
   return oil;
 }
 
-std::vector<std::string> codes_of_notes(const Lubricant& oil, double temperature) {
-  std::vector<std::string> codes;
-  for (const Note& note : prepared_oil(oil, std::nullopt, {temperature, 0.1}).notes) codes.push_back(note.code);
-  return codes;
+std::vector<std::string> topics_of_notes(const Lubricant& oil, double temperature) {
+  std::vector<std::string> topics;
+  for (const Note& note : prepared_oil(oil, std::nullopt, {temperature, 0.1}).notes) topics.push_back(note.topic);
+  return topics;
 }
 
 double kinematic(const Lubricant& oil, double temperature) {
@@ -40,15 +40,15 @@ TEST(ViscosityPoints, AnIndexStandsForTheSecondPoint) {
 
 TEST(ViscosityPoints, AThirdPointReachesToHotWalls) {
   const Lubricant two = oil_with({{313.15, 60e-6}, {373.15, 9.6e-6}});
-  EXPECT_THAT(codes_of_notes(two, 423.15), Contains("viscosity-extrapolated"));
+  EXPECT_THAT(topics_of_notes(two, 423.15), Contains("viscosity-extrapolated"));
   const Lubricant three = oil_with({{313.15, 60e-6}, {373.15, 9.6e-6}, {423.15, kinematic(two, 423.15)}});
-  EXPECT_THAT(codes_of_notes(three, 423.15), Not(Contains("viscosity-extrapolated")));
-  EXPECT_THAT(codes_of_notes(three, 423.15), Not(Contains("viscosity-off-line")));
+  EXPECT_THAT(topics_of_notes(three, 423.15), Not(Contains("viscosity-extrapolated")));
+  EXPECT_THAT(topics_of_notes(three, 423.15), Not(Contains("viscosity-off-line")));
   EXPECT_NEAR(kinematic(three, 400), kinematic(two, 400), 1e-9 * kinematic(two, 400));
 }
 
 TEST(ViscosityPoints, APointOffTheLineOfTheOthersIsNoted) {
-  EXPECT_THAT(codes_of_notes(oil_with({{313.15, 60e-6}, {373.15, 9.6e-6}, {423.15, 5e-6}}), 373.15),
+  EXPECT_THAT(topics_of_notes(oil_with({{313.15, 60e-6}, {373.15, 9.6e-6}, {423.15, 5e-6}}), 373.15),
               Contains("viscosity-off-line"));
 }
 

@@ -25,7 +25,8 @@ constexpr When kPolytropic{[](const Case& c) { return is_pegged(c, Pegging::kPol
                            "gas.pegging = \"polytropic\""};
 constexpr When kRatio{
     [](const Case& c) {
-      return c.gas.model == GasModel::kWiebe || has_charge(c) || is_pegged(c, Pegging::kPolytropic);
+      return c.gas.model == GasModel::kWiebe || has_charge(c) || is_pegged(c, Pegging::kPolytropic) ||
+             c.stated.contains("gas.compression_ratio");  // of a trace: for its index of compression
     },
     "gas.model = \"wiebe\", gas.pegging = \"polytropic\" or gas_path.model = \"orifice-volume\", for ringfilm gas, or "
     "film.supply = \"film-on-liner\""};
@@ -167,6 +168,15 @@ void append_gas_fields(std::vector<Field>& fields) {
                      "by gas.polytropic_index",
                  .example = "\"intake\"",
                  .uses = {.gas = true}}),
+          field({.key = "gas.imep",
+                 .kind = OptionalNumberKind{member<&Case::gas, &Gas::imep>},
+                 .unit = kBar,
+                 .range = between(-1e7, 1e7),
+                 .need = Need::kOptional,
+                 .help = "indicated mean effective pressure stated for this pressure; a note where it has another",
+                 .example = "\"5.5 bar\"",
+                 .uses = {.gas = true},
+                 .is_for_record = true}),
           field({.key = "gas.polytropic_index",
                  .kind = NumberKind{member<&Case::gas, &Gas::polytropic_index>},
                  .unit = kPlainNumber,

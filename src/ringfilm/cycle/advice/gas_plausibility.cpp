@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/display.hpp"
+#include "ringfilm/cycle/setup/indicated_pressure.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/setup/trace_zero.hpp"
-#include "ringfilm/models/crank_slider.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -103,10 +102,11 @@ constexpr UsualAngle kValveAngles[] = {{"gas.exhaust_valve_opening", &Gas::exhau
                                        {"gas.intake_valve_opening", &Gas::intake_valve_opening_deg, 280, 440},
                                        {"gas.intake_valve_closing", &Gas::intake_valve_closing_deg, 440, 660}};
 
-/// Volume above the piston, in strokes.
+/// IMEP is stated with two or three digits, and a tenth of a degree of TDC moves it by 1 %; assumed.
+constexpr double kImepScatter = 0.02, kMinImepScatter = 0.05e5;
+
 double volume_above(const Case& c, double crank_angle_deg, double compression_ratio) {
-  const models::CrankSlider crank{c.engine.stroke / 2, c.engine.connecting_rod_length};
-  return 1 / (compression_ratio - 1) + crank.position(crank_angle_deg * std::numbers::pi / 180) / crank.stroke();
+  return volume_in_strokes(c.engine, crank_angle_deg, compression_ratio);
 }
 
 class GasNotes {
@@ -132,6 +132,7 @@ class GasNotes {
     // Each may follow from what has a note already.
     if (!is_wiebe() && notes_.size() == notes_before) append_motored_peak();
     if (!is_wiebe() && notes_.size() == notes_before) append_index();
+    append_imep();
   }
 
  private:
@@ -249,18 +250,8 @@ class GasNotes {
                                " degree before TDC: is TDC of the trace right? Correct its angles by the difference");
   }
 
-  /// Polytropic index of the compression between two angles, by least squares of ln p over ln V.
   double index_of(double from_deg, double to_deg, double compression_ratio) const {
-    constexpr double kStepDeg = 5;
-    double n = 0, x_sum = 0, y_sum = 0, xx = 0, xy = 0;
-    for (double deg = from_deg; deg <= to_deg; deg += kStepDeg, ++n) {
-      const double x = -std::log(volume_above(case_, deg, compression_ratio)), y = std::log(cylinder_.pressure(deg));
-      x_sum += x;
-      y_sum += y;
-      xx += x * x;
-      xy += x * y;
-    }
-    return (n * xy - x_sum * y_sum) / (n * xx - x_sum * x_sum);
+    return polytropic_index(case_.engine, cylinder_, from_deg, to_deg, compression_ratio);
   }
 
   /// Where compression begins: the trace, or the intake valve closes.
@@ -384,6 +375,22 @@ class GasNotes {
          "the trace begins with " + text_in(start->pressure, kBar) + " at " + number_text(start->crank_angle_deg) +
              " degree, where gas.intake_pressure = " + text_in(start->lowest, kBar) + " can be compressed to " +
              text_in(start->highest, kBar) + " at most: is one of them wrong, or of another reference?");
+  }
+
+  /// Where the case states another IMEP than that of its pressure, over the whole cycle or without gas exchange.
+  void append_imep() {
+    if (!gas_.imep) return;
+    const double stated = *gas_.imep;
+    const auto [net, gross, per_degree] = indicated_pressure(case_.engine, cylinder_);
+    const double scatter = std::max(kImepScatter * std::abs(stated), kMinImepScatter);
+    if (std::abs(net - stated) <= scatter || std::abs(gross - stated) <= scatter) return;
+    note("gas-imep-differs",
+         "gas.imep states " + text_in(stated, kBar, 4) + ", and the cylinder pressure has an IMEP of " +
+             text_in(net, kBar, 4) + " over the whole cycle and " + text_in(gross, kBar, 4) +
+             " over compression and expansion: is it the pressure of this operating point, and the crank that of its "
+             "engine? " +
+             check("One degree of TDC changes it by ", "One degree of combustion changes it by ") +
+             text_in(std::abs(per_degree), kBar, 2) + "; an offset of the pressure does not change it");
   }
 
   const Case& case_;

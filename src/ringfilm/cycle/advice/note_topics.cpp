@@ -20,6 +20,7 @@ const std::vector<NoteTopic>& note_topics() {
       {"lambda-ratio-too-low", kNone, kCrankAngles, "min_lambda_ratio", kMin},
       {"synthetic-trace", kLimited, kCase},
       {"gas-peak-place", kLimited, kCase},
+      {"gas-imep-differs", kLimited, kCase},
       {"gas-compression-low", kLimited, kCase},
       {"gas-compression-high", kLimited, kCase},
       {"roughness-parameter-unusual", kLimited, kCase},

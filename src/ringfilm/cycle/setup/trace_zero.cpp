@@ -16,8 +16,6 @@ namespace {
 
 /// Around bottom dead centre after intake the piston hardly moves, and the pressure is that of the intake; assumed.
 constexpr double kBottomFromDeg = -190, kBottomToDeg = -170;
-/// Between these angles the valves are closed and combustion has not begun; assumed.
-constexpr double kPegFromDeg = -90, kPegToDeg = -45;
 constexpr std::size_t kMinSamples = 3;
 
 double piston_distance(const Engine& engine, double crank_angle_deg) {

@@ -6,6 +6,9 @@
 /// Zeros of the traces of a case (docs/theory/gas.md).
 namespace ringfilm::cycle {
 
+/// Between these angles the valves are closed and combustion has not begun; assumed [degree].
+inline constexpr double kPegFromDeg = -90, kPegToDeg = -45;
+
 /// What is added to the crank angles of all traces, by gas.angle_zero [degree].
 double turn_of_traces_deg(const Gas& gas);
 
