@@ -10,6 +10,7 @@ const load = (name) => import(pathToFileURL(join(process.argv[2], 'src', name)).
 const { settingWords } = await load('cycle/setting_words.js');
 const { breakthroughs, closings, fullFilmMarks, thinnestInWords } = await load('cycle/cycle_figures.js');
 const { regimeFigure } = await load('cycle/other_figures.js');
+const { indicatorFigure } = await load('cycle/indicator_figure.js');
 const { exaggeration, sectionState, sectionSvg } = await load('cycle/section_drawing.js');
 const usual = await load('cycle/usual.js');
 const { warnings } = await load('cycle/first_screen.js');
@@ -119,6 +120,87 @@ test('rings of a pack are judged by their kind, rails together, and so is the pa
   // The peak of the cylinder decides for all, also for rings that hardly feel it.
   verdicts(180e5).forEach((line) => assert.match(line, /diesel engine/));
   assert.match(verdicts(180e5)[2], /0\.5 to 7 kPa of an oil ring of a diesel engine/);
+});
+
+/** A compression and expansion p V^n = C of an engine with a ratio of 10, and no gas exchange. */
+function polytropicCase(name, index, { offset = 0, inputs = [] } = {}) {
+  const crank_angle = Array.from({ length: 720 }, (_, k) => k);
+  const [stroke, rod, ratio] = [0.08, 0.14, 10];
+  const volume = (degree) => {
+    const angle = (degree * Math.PI) / 180;
+    const r = stroke / 2;
+    return (
+      stroke / (ratio - 1) + r + rod - r * Math.cos(angle) - Math.sqrt(rod ** 2 - (r * Math.sin(angle)) ** 2)
+    );
+  };
+  const bottom = volume(180);
+  const pressure = (degree) =>
+    (degree < 180 || degree > 540 ? 1e5 * (bottom / volume(degree)) ** index : 1e5) + offset;
+  return {
+    title: name,
+    complete: true,
+    values: {},
+    curves: { crank_angle, gas_pressure: crank_angle.map(pressure) },
+    derived: { imep: 5.507e5 },
+    inputs: [
+      { key: 'engine.bore', value_si: 0.08 },
+      { key: 'engine.stroke', value_si: stroke },
+      { key: 'engine.connecting_rod_length', value_si: rod },
+      ...inputs,
+    ],
+  };
+}
+
+function modelOf(...cases) {
+  return new Model({
+    curve_quantities: [
+      { name: 'gas_pressure', unit: 'Pa', display_unit: 'bar', long_name: 'gas pressure above the ring' },
+    ],
+    cycle_quantities: [],
+    derived_quantities: [],
+    unrolled_quantities: [],
+    unrolled_cycle_quantities: [],
+    cases,
+  });
+}
+
+test('the indicator diagram has the volume of the crank and the index of compression', () => {
+  const stated = { inputs: [{ key: 'gas.compression_ratio', value_si: 10 }] };
+  const figure = indicatorFigure(modelOf(polytropicCase('a', 1.32, stated)));
+  const [{ xScale, yScale, series }] = figure.panels;
+  assert.deepEqual([xScale, yScale, series.length], ['log', 'log', 1]);
+  const swept = ((Math.PI * 8 * 8) / 4) * 8; // [cm3]
+  assert.ok(Math.abs(Math.min(...series[0].x) - swept / 9) < 1e-6 * swept);
+  assert.ok(Math.abs(Math.max(...series[0].x) - (swept * 10) / 9) < 1e-6 * swept);
+  assert.ok(Math.abs(Math.max(...series[0].y) - 10 ** 1.32) < 1e-9 * 21); // compressed ten times from 1 bar
+  assert.equal(series[0].x.length, 721); // the loop is closed
+  assert.match(figure.caption, /Indicated mean effective pressure: 5\.507 bar/);
+  assert.match(figure.caption, /index of compression from −90° to −45°: 1\.32 /);
+  assert.doesNotMatch(figure.caption, /assumed/);
+});
+
+test('an offset shows in the index, and an unknown compression ratio is assumed', () => {
+  const stated = { inputs: [{ key: 'gas.compression_ratio', value_si: 10 }] };
+  const raised = indicatorFigure(modelOf(polytropicCase('a', 1.32, { ...stated, offset: 0.5e5 })));
+  assert.match(raised.caption, /−45°: 1\.[01]/); // n p/(p + offset), eq-compression-index
+  assert.match(indicatorFigure(modelOf(polytropicCase('a', 1.32))).caption, /ratio of 12 is assumed/);
+});
+
+test('the indicator diagram draws a pressure once, and none without compression or crank', () => {
+  const twice = indicatorFigure(modelOf(polytropicCase('a', 1.3), polytropicCase('b', 1.3)));
+  assert.deepEqual(
+    twice.panels[0].series.map(({ label, caseIndex }) => [label, caseIndex]),
+    [['both cases', null]],
+  );
+  assert.equal(
+    indicatorFigure(modelOf(polytropicCase('a', 1.3), polytropicCase('b', 1.35))).panels[0].series.length,
+    2,
+  );
+  const second = polytropicCase('a', 1.3, { inputs: [{ key: 'ring.pressure_above', shown: '1 bar' }] });
+  assert.equal(indicatorFigure(modelOf(second)), null);
+  assert.equal(indicatorFigure(modelOf(polytropicCase('a', 0))), null);
+  const bare = polytropicCase('a', 1.3);
+  assert.equal(indicatorFigure(modelOf({ ...bare, inputs: bare.inputs.slice(1) })), null);
 });
 
 test('oil above a ring is the film behind it on downstrokes, where the oil on the liner is followed', () => {

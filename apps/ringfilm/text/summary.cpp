@@ -87,6 +87,15 @@ std::string values_table(const CycleValues& values, const std::optional<study::E
   return table.text();
 }
 
+/// The cylinder pressure by the numbers with which an indicated one is checked.
+std::string indicated_line(const std::map<std::string, double>& derived) {
+  const auto imep = derived.find("imep"), index = derived.find("compression_index");
+  if (imep == derived.end()) return "";
+  std::string text = "cylinder pressure: IMEP " + text_in(imep->second, kBar, 4);
+  if (index != derived.end()) text += fmt::format(", polytropic index of compression {:.3g}", index->second);
+  return text + "\n";
+}
+
 /// What only an unrolled film has: its grid, and what the ends of the gap do.
 std::string unrolled_lines(const cycle::Case& input, const cycle::CycleResult& result) {
   const EngineeringText in_words;
@@ -283,6 +292,7 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         result.effort.cycles_integrated, result.samples.size());
   }
   if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
+  text += indicated_line(result.derived);
   if (!document.oil_losses.empty()) text += oil_consumption_table(document.oil_losses) + "\n";
   if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);
   if (document.errors && study::has_values(*document.errors))

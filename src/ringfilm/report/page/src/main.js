@@ -29,6 +29,7 @@ import {
   stribeckFigure,
   wearFigure,
 } from './cycle/other_figures.js';
+import { indicatorFigure } from './cycle/indicator_figure.js';
 import { byFace, comparisonFigures, comparisonTable } from './pack/pack_comparison.js';
 import { packFigures } from './pack/pack_figures.js';
 import { PackModel } from './pack/pack_model.js';
@@ -167,6 +168,7 @@ function buildPage(model) {
   const others = [
     hasCurves ? faced(zoomFigure) : null,
     hasCurves ? faced(stribeckFigure) : null,
+    hasCurves ? view(indicatorFigure(model)) : null,
     faced(linerFilmFigure),
     faced(wearFigure),
     faced(regimeFigure),
