@@ -109,7 +109,8 @@ constexpr const char* kSurfaceFooter = R"(Examples:
   ringfilm surface liner.x3p --heights heights.csv
   ringfilm surface honed.x3p --form tilt --fragment plateau.toml
 
-Nothing is removed from the heights unless it is requested. Lengths are written with their unit.
+Nothing is removed from the heights unless it is requested, except for the S-F and S-L surfaces of a map, each of
+whose values has its form, S-filter and L-filter beside it. Lengths are written with their unit.
 --heights writes the heights as they were read: x, y, z in metres, z empty where a point is missing.
 The file can be read again without any option.
 --fragment writes [contact.plateau] of a surface made in two steps.
@@ -204,6 +205,11 @@ void declare_surface(CommandOptions& add, SurfaceCommand& command) {
            "mean and its scatter")
       ->required();
   add_measuring(add, command, "Ra");
+  using instrument::StandardSurfaces;
+  add.choice("--standard-surfaces", command.analysis.standard_surfaces,
+             {{"S-F+S-L", StandardSurfaces::kSfAndSl}, {"none", StandardSurfaces::kNone}},
+             "of a map: report the S-F and S-L surfaces of ISO 25178-2, too, or none")
+      ->capture_default_str();
   add_outputs(add, command.outputs, true);
   add.text("--heights", command.outputs.heights, "OUT.csv", "write the heights as read: x, y, z in metres");
 }

@@ -123,9 +123,11 @@ std::vector<std::string> source_lines(const PreparedSurface& surface) {
                       surface.plausibility_line);
 }
 
-std::string measured_with(const PreparedSurface& surface) {
+std::string measured_with(const PreparedSurface& surface) { return measured_with(surface.prepared, surface.map); }
+
+std::string measured_with(const surface::Prepared& prepared, const surface::HeightMap& map) {
   std::string filters;
-  for (const surface::FilterApplied& filter : surface.prepared.filters) {
+  for (const surface::FilterApplied& filter : prepared.filters) {
     const bool is_short = filter.choice.side == surface::FilterSide::short_cutoff;
     const bool is_robust = filter.choice.kind == surface::FilterKind::robust_gaussian;
     const bool is_two_step = filter.choice.kind == surface::FilterKind::valley_suppression && !is_short;
@@ -135,7 +137,6 @@ std::string measured_with(const PreparedSurface& surface) {
                                          : "",
                            is_short ? "S" : "L", text_in(filter.choice.cutoff_m, kMicrometre, 4));
   }
-  const surface::HeightMap& map = surface.map;
   const bool square = map.is_profile() || map.step_x_m == map.step_y_m;
   return (filters.empty() ? "no filter" : filters) + "; pixel " +
          (square ? "" : number_text(number_in(map.step_x_m, kMicrometre), 4) + " x ") +

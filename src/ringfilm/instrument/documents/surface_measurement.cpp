@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/instrument/documents/material_ratio_values.hpp"
+#include "ringfilm/instrument/documents/standard_surfaces.hpp"
 #include "ringfilm/instrument/documents/surface_figures.hpp"
 #include "ringfilm/instrument/documents/surface_side.hpp"
 #include "ringfilm/instrument/documents/surface_values.hpp"
@@ -191,6 +192,9 @@ io::Measurement surface_measurement(const SurfaceFile& file, const SurfaceAnalys
   const surface::SpectralMoments* const removed = noise ? &*noise : nullptr;
   attempt("slopes and curvatures", [&] { all.groups.push_back(moment_group(surface, analysis, removed)); });
   if (!surface.map.is_profile()) attempt("texture", [&] { all.groups.push_back(texture_group(surface)); });
+  if (!surface.map.is_profile() && analysis.standard_surfaces == StandardSurfaces::kSfAndSl) {
+    for (io::MeasuredGroup& group : standard_groups(file, analysis, all.notes)) all.groups.push_back(std::move(group));
+  }
   attempt("N, beta and sigma", [&] { add_asperities(surface, analysis, removed, all); });
   attempt("plateau", [&] { add_plateau(surface, analysis, removed, two_steps, all); });
   if (!surface.map.is_profile()) {

@@ -28,6 +28,12 @@ enum class CarryingPart {
   kPlateau  ///< the plateau of a surface made in two steps
 };
 
+/// Which of the surfaces of ISO 25178-2 a map is reported on, beside the one after the stated form and filters.
+enum class StandardSurfaces {
+  kSfAndSl,  ///< the S-F and the S-L surface
+  kNone      ///< neither
+};
+
 /// What is asked of a measured surface beside its form and filters.
 struct SurfaceAnalysis {
   surface::Preparation preparation;  ///< form and filters that come before
@@ -41,6 +47,7 @@ struct SurfaceAnalysis {
   std::optional<double> hardness;             ///< hardness of the softer face of a pair, for the law of its case [Pa]
   CarryingPart liner = CarryingPart::kWhole;  ///< what carries of the liner of a pair
   std::optional<double> ratio_depth_m;        ///< depth of the material ratio Rmr below that at 5 %; absent: 1 um
+  StandardSurfaces standard_surfaces = StandardSurfaces::kSfAndSl;  ///< of a map
   std::optional<double> cavity_depth_m;       ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 
@@ -90,6 +97,8 @@ std::vector<std::string> source_lines(const PreparedSurface& surface);
 
 /// Which filter and pixel the numbers hold for, e.g. "S-filter 2.5 um; pixel 0.5 um".
 std::string measured_with(const PreparedSurface& surface);
+/// The same of any map. @param prepared what was done with the map
+std::string measured_with(const surface::Prepared& prepared, const surface::HeightMap& map);
 
 /// Everything that is reported of one surface. Throws InputError where the analysis refuses it.
 /// @param flat the instrument's noise; nullptr: not removed
