@@ -3,6 +3,7 @@
 #include <climits>
 
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/number_text.hpp"
 
 namespace ringfilm::python {
 namespace {
@@ -155,6 +156,16 @@ std::map<std::string, std::string> texts_of(const char* name, const py::handle& 
     texts[text] = text_of((std::string(name) + "[\"" + text + "\"]").c_str(), one, example);
   }
   return texts;
+}
+
+std::vector<std::string> words_of(const char* name, const py::handle& value) {
+  const auto word = [name](const py::handle& one) {
+    return PyUnicode_Check(one.ptr()) ? text_of(name, one, "No Data") : number_text(number_of(name, one, ""));
+  };
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) return {word(value)};
+  std::vector<std::string> words;
+  for (const py::handle one : value) words.push_back(word(one));
+  return words;
 }
 
 std::vector<std::string> paths_of(const char* name, const py::handle& value) {

@@ -241,6 +241,27 @@ def test_errors_of_files_name_the_arguments_of_the_function(tmp_path):
     assert "step=" in str(reported.value) and "--" not in str(reported.value)
 
 
+def test_a_text_is_read_as_its_reader_states(tmp_path):
+    """Lines in front, a column that is not used, a number that marks a missing height."""
+    heights = [0.1, -9999, 0.3, 0.2, -0.1, 0.05, 0.4, -0.2]
+    rows = "".join(f"{7 * i % 5};{2 * i};{z}\n" for i, z in enumerate(heights))
+    text = tmp_path / "profile.txt"
+    text.write_text("Instrument: Surf\nOperator 7\n" + rows)
+    stated = {"columns": "-, x [um], z [um]", "skip_lines": 2}
+    for missing in (-9999, "-9999", [-9999.0, "none"]):
+        found = surface.read(text, missing=missing, **stated)
+        assert found.step[0] == pytest.approx(2e-6)
+        assert numpy.flatnonzero(numpy.isnan(found.heights)).tolist() == [1]
+        assert found.heights[2] == pytest.approx(0.3e-6)
+    x, height = face.read_trace(text, missing=-9999, **stated)
+    assert x.shape == height.shape == (7,)
+    assert height[1] == pytest.approx(0.3e-6)
+    with pytest.raises(ringfilm.InputError, match="skip_lines = -1 is not a number of lines"):
+        surface.read(text, skip_lines=-1)
+    with pytest.raises(TypeError, match="missing"):
+        surface.read(text, missing={})
+
+
 # --- values ---------------------------------------------------------------------------------------
 
 

@@ -147,8 +147,10 @@ Source: docs/theory/face.md.)");
   part.def(
       "read_trace",
       [](const Given<kinds::Path>& path, const GivenMaybeText& height_unit, const GivenMaybeText& lateral_unit,
-         const GivenMaybeText& step) {
-        const auto options = file_options(height_unit, lateral_unit, "step", step);
+         const GivenMaybeText& step, const GivenMaybeText& columns, const Given<kinds::Integer>& skip_lines,
+         const Given<kinds::Words>& missing) {
+        auto options = file_options(height_unit, lateral_unit, "step", step);
+        options.table = table_reading(columns, skip_lines, missing);
         const auto file = instrument::read_trace_file(path_of("path", path.value), options, io::Units());
         for (const std::string& doubt : file.origin.doubts) {
           if (PyErr_WarnEx(PyExc_UserWarning, (file.origin.path + ": " + doubt).c_str(), 1) != 0) {
@@ -158,10 +160,12 @@ Source: docs/theory/face.md.)");
         return py::make_tuple(array_of(file.trace.x_m), array_of(file.trace.height_m));
       },
       py::arg("path"), py::arg("height_unit") = py::none(), py::arg("lateral_unit") = py::none(),
-      py::arg("step") = py::none(),
+      py::arg("step") = py::none(), py::arg("columns") = py::none(), py::arg("skip_lines") = 0,
+      py::arg("missing") = py::tuple(),
       R"(Places and heights of a trace, two arrays of shape (points,) [m], from a file of any known format.
 
-height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not state it. Warns (UserWarning) where the
+height_unit, lateral_unit: "um"; step: "0.5 um", where the file does not state it. columns, skip_lines, missing: of a
+text file, as of ringfilm.surface.read. Warns (UserWarning) where the
 heights may not be those of the surface. Raises InputError, TypeError.)");
 }
 

@@ -318,8 +318,10 @@ std::optional<std::string> channel_of(const py::object& given) {
 
 MeasuredMap measured(const Given<kinds::Path>& path, const Given<kinds::NumberOrText>& channel,
                      const GivenMaybeText& height_unit, const GivenMaybeText& lateral_unit,
-                     const GivenMaybeText& step_x, const GivenMaybeText& step_y) {
+                     const GivenMaybeText& step_x, const GivenMaybeText& step_y, const GivenMaybeText& columns,
+                     const Given<kinds::Integer>& skip_lines, const Given<kinds::Words>& missing) {
   instrument::SurfaceOptions options = file_options(height_unit, lateral_unit, "step_x", step_x);
+  options.table = table_reading(columns, skip_lines, missing);
   options.channel = channel_of(channel.value);
   options.step_y = maybe_text_of("step_y", step_y.value, "0.5 um");
   const auto file = instrument::read_surface_file(path_of("path", path.value), options, io::Units());
@@ -358,9 +360,12 @@ void bind_files(py::module_& module) {
           "The plausibility line.");
   module.def("read", &measured, py::arg("path"), py::arg("channel") = py::none(), py::arg("height_unit") = py::none(),
              py::arg("lateral_unit") = py::none(), py::arg("step_x") = py::none(), py::arg("step_y") = py::none(),
+             py::arg("columns") = py::none(), py::arg("skip_lines") = 0, py::arg("missing") = py::tuple(),
              R"(Heights from a file of any known format (docs/manual/surface-files.md): X3P, SDF, SUR, GSF, .gwy, text.
 
 channel: number from 1, or name. height_unit, lateral_unit: "um"; step_x, step_y: "0.5 um", where the file has none.
+Of a text file: columns, names and units of all its columns, "x [um], -, z [um]", - is not used; skip_lines, lines in
+front of its table; missing, a word or number that marks a missing height, or several.
 Returns a MeasuredMap. Raises InputError with file, place, rule and remedy, and TypeError.)");
 }
 
