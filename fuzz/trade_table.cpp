@@ -1,9 +1,8 @@
-#include "ringfilm/instrument/formats/trade_table_file.hpp"
-
 #include <string>
 
 #include "fuzz_target.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/instrument/formats/trade_table_file.hpp"
 
 /// Text with the head of a program: Zygo, Alicona, Keyence, Olympus, phase maps. Every channel that passes is read.
 RINGFILM_FUZZ_TARGET(trade_table) {

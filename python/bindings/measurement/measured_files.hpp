@@ -26,7 +26,8 @@ inline io::TableReading table_reading(const GivenMaybeText& columns, const Given
   table.columns = maybe_text_of("columns", columns.value, "x [um], -, z [um]");
   const int lines = integer_of("skip_lines", skip_lines.value);
   if (lines < 0) {
-    throw InputError("skip_lines = " + std::to_string(lines) + " is not a number of lines", "for example skip_lines=12");
+    throw InputError("skip_lines = " + std::to_string(lines) + " is not a number of lines",
+                     "for example skip_lines=12");
   }
   if (lines > 0) table.skip_lines = static_cast<std::size_t>(lines);
   table.missing = words_of("missing", missing.value);

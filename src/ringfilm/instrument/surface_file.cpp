@@ -522,8 +522,7 @@ TraceFile read_trace_file(const std::string& path, const SurfaceOptions& options
   surface::HeightMap map;
   map.points_x = values.channel.points_x;
   map.points_y = 1;
-  map.step_x_m =
-      (place_m(measured.back()) - place_m(measured.front())) / static_cast<double>(values.value.size() - 1);
+  map.step_x_m = (place_m(measured.back()) - place_m(measured.front())) / static_cast<double>(values.value.size() - 1);
   map.height_m = std::move(values.value);
   map.missing = std::move(values.missing);
   check_heights(map, loaded);

@@ -140,8 +140,9 @@ TEST(HeightChecks, AValueFarFromAllOthersIsNamedWithItsPlace) {
                                                  "row 3, column 7")));
   // So far that nothing can be computed with them: a value that repeats marks missing points.
   at(7, 3) = at(20, 30) = at(21, 30) = -9999e-6;
-  EXPECT_THAT(doubts(map), ElementsAre(AllOf(HasSubstr("missing: 3 points far from the rest repeat one value, -9999 um"),
-                                             HasSubstr("these points were taken as missing"))));
+  EXPECT_THAT(doubts(map),
+              ElementsAre(AllOf(HasSubstr("missing: 3 points far from the rest repeat one value, -9999 um"),
+                                HasSubstr("these points were taken as missing"))));
   EXPECT_THAT(height_doubts(map, {"um", 1e-6}).front().points,
               ElementsAre(map.index(6, 2), map.index(19, 29), map.index(20, 29)));
   for (std::size_t i = 0; i < map.points(); i += 3) map.height_m[i] = -9999e-6;

@@ -87,7 +87,8 @@ TEST(TradeTable, PointsOfAlicona) {
 
 TEST(TradeTable, PointsOfAliconaInMetres) {
   std::string text = "GPoint3DVector { 48 n {\n";
-  for (int i = 0; i < 48; ++i) text += fmt::format("{:.9f} {:.9f} {:.12f}\n", 1e-6 * (i % 8), 1e-6 * (i / 8), 1e-6 * height_of(i));
+  for (int i = 0; i < 48; ++i)
+    text += fmt::format("{:.9f} {:.9f} {:.12f}\n", 1e-6 * (i % 8), 1e-6 * (i / 8), 1e-6 * height_of(i));
   expect_map(text + "}\n}\n", 1e-6);
   EXPECT_THAT(read_bytes("a.csv", text).origin.doubts, Contains(HasSubstr("m was assumed")));
 }

@@ -19,8 +19,12 @@ TEST(ViscosityIndex, ExamplesOfTheStandard) {
 // Rows of table 1 of ASTM D2270: Y, L and H in mm2/s. An oil with L at 40 degC has the index 0, one with H 100.
 // The equations follow the table to 0.1 %, which is half a unit of the index at most.
 TEST(ViscosityIndex, ReferenceOilsOfTheTable) {
-  for (const auto& [Y, L, H] : {std::tuple(2.00, 7.994, 6.394), {5.00, 40.23, 28.49}, {10.0, 147.7, 82.87},
-                                {20.0, 493.2, 229.5}, {50.0, 2618.0, 919.6}, {70.0, 4905.0, 1558.0}}) {
+  for (const auto& [Y, L, H] : {std::tuple(2.00, 7.994, 6.394),
+                                {5.00, 40.23, 28.49},
+                                {10.0, 147.7, 82.87},
+                                {20.0, 493.2, 229.5},
+                                {50.0, 2618.0, 919.6},
+                                {70.0, 4905.0, 1558.0}}) {
     EXPECT_NEAR(viscosity_index(L * kMm2_s, Y * kMm2_s).value(), 0, 0.5) << Y;
     EXPECT_NEAR(viscosity_index(H * kMm2_s, Y * kMm2_s).value(), 100, 0.5) << Y;
     EXPECT_NEAR(viscosity_at_40(Y * kMm2_s, 100).value(), H * kMm2_s, 1.5e-3 * H * kMm2_s) << Y;

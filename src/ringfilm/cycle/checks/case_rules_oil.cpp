@@ -56,15 +56,15 @@ void check_viscosity_index(const Lubricant& oil, Breaches& breaches) {
   }
   if (oil.viscosities().size() > 1) return;
   const double T = nu.front().temperature;
-  const bool is_of_index = std::abs(T - models::kLowIndexTemperature) < 0.01 ||
-                           std::abs(T - models::kHighIndexTemperature) < 0.01;
-  breaches.push_back(
-      {"lubricant.viscosity_index",
-       index + (is_of_index ? " and " + text_in(nu.front().value, kSquareMillimetrePerSecond) + " at " +
-                                  text_in(T, kCelsius) + " give no viscosity at the other temperature"
-                            : " is stated with a viscosity at " + text_in(T, kCelsius)),
-       is_of_index ? "ASTM D2270 begins at 2 mm2/s at 100 degC: state the viscosity at a second temperature"
-                   : "the index (ASTM D2270) relates the viscosities at 40 and 100 degC: state one of these"});
+  const bool is_of_index =
+      std::abs(T - models::kLowIndexTemperature) < 0.01 || std::abs(T - models::kHighIndexTemperature) < 0.01;
+  breaches.push_back({"lubricant.viscosity_index",
+                      index + (is_of_index ? " and " + text_in(nu.front().value, kSquareMillimetrePerSecond) + " at " +
+                                                 text_in(T, kCelsius) + " give no viscosity at the other temperature"
+                                           : " is stated with a viscosity at " + text_in(T, kCelsius)),
+                      is_of_index
+                          ? "ASTM D2270 begins at 2 mm2/s at 100 degC: state the viscosity at a second temperature"
+                          : "the index (ASTM D2270) relates the viscosities at 40 and 100 degC: state one of these"});
 }
 
 void check_dilution(const Lubricant& oil, Breaches& breaches) {
@@ -181,9 +181,10 @@ void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& brea
   const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
   if (nu.size() == 1 && !houpert) {
     if (oil.viscosity_index) return;  // was said
-    breaches.push_back({"lubricant.kinematic_viscosity",
-                        "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",
-                        "add the viscosity at another temperature, for example 100 degC, or lubricant.viscosity_index"});
+    breaches.push_back(
+        {"lubricant.kinematic_viscosity",
+         "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",
+         "add the viscosity at another temperature, for example 100 degC, or lubricant.viscosity_index"});
   } else if (nu.size() == 1 && nu.front().temperature != oil.reference_temperature) {
     breaches.push_back({"lubricant.kinematic_viscosity",
                         "lubricant.kinematic_viscosity has one value, and it is not at lubricant.reference_temperature",

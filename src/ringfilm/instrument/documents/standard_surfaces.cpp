@@ -42,9 +42,7 @@ io::MeasuredGroup group_of(const std::string& name, const std::string& title, co
                            const surface::Prepared& prepared, const SurfaceAnalysis& analysis) {
   Group group(title, "form removed: " + prepared.form.text + "; " + measured_with(prepared, map) + "; ISO 25178-2");
   const auto add = [&](const std::string& symbol, const char* words, double value, const char* unit,
-                       const char* display) {
-    group.add(name + "_" + symbol, words, symbol, unit, display, value);
-  };
+                       const char* display) { group.add(name + "_" + symbol, words, symbol, unit, display, value); };
   const surface::HeightStatistics heights = height_statistics(map);
   add("Sa", "mean absolute deviation of heights", heights.Sa_m, "m", "um");
   add("Sq", "rms height", heights.Sq_m, "m", "um");

@@ -54,8 +54,8 @@ class ZygoText {
     is_xyz_ = text.starts_with(kXyz);
     read_head();
     if (checked_points(file_, points_x_, points_y_) <= text.size()) return;
-    refuse(file_, fmt::format("line {} states {} x {} points, more than the file can hold", kPhaseLine, points_x_,
-                              points_y_),
+    refuse(file_,
+           fmt::format("line {} states {} x {} points, more than the file can hold", kPhaseLine, points_x_, points_y_),
            "the file is cut: export it again");
   }
 
@@ -70,9 +70,10 @@ class ZygoText {
     } else {
       skip_intensities();
       read_phases(values);
-      values.notes.push_back(fmt::format("heights are phases times {:.6g} m: scale {:g}, wavelength {:.6g} m, "
-                                         "obliquity {:g}, {:g} steps a fringe",
-                                         height_of_phase_, scale_, wavelength_, obliquity_, resolution_));
+      values.notes.push_back(
+          fmt::format("heights are phases times {:.6g} m: scale {:g}, wavelength {:.6g} m, "
+                      "obliquity {:g}, {:g} steps a fringe",
+                      height_of_phase_, scale_, wavelength_, obliquity_, resolution_));
     }
     values.set_missing_where_nan();
     return values;

@@ -19,10 +19,11 @@ inline constexpr std::size_t kMaxInstrumentFile = std::size_t{1} << 30;
 struct Doubt {
   /// Is the user informed, are points taken as missing, or is the file refused?
   enum class Weight { kNote, kMissing, kRefusal };
-  std::string message;                   ///< place, value and rule
-  std::string remedy;                    ///< next step
-  Weight weight = Weight::kNote;         ///< kRefusal: the result would certainly not be a surface
-  std::vector<std::size_t> points = {};  ///< points with the doubtful value; of kMissing: those that are taken as missing
+  std::string message;            ///< place, value and rule
+  std::string remedy;             ///< next step
+  Weight weight = Weight::kNote;  ///< kRefusal: the result would certainly not be a surface
+  std::vector<std::size_t> points =
+      {};  ///< points with the doubtful value; of kMissing: those that are taken as missing
 };
 
 /// What a file states about one of its maps before the values are read.

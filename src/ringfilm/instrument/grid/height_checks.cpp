@@ -391,7 +391,8 @@ void add_frequent_values(const HeightMap& map, const OddLines& odd, const Bulk& 
     doubts.push_back(
         {fmt::format("{:.2g} % of the heights are {}{}, the first of them {}, and the values next to it are {:.0f} "
                      "times rarer",
-                     100 * share, shown(values[i].value, unit), end, place(map, points_with(map, odd, values[i].value).front()),
+                     100 * share, shown(values[i].value, unit), end,
+                     place(map, points_with(map, odd, values[i].value).front()),
                      static_cast<double>(values[i].times) / times_of_neighbours(values, i)),
          std::string("if the value marks points without a height or the end of the range, ") + kMask});
   }
@@ -486,7 +487,8 @@ void weigh_impossible(const HeightMap& map, const Extent& whole, std::vector<Dou
                                  surface::length_text(whole.Sq_m), whole.rms_slope);
     if (!is_refused) {
       doubt.message += ": these points were taken as missing";
-      doubt.remedy = std::string("if they are heights, the unit or the step is wrong: state the right one; else ") + kMask;
+      doubt.remedy =
+          std::string("if they are heights, the unit or the step is wrong: state the right one; else ") + kMask;
     }
   }
 }
