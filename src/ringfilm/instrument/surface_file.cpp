@@ -14,6 +14,7 @@
 #include "ringfilm/instrument/formats/gwyddion_program.hpp"
 #include "ringfilm/instrument/formats/sdf_file.hpp"
 #include "ringfilm/instrument/formats/simple_field_file.hpp"
+#include "ringfilm/instrument/formats/smd_file.hpp"
 #include "ringfilm/instrument/formats/trade_table_file.hpp"
 #include "ringfilm/instrument/formats/x3p_file.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
@@ -392,14 +393,6 @@ Loaded load(const std::string& path, const SurfaceOptions& options, const io::Un
 
 bool is_refusal(const Doubt& doubt) { return doubt.weight == Doubt::Weight::kRefusal; }
 
-void set_missing(surface::HeightMap& map, const std::vector<std::size_t>& points) {
-  if (map.missing.empty()) map.missing.assign(map.points(), 0);
-  for (const std::size_t point : points) {
-    map.missing[point] = 1;
-    map.height_m[point] = 0;
-  }
-}
-
 /// Adds the doubts about the heights to those of the reading, and takes points as missing where these require it.
 /// Without a refusal all of them are notes; with one the file is refused for it, with what is doubtful in the reading.
 void check_heights(surface::HeightMap& map, Loaded& loaded) {
@@ -441,6 +434,7 @@ InstrumentFile open_instrument_file(const std::string& path, TableLayout layout,
   if (starts_with(*bytes, "DIGITAL SURF") || starts_with(*bytes, "DSCOMPRESSED")) return read_digital_surf(path, bytes);
   if (starts_with(*bytes, "Gwyddion Simple Field 1.0")) return read_simple_field(path, bytes);
   if (starts_with(*bytes, "GWYP")) return read_gwy(path, bytes);
+  if (is_smd(*bytes)) return read_smd(path, *bytes);
   std::vector<std::string> notes;
   if (std::optional<io::DecodedText> text = io::decoded(*bytes)) {
     bytes = std::make_shared<const std::string>(std::move(text->text));

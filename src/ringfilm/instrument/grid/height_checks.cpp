@@ -537,6 +537,14 @@ std::vector<Doubt> height_doubts(const HeightMap& map, const HeightUnit& unit) {
   return doubts;
 }
 
+void set_missing(surface::HeightMap& map, const std::vector<std::size_t>& points) {
+  if (map.missing.empty()) map.missing.assign(map.points(), 0);
+  for (const std::size_t point : points) {
+    map.missing[point] = 1;
+    map.height_m[point] = 0;
+  }
+}
+
 std::vector<Doubt> count_doubts(const std::vector<double>& value) {
   const auto is_count = [](double v) { return v >= 2 && v == std::floor(v) && v < 1e9; };
   for (std::size_t head = 1; head <= 3 && head + kMinPoints <= value.size(); ++head) {

@@ -20,6 +20,9 @@ struct HeightUnit {
 /// Points of one value that alone make the map impossible are to be taken as missing (Doubt::Weight::kMissing).
 std::vector<Doubt> height_doubts(const surface::HeightMap& map, const HeightUnit& unit);
 
+/// Takes points of a map as missing.
+void set_missing(surface::HeightMap& map, const std::vector<std::size_t>& points);
+
 /// Leading values of a text that count the values behind them: the head of the file was read as heights.
 /// @param value as the file has them, in their order
 std::vector<Doubt> count_doubts(const std::vector<double>& value);
