@@ -23,7 +23,7 @@ struct Lubricant {
   std::optional<std::string> grade;                   ///< or the grade of the shipped oil that has them
   std::string name;                                   ///< for people; empty if the case states the values itself
   std::vector<TemperatureValue> kinematic_viscosity;  ///< [m2/s]
-  std::optional<double> viscosity_index;              ///< of ASTM D2270, with one viscosity at 40 or 100 degC [-]
+  std::optional<double> viscosity_index;              ///< index of ASTM D2270, with one viscosity at 40 or 100 degC [-]
   std::vector<TemperatureValue> density;              ///< [kg/m3] at atmospheric pressure
   std::optional<double> constant_density;             ///< instead of `density`: the same at all temperatures [kg/m3]
   std::optional<std::string> table_file;              ///< viscosity and density against T and p, instead of all laws

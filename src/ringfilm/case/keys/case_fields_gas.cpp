@@ -26,7 +26,7 @@ constexpr When kPolytropic{[](const Case& c) { return is_pegged(c, Pegging::kPol
 constexpr When kRatio{
     [](const Case& c) {
       return c.gas.model == GasModel::kWiebe || has_charge(c) || is_pegged(c, Pegging::kPolytropic) ||
-             c.stated.contains("gas.compression_ratio");  // of a trace: for its index of compression
+             c.stated.contains("gas.compression_ratio");  // with a trace: for the index of compression
     },
     "gas.model = \"wiebe\", gas.pegging = \"polytropic\" or gas_path.model = \"orifice-volume\", for ringfilm gas, or "
     "film.supply = \"film-on-liner\""};

@@ -180,7 +180,7 @@ void append_oil_law_breaches(const Lubricant& oil, std::vector<RuleBreach>& brea
   const std::vector<TemperatureValue> nu = oil.viscosities();
   const bool houpert = oil.viscosity_temperature == ViscosityTemperature::kHoupert;
   if (nu.size() == 1 && !houpert) {
-    if (oil.viscosity_index) return;  // was said
+    if (oil.viscosity_index) return;  // reported by check_viscosity_index()
     breaches.push_back(
         {"lubricant.kinematic_viscosity",
          "lubricant.kinematic_viscosity has one value; the Walther line needs two or more",

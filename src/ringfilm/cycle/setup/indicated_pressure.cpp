@@ -18,7 +18,7 @@ double piston_distance(const Engine& engine, double crank_angle_deg) {
 /// Work over the swept volume between two angles, of a pressure that comes `later_deg` later.
 double work(const Engine& engine, const models::CyclePressure& cylinder, double from_deg, double to_deg,
             double later_deg) {
-  constexpr double kStepDeg = 0.25;  // of a half, the trapezia change IMEP by less than 1e-5
+  constexpr double kStepDeg = 0.25;  // with half the step the trapezia change IMEP by less than 1e-5
   const int n = static_cast<int>(std::lround((to_deg - from_deg) / kStepDeg));
   double sum = 0, before_p = cylinder.pressure(from_deg - later_deg), before_s = piston_distance(engine, from_deg);
   for (int i = 1; i <= n; ++i) {

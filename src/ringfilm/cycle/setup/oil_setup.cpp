@@ -110,7 +110,8 @@ void add_dilution_note(const Lubricant& oil, double T, double eta_T, std::vector
 
 /// Three or more viscosities that do not lie on one line of ASTM D341.
 void add_off_line_note(const models::OilLaws& laws, std::vector<Note>& notes) {
-  constexpr double kUsualScatter = 0.03;  // of the viscosity; chosen: a few times the reproducibility of ASTM D445
+  constexpr double kUsualScatter =
+      0.03;  // share of the viscosity; chosen: a few times the reproducibility of ASTM D445
   const auto& T = laws.viscosity_temperature;
   if (T.size() < 3) return;
   const models::Walther line = models::Walther::fit(T, laws.kinematic_viscosity);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSeries[] = {1, 2, 2.5, 5, 8};  // nesting indices of ISO 25178-3, times powers of ten
 constexpr double kStepsInIndex = 3;              // an optical instrument samples an S-index three times: ISO 25178-3
 constexpr double kWidest = 2;                    // fewest S-indices in an L-index of a surface that is reported
-constexpr double kRounding = 1 + 1e-9;           // of steps and sides, which are sums
+constexpr double kRounding = 1 + 1e-9;           // steps and sides are sums
 
 double shorter_side(const surface::HeightMap& map) {
   return std::min(map.step_x_m * static_cast<double>(map.points_x), map.step_y_m * static_cast<double>(map.points_y));

@@ -47,7 +47,7 @@ struct SurfaceAnalysis {
   std::optional<double> hardness;             ///< hardness of the softer face of a pair, for the law of its case [Pa]
   CarryingPart liner = CarryingPart::kWhole;  ///< what carries of the liner of a pair
   std::optional<double> ratio_depth_m;        ///< depth of the material ratio Rmr below that at 5 %; absent: 1 um
-  StandardSurfaces standard_surfaces = StandardSurfaces::kSfAndSl;  ///< of a map
+  StandardSurfaces standard_surfaces = StandardSurfaces::kSfAndSl;  ///< reported of a map
   std::optional<double> cavity_depth_m;  ///< what lies deeper below the median is a cavity; absent: 3 sigma rule
 };
 

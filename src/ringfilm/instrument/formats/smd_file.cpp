@@ -163,7 +163,7 @@ class SmdText {
   const std::string& file_;
   const std::string& bytes_;
   std::size_t place_ = 0;
-  int line_ = 0;  ///< last line that was read, from 1
+  int line_ = 0;  ///< number of the last line that was read, from 1
   Axis x_, z_;
 };
 

@@ -24,7 +24,7 @@ constexpr double kFirstInvalidPhase = 2147483640;
 constexpr std::array<double, 3> kPhaseResolutions{4096, 32768, 131072};
 constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
-constexpr std::size_t kPhaseLine = 4, kScaleLine = 8, kResolutionLine = 11;  // of the head, from 1
+constexpr std::size_t kPhaseLine = 4, kScaleLine = 8, kResolutionLine = 11;  // lines of the head, from 1
 constexpr std::size_t kMaxHead = 60;
 
 /// Lines of a text one after the other.
@@ -40,7 +40,7 @@ class Lines {
     ++number_;
     return io::without_blanks(line);
   }
-  int number() const { return number_; }  ///< of the last line, from 1
+  int number() const { return number_; }  ///< number of the last line, from 1
 
  private:
   std::string_view text_;
