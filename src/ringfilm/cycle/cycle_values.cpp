@@ -292,7 +292,8 @@ std::map<std::string, double> derived_values(const Setup& setup, const film::Fil
       {"swept_volume", swept_volume(c.engine)},
       {"mean_piston_speed", 2 * c.engine.stroke * c.operating.speed / (2 * std::numbers::pi)},
   };
-  const models::CyclePressure cylinder = cylinder_pressure(c);
+  const models::CyclePressure cylinder =
+      c.ring.pressure_above.is_stated() ? cylinder_pressure(c) : setup.ring.lands.above;
   values["imep"] = indicated_pressure(c.engine, cylinder).net;
   if (const auto index = compression_index(c, cylinder)) values["compression_index"] = *index;
   if (const auto& pair = setup.ring.asperities) values["roughness_parameter"] = pair->N * pair->beta * pair->sigma;
