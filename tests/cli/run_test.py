@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import pty
 import re
@@ -140,6 +141,39 @@ class Run(program.ProgramTest):
         self.assertEqual(twice["title"], "as text")
         quoted = self.values("--set", 'operating.speed="3000 rpm"', "solver.cells=40")
         self.assertAlmostEqual(quoted["mean_piston_speed"], 2 * 0.0795 * 50, places=9)
+
+    def test_imep_is_that_of_the_trace_and_compared_with_the_stated_one(self):
+        # Work of the trace on the piston over the swept volume, by trapezia of its own samples: within 1e-3.
+        samples = [tuple(map(float, line.split(","))) for line in program.TRACE.splitlines()[1:]]
+        r, rod = 0.0795 / 2, 0.1381
+
+        def place(degree):
+            phi = math.radians(degree)
+            return (r + rod - r * math.cos(phi) - math.sqrt(rod**2 - (r * math.sin(phi)) ** 2)) / (2 * r)
+
+        following = samples[1:] + samples[:1]
+        imep = sum((p + q) / 2 * 1e5 * (place(b) - place(a)) for (a, p), (b, q) in zip(samples, following))
+        values = self.values()
+        self.assertAlmostEqual(values["imep"] / imep, 1, delta=1e-3)
+        self.assertNotIn("compression_index", values)
+        self.assertIn("compression_index", self.values("--set", "gas.compression_ratio=10"))
+        self.assertIn(f"IMEP {imep / 1e5:.2f}", self.run_well("run", "case.toml"))
+        for stated, is_noted in ((1.2 * imep, True), (imep, False)):
+            notes = self.values("--set", f"gas.imep={stated / 1e5:.4f} bar")["notes"]
+            self.assertEqual(any(note["topic"] == "gas-imep-differs" for note in notes), is_noted)
+
+    def test_a_viscosity_index_is_the_second_viscosity(self):
+        # The first example of ASTM D2270: 73.30 mm2/s at 40 degC and 8.86 mm2/s at 100 degC have the index 92. It is
+        # rounded, which moves the viscosity at 100 degC by up to 0.5 %.
+        def with_oil(*words):
+            stated = "lubricant.kinematic_viscosity=" + "[" + ", ".join(words) + "]"
+            return ("--set", "operating.oil_temperature=100 degC", "--set", stated)
+
+        cold = '{ temperature = "40 degC", value = "73.30 mm2/s" }'
+        both = self.values(*with_oil(cold, '{ temperature = "100 degC", value = "8.86 mm2/s" }'))
+        one = self.values(*with_oil(cold), "--set", "lubricant.viscosity_index=92")
+        self.assertAlmostEqual(one["oil_viscosity"] / both["oil_viscosity"], 1, delta=5e-3)
+        self.assert_refused(self.run_program("run", "case.toml", *with_oil(cold)), "or lubricant.viscosity_index")
 
     def test_output_angles_are_those_asked_for(self):
         _, rows = self.curves("--set", 'output.crank_angles=["0 degree", "12.5 degree", "700 degree"]')

@@ -198,6 +198,20 @@ def uneven(i, j):
     return 0.3e-6 * (math.sin(1.7 * i * i + j) + math.cos(2.3 * j * j + 0.9 * i))
 
 
+class StandardSurfaces(SurfaceTest):
+    def test_each_value_of_the_s_f_and_s_l_surface_has_its_settings(self):
+        # Waves of 6 and 8 um: an S-index of 2 um, the smallest of three steps of 0.5 um, keeps 93 and 96 % of them.
+        found = self.json_of("map.csv", *self.STATED)
+        passed = [2 ** -((2 / wave) ** 2) for wave in (6, 8)]
+        expected = 0.2e-6 * math.sqrt((passed[0] ** 2 + passed[1] ** 2) / 2)
+        self.assertAlmostEqual(found["SF_Sq"] / expected, 1, delta=0.05)  # edges of three and four waves
+        self.assertLess(found["SL_Sq"], found["Sq"])
+        printed = " ".join(self.run_well("surface", "map.csv", *self.STATED).split())
+        self.assertIn("S-filter 2 um; pixel 0.5 um; ISO 25178-2", printed)
+        self.assertIn("S-filter 2 um, L-filter 20 um; pixel 0.5 um", printed)  # of a side of 24 um
+        self.assertNotIn("SF_Sq", self.json_of("map.csv", *self.STATED, "--standard-surfaces", "none"))
+
+
 class Doubts(SurfaceTest):
     """What was read without an error and may not be a surface is noted wherever it is used, or refused."""
 

@@ -29,7 +29,7 @@ constexpr When kRatio{
              c.stated.contains("gas.compression_ratio");  // with a trace: for the index of compression
     },
     "gas.model = \"wiebe\", gas.pegging = \"polytropic\" or gas_path.model = \"orifice-volume\", for ringfilm gas, or "
-    "film.supply = \"film-on-liner\""};
+    "film.supply = \"film-on-liner\"; with a trace, where it is stated"};
 constexpr When kIntake{
     [](const Case& c) { return c.gas.model == GasModel::kWiebe || partial_trace(c) || is_pegged(c, Pegging::kIntake); },
     "gas.model = \"wiebe\", gas.pegging = \"intake\" or a trace over a part of the cycle"};
