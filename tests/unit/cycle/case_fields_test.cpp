@@ -170,6 +170,8 @@ TEST(CaseFields, AreInUseOnlyWithTheirModel) {
   EXPECT_TRUE(active("gas.angle_zero", c));
   c.gas.model = GasModel::kTrace;
   EXPECT_FALSE(active("gas.compression_ratio", c));
+  c.stated.insert("gas.compression_ratio");  // for the index of compression
+  EXPECT_TRUE(active("gas.compression_ratio", c));
   EXPECT_FALSE(active("gas.intake_pressure", c));
   c.gas.cylinder_pressure = SampledTrace{{-100, -95, -90}, {}};
   EXPECT_TRUE(active("gas.intake_pressure", c));
