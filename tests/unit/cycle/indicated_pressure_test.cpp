@@ -93,6 +93,25 @@ TEST(IndicatedPressure, TheIndexOfCompressionIsThatOfTheCycle) {
   EXPECT_NEAR(compression_index(c, raised).value(), 1.1, 0.1);
 }
 
+TEST(IndicatedPressure, AnOffsetOfATraceIsNotedWhereTheCompressionRatioIsKnown) {
+  const auto topics = [](double offset) {
+    Case c;
+    c.engine = engine();
+    c.gas.model = GasModel::kTrace;
+    c.gas.compression_ratio = kRatio;
+    c.stated.insert("gas.compression_ratio");
+    c.gas.cylinder_pressure = SampledTrace{angles(), otto(kIntake, offset)};
+    std::vector<Note> notes;
+    append_gas_notes(c, models::CyclePressure(angles(), otto(kIntake, offset)), notes);
+    std::string text;
+    for (const Note& note : notes) text += note.topic + " ";
+    return text;
+  };
+  EXPECT_EQ(topics(0), "");
+  EXPECT_EQ(topics(0.3e5), "gas-compression-low ");
+  EXPECT_EQ(topics(-0.3e5), "gas-compression-high ");
+}
+
 TEST(IndicatedPressure, AnotherOneThanStatedIsNoted) {
   Case c;
   c.engine = engine();

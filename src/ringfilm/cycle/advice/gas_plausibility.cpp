@@ -131,7 +131,13 @@ class GasNotes {
     append_jump();
     // Each may follow from what has a note already.
     if (!is_wiebe() && notes_.size() == notes_before) append_motored_peak();
-    if (!is_wiebe() && notes_.size() == notes_before) append_index();
+    if (!is_wiebe() && notes_.size() == notes_before) {
+      if (case_.stated.contains("gas.compression_ratio")) {
+        append_stated_index();
+      } else {
+        append_index();
+      }
+    }
     append_imep();
   }
 
@@ -288,6 +294,20 @@ class GasNotes {
              " and a polytropic index of " + number_text(std::round(100 * index) / 100) +
              ", where sealed engines have 1.25 to 1.4: is a pressure " + (is_added ? "added to" : "missing from") +
              " the trace? " + kPeg);
+  }
+
+  /// Where the compression ratio is known, an offset of 0.3 bar shows in the index at once, eq-compression-index.
+  void append_stated_index() {
+    if (!is_compressed() || (!is_whole_ && first_deg_ > kPegFromDeg)) return;
+    const double index = compression_index(case_, cylinder_).value();
+    if (index >= kMinIndex && index <= kMaxIndex) return;
+    const bool is_low = index < kMinIndex;
+    note(is_low ? "gas-compression-low" : "gas-compression-high",
+         "the compression from " + number_text(-kPegFromDeg) + " to " + number_text(-kPegToDeg) +
+             " degree before firing TDC has a polytropic index of " + number_text(std::round(100 * index) / 100) +
+             " with gas.compression_ratio = " + number_text(gas_.compression_ratio) +
+             ", where sealed engines have 1.25 to 1.4: is a pressure " + (is_low ? "added to" : "missing from") +
+             " the trace, or TDC or the ratio wrong? " + kPeg);
   }
 
   void append_index() {
