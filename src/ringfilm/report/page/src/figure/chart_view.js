@@ -161,6 +161,10 @@ export class ChartView extends FigureView {
     this.figure = { ...this.figure, ...figure };
     this.title.textContent = figure.title;
     this.caption.textContent = figure.caption;
+    if (this.isBars) {
+      this.drawBars();
+      return;
+    }
     if (isAlike) {
       figure.panels.forEach((panel, i) => {
         this.charts[i].host.setAttribute('aria-label', spoken(panel));
