@@ -18,7 +18,7 @@ constexpr std::size_t kFewNodes = 3;
 /// Nodes of a stretch in gas, in the direction of the motion, with the oil on it.
 struct Stretch {
   std::vector<int> nodes;
-  std::vector<double> end;       ///< of each node, from the begin of the first one [m]
+  std::vector<double> end;       ///< end of each node, from the begin of the first one [m]
   std::vector<double> oil;       ///< up to there, at the begin of the step [kg/m]
   std::vector<double> oil_next;  ///< by the implicit balance [kg/m]
 };

@@ -53,7 +53,7 @@ class MenisciLiner {
   void replenish();
 
   double bead() const { return bead_; }      ///< [kg/m]
-  double length() const { return length_; }  ///< of the liner, from TDC position to BDC position of the ring [m]
+  double length() const { return length_; }  ///< liner from TDC position to BDC position of the ring [m]
 
   /// Oil since the start [kg/m], of which `taken` and `left` are not counted.
   using Account = LinerOil::Account;
