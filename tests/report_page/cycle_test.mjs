@@ -48,7 +48,9 @@ test('usual ranges are those that the manual argues', () => {
     assert.ok(page.includes(row), row);
   }
   const { low, high } = oil.diesel;
-  assert.ok(page.includes(`| oil ring with all its rails, diesel engine | ${low} to ${high} kPa | patton1989`));
+  assert.ok(
+    page.includes(`| oil ring with all its rails, diesel engine | ${low} to ${high} kPa | patton1989`),
+  );
   // Half to three quarters of the friction without gas load after patton1989, a quarter to twice of that.
   const withoutGas = (4.06e4 * (1 + 1000 / 1200)) / 130 ** 2;
   assert.ok(Math.abs((0.25 * 0.5 * withoutGas) / low - 1) < 0.15);

@@ -118,9 +118,9 @@ void add_assumed_inputs(const CheckOptions& options, const cycle::Case& input, i
 std::string percent(double change) { return fmt::format("{:+.1f} %", 100 * change); }
 
 /// Changes below this are those of a coarse computation.
-constexpr double kLeastChange = 0.01;
+constexpr double kMinChange = 0.01;
 /// More of them decide nothing.
-constexpr std::size_t kMostInputs = 10;
+constexpr std::size_t kMaxInputs = 10;
 
 void print_assumed_inputs(const CheckOptions& options, const io::CaseCheck& check, const cycle::Case& input) {
   if (input.problem != cycle::Problem::kCycle) return;
@@ -133,8 +133,8 @@ void print_assumed_inputs(const CheckOptions& options, const io::CaseCheck& chec
   }
   const std::vector<study::AssumedInput>& all = *check.assumed_inputs;
   const auto end = std::find_if(
-      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMostInputs)),
-      [](const study::AssumedInput& one) { return !one.solved || std::abs(one.fmep_change) < kLeastChange; });
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), kMaxInputs)),
+      [](const study::AssumedInput& one) { return !one.solved || std::abs(one.fmep_change) < kMinChange; });
   if (end != all.begin()) {
     std::cout << "assumed inputs that decide the result most, each changed alone:\n";
     std::cout << fmt::format("  {:>9} {:>10}  {}\n", "FMEP", "min. film", "setting (now)");

@@ -16,6 +16,7 @@ namespace {
 constexpr double kSeries[] = {1, 2, 2.5, 5, 8};  // nesting indices of ISO 25178-3, times powers of ten
 constexpr double kStepsInIndex = 3;              // an optical instrument samples an S-index three times: ISO 25178-3
 constexpr double kWidest = 2;                    // fewest S-indices in an L-index of a surface that is reported
+constexpr double kDecades = 1000;                // last index of the search over its first
 constexpr double kRounding = 1 + 1e-9;           // steps and sides are sums
 
 double shorter_side(const surface::HeightMap& map) {
@@ -25,8 +26,9 @@ double shorter_side(const surface::HeightMap& map) {
 /// The largest index of the series that is not above a length, or the smallest that is not below it.
 double index_at(double length_m, bool is_below) {
   const double decade = std::pow(10, std::floor(std::log10(length_m)) - 1);
-  double best = is_below ? decade : 1e3 * decade;
-  for (double scale = decade; scale <= 1e3 * decade; scale *= 10) {
+  const double last = kDecades * decade;
+  double best = is_below ? decade : last;
+  for (double scale = decade; scale <= last; scale *= 10) {
     for (const double one : kSeries) {
       const double index = one * scale;
       if (is_below ? index <= length_m * kRounding && index > best : index * kRounding >= length_m && index < best) {
