@@ -52,8 +52,8 @@ double at_40_of(double Y, double index) {
   return H * std::pow(Y, -N);
 }
 
-constexpr double kLowest = kMinIndexedViscosity / kMm2PerSecond;  // [mm2/s]
-constexpr double kHighest = 1e4;                                  // [mm2/s] at 100 degC, far beyond all oils
+constexpr double kMinTabled = kMinIndexedViscosity / kMm2PerSecond;  // [mm2/s]
+constexpr double kMaxTabled = 1e4;                                   // [mm2/s] at 100 degC, far beyond all oils
 
 bool is_index(double index) { return index >= 0 && index <= kMaxViscosityIndex; }
 
@@ -61,7 +61,7 @@ bool is_index(double index) { return index >= 0 && index <= kMaxViscosityIndex; 
 
 std::optional<double> viscosity_index(double at_40, double at_100) {
   const double U = at_40 / kMm2PerSecond, Y = at_100 / kMm2PerSecond;
-  if (!(Y >= kLowest && U > Y)) return std::nullopt;
+  if (!(Y >= kMinTabled && U > Y)) return std::nullopt;
   const auto [L, H] = reference_viscosities(Y);
   if (U >= H) return 100 * (L - U) / (L - H);
   const double N = std::log10(H / U) / std::log10(Y);
@@ -70,14 +70,14 @@ std::optional<double> viscosity_index(double at_40, double at_100) {
 
 std::optional<double> viscosity_at_40(double at_100, double index) {
   const double Y = at_100 / kMm2PerSecond;
-  if (!is_index(index) || !(Y >= kLowest && Y <= kHighest)) return std::nullopt;
+  if (!is_index(index) || !(Y >= kMinTabled && Y <= kMaxTabled)) return std::nullopt;
   return at_40_of(Y, index) * kMm2PerSecond;
 }
 
 std::optional<double> viscosity_at_100(double at_40, double index) {
   const double U = at_40 / kMm2PerSecond;
-  if (!is_index(index) || !(U >= at_40_of(kLowest, index) && U <= at_40_of(kHighest, index))) return std::nullopt;
-  double low = kLowest, high = kHighest;
+  if (!is_index(index) || !(U >= at_40_of(kMinTabled, index) && U <= at_40_of(kMaxTabled, index))) return std::nullopt;
+  double low = kMinTabled, high = kMaxTabled;
   for (int i = 0; i < 200; ++i) {
     const double middle = 0.5 * (low + high);
     if (middle == low || middle == high) break;
