@@ -93,10 +93,9 @@ std::string path_of(const char* name, const py::handle& value);
 
 /// Texts by their keys, none of None. Throws TypeError for all but a dict of texts.
 std::map<std::string, std::string> texts_of(const char* name, const py::handle& value, const char* example);
-/// Names of files, a list or a tuple. Throws TypeError for all else, one name by itself too.
 /// A word or number, or a list or tuple of them, each as text. Throws TypeError for all else.
 std::vector<std::string> words_of(const char* name, const py::handle& value);
-
+/// Names of files, a list or a tuple. Throws TypeError for all else, one name by itself too.
 std::vector<std::string> paths_of(const char* name, const py::handle& value);
 
 /// Throws TypeError for what is not of the class `required`.
