@@ -12,6 +12,7 @@
 #include "ringfilm/cycle/menisci_cycle.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
 #include "ringfilm/cycle/simulate.hpp"
+#include "ringfilm/cycle/start_of_oil.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -26,9 +27,12 @@ constexpr int kCompression = 3;  ///< stroke_at
 constexpr double kNotKnown = std::numeric_limits<double>::infinity();
 
 /// A ring that is not part of a pack has a liner of its own.
-PlaceOnLiner& with_liner(const Setup& setup, PlaceOnLiner& place) {
+PlaceOnLiner& with_liner(const Setup& setup, PlaceOnLiner& place, OilIteration iteration) {
   const bool needs_own = setup.input.film.supply_at_inlet() == OilSupply::kFilmOnLiner && !place.film;
-  if (needs_own) place.film = std::make_shared<LinerFilm>(fresh_liner(setup, 0));
+  if (needs_own) {
+    place.film = std::make_shared<LinerFilm>(iteration == OilIteration::kMixed ? start_of_oil({setup}, {0})
+                                                                               : fresh_liner(setup, 0));
+  }
   return place;
 }
 
@@ -44,7 +48,7 @@ CycleRun::CycleRun(Setup setup, PlaceOnLiner place, OilIteration of_own_liner)
       step_deg_(kCycleDeg / n_steps_),
       check_every_(std::max(1, static_cast<int>(std::lround(kCheckSpacingDeg / step_deg_)))),
       film_(static_cast<std::size_t>(n_steps_)),
-      integration_(setup_, with_liner(setup_, place_)),
+      integration_(setup_, with_liner(setup_, place_, of_own_liner)),
       recorder_(setup_),
       k_(static_cast<int>(std::lround((place_.film ? kStartOfOilDeg : kStartAngleDeg) / step_deg_)) % n_steps_),
       distance_{kNotKnown, kNotKnown},

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "ringfilm/base/display.hpp"
-#include "ringfilm/cycle/pack/pack_runs.hpp"
-#include "ringfilm/cycle/pack/start_of_oil.hpp"
+#include "ringfilm/cycle/pack_runs.hpp"
+#include "ringfilm/cycle/start_of_oil.hpp"
 
 namespace ringfilm::cycle {
 namespace {

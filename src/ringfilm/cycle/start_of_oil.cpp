@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/pack/start_of_oil.hpp"
+#include "ringfilm/cycle/start_of_oil.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "ringfilm/cycle/pack/pack_runs.hpp"
+#include "ringfilm/cycle/pack_runs.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -38,11 +38,14 @@ class SlowStretches {
     for (const double change : changes_) all += std::abs(change);
     bool leaps = false;
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const double ratio = changes_[i] / before[i];
-      if (std::abs(changes_[i]) < kMinOfChanges * all || !(std::abs(ratio - 1) < kSame)) continue;
+      const bool is_slow = std::abs(changes_[i] - before[i]) < kSame * std::abs(before[i]);
+      if (std::abs(changes_[i]) < kMinOfChanges * all || !is_slow) continue;
       const auto first = oil.begin() + i * kCells, last = first + std::min<std::ptrdiff_t>(kCells, oil.end() - first);
+      const double in_stretch = std::accumulate(first, last, 0.0);
+      if (!(in_stretch > 0)) continue;
+      const double ratio = changes_[i] / before[i];
       const double cycles = ratio < kSlowest ? ratio / (1 - ratio) : kSlowest / (1 - kSlowest);
-      const double share = 1 + cycles * changes_[i] / std::accumulate(first, last, 0.0);
+      const double share = 1 + cycles * changes_[i] / in_stretch;
       std::transform(first, last, first, [&](double m) { return m * std::clamp(share, kMinShare, kMaxShare); });
       leaps = true;
     }

@@ -1,4 +1,4 @@
-#include "ringfilm/cycle/pack/pack_runs.hpp"
+#include "ringfilm/cycle/pack_runs.hpp"
 
 #include <algorithm>
 #include <cstddef>
