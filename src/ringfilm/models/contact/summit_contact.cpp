@@ -1,5 +1,6 @@
 #include "ringfilm/models/contact/summit_contact.hpp"
 
+#include <boost/math/interpolators/cubic_hermite.hpp>
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>
@@ -106,12 +107,32 @@ EllipticFactors elliptic_factors(double curvature_ratio) {
 }
 
 /// F_n for negative arguments, too, where few heights are below.
+constexpr double kFewBelow = -5;
 double height_integral(double n, double lambda) {
-  constexpr double kFewBelow = -5;
   if (lambda > kFewBelow) return lambda > 30 ? 0 : gaussian_integral(n, lambda);
   const double square = lambda * lambda;
   return std::pow(-lambda, n) * (1 + n * (n - 1) / (2 * square) * (1 + (n - 2) * (n - 3) / (4 * square)));
 }
+
+/// height_integral of one exponent, from a table where most summits are: with these steps to 1e-8 of its value.
+class HeightIntegral {
+ public:
+  /// @param n at least 1
+  explicit HeightIntegral(double n) : n_(n), table_(values(n), values(n - 1, -n), kFewBelow, kStep) {}
+  double operator()(double lambda) const {
+    return lambda >= kFewBelow && lambda < kEnd ? table_(lambda) : height_integral(n_, lambda);
+  }
+
+ private:
+  static constexpr double kStep = 1.0 / 64, kEnd = 6;
+  static std::vector<double> values(double n, double scale = 1) {
+    std::vector<double> F;
+    for (double lambda = kFewBelow; lambda <= kEnd; lambda += kStep) F.push_back(scale * gaussian_integral(n, lambda));
+    return F;
+  }
+  double n_;
+  boost::math::interpolators::cardinal_cubic_hermite<std::vector<double>> table_;  // F_n' = -n F_(n-1)
+};
 
 /// Summits with the joint distribution of height and curvatures @cite nayak1971 @cite bush1975.
 std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::Parameters& pair) {
@@ -144,12 +165,12 @@ std::function<PressureAndArea(double)> bush_gibson_thomas(const GreenwoodTripp::
     const double of_u = density(u, spread_u) * kMaxU * spread_u / kU / (2 * pi * m2);
     nodes.push_back({height_of_u * u, of_u * load * 2.0 / 3.0 * pair.E_prime * s * std::sqrt(s), of_u * area * pi * s});
   }
-  return [nodes, s](double h) {
+  return [nodes, s, of_load = HeightIntegral(1.5), of_area = HeightIntegral(1)](double h) {
     PressureAndArea sum{0, 0};
     for (const Node& node : nodes) {
       const double lambda = (h - node.height) / s;
-      sum.pressure += node.load * height_integral(1.5, lambda);
-      sum.area_share += node.area * height_integral(1, lambda);
+      sum.pressure += node.load * of_load(lambda);
+      sum.area_share += node.area * of_area(lambda);
     }
     return sum;
   };
