@@ -5,6 +5,7 @@
 #include "case_object.hpp"
 #include "case_values.hpp"
 #include "members.hpp"
+#include "result_object.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/advice/advice.hpp"
@@ -228,6 +229,9 @@ void change_alone(const std::function<void()>& change) {
   }
 }
 
+/// A function of what notebooks show.
+py::object in_notebook(const char* function) { return plain_layer("ringfilm._notebook", function); }
+
 }  // namespace
 
 void CaseObject::set(const std::string& key, const py::handle& value) {
@@ -256,6 +260,10 @@ void CaseObject::check() {
 
 void bind_case(py::module_& module) {
   py::class_<CaseObject> type(module, "Case", kCaseDoc);
+  type.def(py::init([](const py::dict& values) { return in_notebook("case_of")(values).cast<CaseObject>(); }),
+           py::arg("values"),
+           R"(A case of {key: value}, as update() takes them; files relative to the working folder.
+Raises InputError with everything that is wrong.)");
   type.def_static("read", &read_case, py::arg("path"), py::arg("overrides") = py::none(),
                   R"(A case from a TOML file, with all files that it names.
 
@@ -369,7 +377,30 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
       },
       "The files that the case was read from: tuples (role, path, SHA-256).");
   type.def(
-      "copy", [](const CaseObject& self) { return self; }, "A case of its own with the same values.");
+      "copy",
+      [](const CaseObject& self, const py::dict& changes, const py::kwargs& named) {
+        return in_notebook("changed")(py::cast(CaseObject(self)), changes, named);
+      },
+      py::arg("changes") = py::dict(),
+      R"(A case of its own with the same values, but for some.
+
+changes: {key: value}, as update() takes them. named: the same, with two underscores for the dot of a key:
+case.copy(operating__speed="2000 rpm"). Raises as update() does.)");
+  type.def_static(
+      "new",
+      [](const py::object& engine, const py::object& load, const py::object& state, const py::object& pack,
+         const py::object& trace) { return in_notebook("new_case")(engine, load, state, pack, trace); },
+      py::arg("engine") = io::start_engines().front(), py::arg("load") = "full", py::arg("state") = "run-in",
+      py::arg("pack") = false, py::arg("trace") = py::none(),
+      R"(The case that `ringfilm new` writes, as a Case.
+
+engine: "passenger-car", "heavy-duty" or "hydrogen". load: "part" or "full". state: "new", "run-in" or "worn", of the
+surfaces. pack: all rings in place of the top ring. trace: a file of the cylinder pressure.
+Raises InputError, also where the trace does not show what must be stated.)");
+  type.def(
+      "_repr_html_", [](const py::object& self) { return in_notebook("case_html")(self); },
+      "The keys that the case states, as a notebook shows them.");
+  type.def("_ipython_key_completions_", &keys_in_use, "What a notebook completes in case[...].");
   type.def(
       "__copy__", [](const CaseObject& self) { return self; }, "As copy().");
   type.def(
@@ -392,16 +423,17 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
   module.def(
       "starting_case",
       [](const std::string& engine, const std::optional<std::string>& trace, const std::string& load,
-         const std::string& state, bool pack) {
-        return io::start_case({engine, load, state, pack, trace, ""}).text;
+         const std::string& state, bool pack, bool all_keys) {
+        return io::start_case({engine, load, state, pack, trace, "", {}, all_keys}).text;
       },
       py::arg("engine") = io::start_engines().front(), py::arg("trace") = py::none(), py::arg("load") = "full",
-      py::arg("state") = "run-in", py::arg("pack") = false,
+      py::arg("state") = "run-in", py::arg("pack") = false, py::arg("all_keys") = false,
       R"(A commented case file to start from, a str, as `ringfilm new` writes it.
 
 engine: "passenger-car", "heavy-duty" or "hydrogen". load: "part" or "full". state: "new", "run-in" or "worn", of the
 surfaces. pack: all rings of the engine in place of the top ring alone. trace: a file of the cylinder pressure, whose
-columns and units are read; what the file does not show is marked MISSING in the text.)");
+columns and units are read; what the file does not show is marked MISSING in the text. all_keys: every other key of a
+ring as a comment.)");
 }
 
 }  // namespace ringfilm::python

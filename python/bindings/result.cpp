@@ -227,9 +227,19 @@ void bind_document(py::class_<Object>& type) {
       },
       "Variables and attributes of the result file, for to_xarray.");
   type.def(
-      "to_xarray", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_xarray")(self); },
+      "to_xarray",
+      [](const py::object& self, const std::string& angles) {
+        return plain_layer("ringfilm._frames", "result_to_xarray")(self, angles);
+      },
+      py::arg("angles") = "cycle",
       R"(The result as an xarray.Dataset with the dimensions, coordinates, variables and attributes of its file:
-the same as xarray.open_dataset gives of what write() wrote, in SI, numbers without a copy.)");
+the same as xarray.open_dataset gives of what write() wrote, in SI, numbers without a copy.
+
+angles: "cycle", crank angles from 0 to 720 degree as in the file, or "firing", from -360 to 360 with firing TDC in the
+    middle, for .sel(crank_angle=-20). Raises ValueError for another word.)");
+  type.def(
+      "_ipython_key_completions_", [](const py::object& self) { return self.attr("keys")(); },
+      "What a notebook completes in result[...].");
   type.def(
       "keys", [](const py::object& self) { return py::list(dataset<Object>(self).variables()); },
       "Names of all that [] gives, as in the result file, in its order.");
@@ -339,6 +349,9 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
   type.def(
       "__len__", [](const py::object& self) { return py::len(self.attr("keys")()); }, "How many keys().");
   type.def("__repr__", &repr, "Title and number of crank angles.");
+  type.def(
+      "_repr_html_", [](const py::object& self) { return plain_layer("ringfilm._notebook", "result_html")(self); },
+      "The values of the cycle that decide, as a notebook shows them.");
   type.def(py::pickle(
       [](const ResultObject& self) {
         return py::make_tuple(py::bytes(io::result_bytes(self.document())), self.reason());
@@ -414,6 +427,19 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
 "cycle_fmep" or "fmep" the shape (ring,). Raises KeyError.)");
   type.def(
       "__len__", [](const PackObject& self) { return self.document().rings.size(); }, "How many rings.");
+  for (const cycle::CycleQuantity& quantity : cycle::summed_quantities()) {
+    const auto getter = [member = quantity.value](const PackObject& self) {
+      return self.document().result.values.*member;
+    };
+    type.def_property_readonly(quantity.name.c_str(), py::cpp_function(getter),
+                               documented(quantity, " of all rings, a float; NaN where one stopped.").c_str());
+  }
+  type.def(
+      "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._notebook", "pack_to_pandas")(self); },
+      "The values of the cycle as a pandas.DataFrame in SI, a row each ring; units in attrs.");
+  type.def(
+      "_repr_html_", [](const py::object& self) { return plain_layer("ringfilm._notebook", "pack_html")(self); },
+      "The rings side by side, as a notebook shows them.");
   type.def(
       "__repr__",
       [](const PackObject& self) {

@@ -383,6 +383,9 @@ Returns a StudyResult. Ctrl-C ends the run with KeyboardInterrupt. A scenario th
 its reason. A plan with `until` continues until its interval is narrow enough: the result then has more scenarios than
 this study, its own `study` is the plan as it ended, and `total` grows. Raises InputError.)")
       .def(
+          "_repr_html_", [](const py::object& self) { return plain_layer("ringfilm._notebook", "table_html")(self); },
+          "The table of to_pandas(), as a notebook shows it.")
+      .def(
           "__repr__",
           [](const StudyObject& self) {
             return "<ringfilm.Study \"" + self.loaded->study().title +
@@ -459,6 +462,9 @@ Raises InputError where the plan has no points for indices. Source: docs/theory/
           "to_pandas",
           [](const py::object& self) { return plain_layer("ringfilm._frames", "study_result_to_pandas")(self); },
           "A pandas.DataFrame: one row a scenario, columns base, factors, values of the cycle in SI, reason.")
+      .def(
+          "_repr_html_", [](const py::object& self) { return plain_layer("ringfilm._notebook", "table_html")(self); },
+          "The table of to_pandas(), as a notebook shows it.")
       .def(
           "__repr__",
           [](const StudyResultObject& self) {

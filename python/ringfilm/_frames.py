@@ -31,9 +31,18 @@ def _dataset(variables, attributes):
     return xarray.Dataset(data, coordinates, attributes)
 
 
-def result_to_xarray(result):
-    """The dataset that xarray reads from the file of a result."""
-    return _dataset(*result._dataset())
+def result_to_xarray(result, angles):
+    """The dataset that xarray reads from the file of a result, with firing TDC at its begin or in its middle."""
+    if angles not in ("cycle", "firing"):
+        raise ValueError(f'angles: "{angles}" is neither "cycle" nor "firing"')
+    dataset = _dataset(*result._dataset())
+    if angles == "cycle":
+        return dataset
+    for name in ("crank_angle", "field_crank_angle"):
+        if name in dataset.coords:
+            centred = (dataset[name] + 360) % 720 - 360
+            dataset = dataset.assign_coords({name: centred.assign_attrs(dataset[name].attrs)}).sortby(name)
+    return dataset
 
 
 def result_to_pandas(result):

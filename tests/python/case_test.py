@@ -435,3 +435,33 @@ def test_what_cannot_be_pickled_is_a_type_error(protocol):
         ringfilm.ConvergenceError("b"),
     ):
         assert repr(pickle.loads(pickle.dumps(made, protocol))) == repr(made) == repr(copy.copy(made))
+
+
+def test_cases_begin_without_a_file():
+    case = ringfilm.Case.new("heavy-duty", load="part")
+    assert case.text("engine.bore") == '"130 mm"'
+    stated = {key: ringfilm.SI(case[key]) for key in ("engine.bore", "engine.stroke")}
+    other = ringfilm.Case({"title": "mine", **stated})
+    assert (other.title, other["engine.bore"]) == ("mine", case["engine.bore"])
+    with pytest.raises(ringfilm.InputError, match="unknown key engine.borre"):
+        ringfilm.Case({"engine.borre": "89 mm"})
+    with pytest.raises(ringfilm.InputError, match="heavy_duty"):
+        ringfilm.Case.new("heavy_duty")
+    assert len(ringfilm.Case.new(pack=True).rings) == 3
+
+
+def test_a_copy_takes_other_values():
+    case = ringfilm.Case.new()
+    fast = case.copy({"lubricant.grade": "SAE 0W-20"}, operating__speed="3000 rpm")
+    assert fast.text("operating.speed") == '"3000 rpm"'
+    assert case.text("operating.speed") == '"1500 rpm"'
+    assert case.copy() == case
+    with pytest.raises(ringfilm.InputError):
+        case.copy(operating__speed="3000")
+
+
+def test_notebooks_show_a_table_and_complete_keys():
+    case = ringfilm.Case.new()
+    case["title"] = "a <b> case"
+    assert "engine.bore" in case._repr_html_() and "a &lt;b&gt; case" in case._repr_html_()
+    assert "engine.bore" in case._ipython_key_completions_()

@@ -202,3 +202,14 @@ def test_the_oil_of_a_pack_settles_before_its_cycles():
         assert all(ring.effort["cycles_integrated"] <= 5 for ring in pack.rings)
         found.append(pack.values["fmep"])
     assert found[0] == pytest.approx(found[1], rel=2e-3)
+
+
+def test_a_pack_has_its_sums_a_table_and_what_a_notebook_shows(pack):
+    pandas = pytest.importorskip("pandas")
+    result = pack.run()
+    assert result.fmep == result.values["fmep"]
+    table = result.to_pandas()
+    assert isinstance(table, pandas.DataFrame) and len(table) == 2
+    assert table["fmep"].sum() == pytest.approx(result.fmep)
+    assert table.attrs["units"]["fmep"] == "Pa"
+    assert "ring 2" in result._repr_html_()

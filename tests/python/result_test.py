@@ -205,3 +205,23 @@ def test_the_version_is_that_of_the_program(result, run_program):
 def test_the_first_example_of_the_module_names_a_case_that_there_is():
     named = re.search(r'Case.read\("(.*)"\)', ringfilm.__doc__).group(1)
     assert (SOURCES / named).is_file()
+
+
+def test_notebooks_show_the_values_that_decide(result):
+    shown = result._repr_html_()
+    assert "minimum film thickness [um]" in shown
+    assert f"{1e6 * result.values['min_film_thickness']:.4g}" in shown
+    assert "min_film_thickness" in result._ipython_key_completions_()
+
+
+def test_the_cycle_is_tabled_around_firing_tdc(result):
+    pytest.importorskip("xarray")
+    table = result.to_xarray(angles="firing")
+    angles = table.crank_angle.values
+    assert (angles[0], angles[-1]) == (-360, 359) and (numpy.diff(angles) > 0).all()
+    assert table.crank_angle.attrs["units"] == "degree"
+    before = float(table.min_film_thickness.sel(crank_angle=-20))
+    assert before == float(result.to_xarray().min_film_thickness.sel(crank_angle=700))
+    assert float(table.film_pressure.sel(field_crank_angle=20).max()) > 0
+    with pytest.raises(ValueError, match="neither"):
+        result.to_xarray(angles="tdc")
