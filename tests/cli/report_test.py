@@ -218,8 +218,15 @@ class FieldsForParaView(program.ProgramTest):
             "--vts-shape",
             "add --vts DIR",
         )
-        self.assert_refused(self.run_program("report", "face.nc"), "--output", "--vts")
         self.assertEqual(self.names(), before)
+
+    def test_a_page_without_a_name_has_that_of_its_result(self):
+        self.run_well("run", "case.toml", "--output", "face.nc", "--report", "run.html")
+        self.assertIn("wrote face.html", self.run_well("report", "face.nc"))
+        pages = [(self.folder / name).read_text() for name in ("face.html", "run.html")]
+        self.assertEqual(*(re.sub(r'"file":"[^"]*"', "", page) for page in pages))
+        pad = str(program.SOURCES / "verification/rayleigh1918_step/best.toml")
+        self.assert_refused(self.run_program("run", pad, "--report", "pad.html"), "--report draws the cycle of rings")
 
 
 class Reproduce(program.ProgramTest):

@@ -29,9 +29,21 @@ class Run(program.ProgramTest):
             rows = list(csv.reader(stream))
         return rows[0], [[float(cell) for cell in row] for row in rows[1:]]
 
-    def test_prints_a_summary_in_engineers_units_and_writes_nothing_unasked(self):
+    def test_prints_a_screen_with_a_verdict_and_the_values_that_decide(self):
+        for name, most, heads in (("mine.toml", 30, ()), ("pack.toml", 45, ("ring 1", "ring 2", "3 upper", "3 lower"))):
+            self.run_well("new", name, *(("--pack", "passenger-car") if heads else ()))
+            printed = self.run_well("run", name)
+            lines = printed.splitlines()
+            self.assertLessEqual(sum(max(1, math.ceil(len(line) / 100)) for line in lines), most, printed)
+            self.assertIn("verdict: limited by: ", printed)
+            self.assertIn("friction mean effective pressure", printed)
+            self.assertRegex(printed, r"\d+ default inputs, \d+ modelling assumptions, .*--all")
+            self.assertEqual([head for head in heads if head not in printed], [])
+            self.assertGreater(len(self.run_well("run", name, "--all").splitlines()), 2 * len(lines))
+
+    def test_prints_everything_in_engineers_units_and_writes_nothing_unasked(self):
         before = self.names()
-        printed = self.run_well("run", "case.toml")
+        printed = self.run_well("run", "case.toml", "--all")
         for fragment in (
             "a small case",
             "1500 rpm",
@@ -83,7 +95,7 @@ class Run(program.ProgramTest):
         self.assertAlmostEqual(values["boundary_regime_cycle_share"], boundary, delta=0.02)
         self.assertGreater(values["full_film_lambda_ratio"], 3)
         self.assertRegex(
-            self.run_well("run", "case.toml"),
+            self.run_well("run", "case.toml", "--all"),
             r"% +share of the cycle in boundary lubrication \(mixed \d+ %, full film \d+ %; of the friction energy ",
         )
 
@@ -323,9 +335,40 @@ class Run(program.ProgramTest):
 
 class OtherCommands(program.ProgramTest):
     def test_check_lists_default_inputs(self):
-        printed = self.run_well("check", "case.toml")
+        printed = self.run_well("check", "case.toml", "--all")
         self.assertIn("no errors", printed)
         self.assertIn("\n  film.cavitation = mass-conserving  (", printed)
+
+    def test_sweep_computes_a_range_and_all_combinations(self):
+        printed = self.run_well("sweep", "case.toml", "operating.speed=1000..3000", "--points", "3")
+        self.assertEqual(re.findall(r"(?m)^(\d+ rpm) ", printed), ["1000 rpm", "2000 rpm", "3000 rpm"])
+        self.assertIn("lowest FMEP: ", printed)
+        words = ("lubricant.grade=SAE 0W-20, SAE 30", "operating.speed=1500 rpm", "--json")
+        self.run_well("new", "mine.toml")
+        scenarios = json.loads(self.run_well("sweep", "mine.toml", *words))["scenarios"]
+        grades = [one["settings"]["lubricant.grade"] for one in scenarios]
+        self.assertEqual(grades, ["SAE 0W-20", "SAE 30"])
+        alone = json.loads(
+            self.run_well("run", "mine.toml", "--json", "--set", "lubricant.grade=SAE 30", "operating.speed=1500 rpm")
+        )
+        self.assertEqual(scenarios[1]["values"]["fmep"], alone["fmep"])
+        self.run_well("sweep", "case.toml", "operating.speed=1000,2000", "--csv", "sweep.csv")
+        with open(self.folder / "sweep.csv", newline="") as stream:
+            rows = list(csv.DictReader(stream))
+        self.assertEqual([row["operating.speed"] for row in rows], ["1000 rpm", "2000 rpm"])
+        self.assertGreater(float(rows[1]["mean_power_loss [W]"]), float(rows[0]["mean_power_loss [W]"]))
+
+    def test_sweep_refuses_what_is_not_a_key_with_values(self):
+        for words, message in (
+            (["operating.speed="], "is not a key with its values"),
+            (["operating.speed=1000..x"], "is not a key with its values"),
+            (["operating.speed=1000 rpm..2000 Hz"], "has two units"),
+            (["operating.sped=1000"], "did you mean operating.speed?"),
+            (["operating.speed=0..1000"], "operating.speed"),
+            (["operating.speed=1", "operating.speed=2"], "given twice"),
+            (["operating.speed=1..2", "engine.bore=80..90", "--points", "1000"], "10000 at the most"),
+        ):
+            self.assert_refused(self.run_program("sweep", "case.toml", *words), message)
 
     def test_new_writes_a_case_that_runs_and_replaces_nothing(self):
         self.run_well("new", "mine.toml")
@@ -336,13 +379,35 @@ class OtherCommands(program.ProgramTest):
 
     def test_fields_lists_every_key_of_the_starting_case(self):
         table = self.run_well("fields")
-        self.run_well("new", "mine.toml")
+        self.run_well("new", "mine.toml", "--all")
         section = ""
         for line in (self.folder / "mine.toml").read_text().splitlines():
             if match := re.match(r"\[([a-z.]+)\]", line):
                 section = match[1] + "."
             elif match := re.match(r"([a-z_]+) =", line):
                 self.assertIn(match[1], table, section + match[1])
+
+    def test_shells_complete_commands_options_and_keys(self):
+        (self.folder / "ringfilm.bash").write_text(self.run_well("completion", "bash"))
+
+        def completed(*words):
+            typed = " ".join(f"'{word}'" for word in words)
+            script = f"""
+                . ./ringfilm.bash; compopt() {{ :; }}
+                COMP_WORDS=({typed}); COMP_CWORD={len(words) - 1}; _ringfilm; printf '%s\\n' "${{COMPREPLY[@]}}"
+            """
+            done = subprocess.run(
+                ["bash", "-c", script], cwd=self.folder, capture_output=True, text=True, check=True, timeout=60
+            )
+            self.assertEqual(done.stderr, "")
+            return done.stdout.split()
+
+        self.assertEqual(completed("ringfilm", "swe"), ["sweep"])
+        self.assertEqual(completed("ringfilm", "run", "--err"), ["--error-estimate"])
+        self.assertEqual(completed("ringfilm", "run", "case.toml", "--set", "engine.bo"), ["engine.bore="])
+        self.assertIn("-n __fish_use_subcommand -a run", self.run_well("completion", "fish"))
+        self.assertIn(".SS ringfilm run", self.run_well("completion", "man"))
+        self.assert_refused(self.run_program("completion", "tcsh"), "bash, zsh, fish, man")
 
     def test_help_and_version_state_what_there_is(self):
         printed = self.run_well("--help")
@@ -459,6 +524,9 @@ class Pack(program.ProgramTest):
 
     def test_summary_shows_each_ring_and_the_sum(self):
         printed = self.run_well("run", "pack.toml")
+        self.assertIn("ring 1: top, ring 2: second", printed)
+        self.assertRegex(printed, r"friction mean effective pressure \[kPa\] +[\d.]+ +[\d.]+ +[\d.]+\n")
+        printed = self.run_well("run", "pack.toml", "--all")
         for fragment in ("pack: ring 1 (top)", "pack: ring 2 (second)", "all 2 rings:"):
             self.assertIn(fragment, printed)
 

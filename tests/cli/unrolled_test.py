@@ -41,7 +41,7 @@ class Unrolled(program.ProgramTest):
             (0.2e6 + float(rows[0]["gas_pressure [Pa]"])) * 1.2e-3 * (3.141592653589793 * 0.089 - 0.3e-3),
             places=6,
         )
-        printed = " ".join(self.run_well("run", "case.toml", *UNROLLED, *GAP).split())
+        printed = " ".join(self.run_well("run", "case.toml", "--all", *UNROLLED, *GAP).split())
         for fragment in (
             "film on the unrolled ring: 40 x 32 cells",
             "gap of 0.3 mm",

@@ -7,6 +7,7 @@
 
 #include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/cycle/advice/advice.hpp"
 #include "ringfilm/cycle/closure/static_closure.hpp"
 #include "ringfilm/cycle/pack/gas_of_pack.hpp"
@@ -53,11 +54,32 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
   return check;
 }
 
+std::size_t n_default_inputs(const io::CaseCheck& check) {
+  return static_cast<std::size_t>(std::count_if(check.inputs.begin(), check.inputs.end(),
+                                                [](const io::CaseEntry& entry) { return entry.assumed; }));
+}
+
+void print_counts(const io::CaseCheck& check) {
+  const std::size_t n_default = n_default_inputs(check);
+  std::cout << fmt::format("{}: no errors; {} keys stated, {} default inputs\n", check.path,
+                           check.inputs.size() - n_default, n_default);
+}
+
+/// The topics of all rings, for who does not ask for the statements.
+void print_topics(const io::CaseCheck& check) {
+  std::vector<std::string> topics;
+  for (const auto& ring : check.assumptions) {
+    for (const study::LedgerEntry& one : ring) {
+      if (std::find(topics.begin(), topics.end(), one.topic) == topics.end()) topics.push_back(one.topic);
+    }
+  }
+  if (topics.empty()) return;
+  std::cout << wrapped(words(fmt::format("{} modelling assumptions ({}); --all explains them and the default inputs",
+                                         topics.size(), joined(topics, ", "))));
+}
+
 void print_inputs(const io::CaseCheck& check) {
-  int n_stated = 0, n_default = 0;
-  for (const io::CaseEntry& entry : check.inputs) ++(entry.assumed ? n_default : n_stated);
-  std::cout << fmt::format("{}: no errors; {} keys stated, {} default inputs\n", check.path, n_stated, n_default);
-  if (n_default > 0) std::cout << "default inputs, keys that the case does not state:\n";
+  if (n_default_inputs(check) > 0) std::cout << "default inputs, keys that the case does not state:\n";
   for (const io::CaseEntry& entry : check.inputs) {
     if (entry.assumed) std::cout << fmt::format("  {} = {}  ({})\n", entry.key, entry.shown, entry.help);
   }
@@ -100,6 +122,7 @@ namespace {
 
 struct CheckOptions : CaseOptions {
   bool assumptions = false;  ///< what assumed inputs decide is computed, however long it takes
+  bool all = false;          ///< default inputs and modelling assumptions one by one
   int threads = 0;
 };
 
@@ -165,10 +188,12 @@ void check(const CheckOptions& options) {
   }
   const cycle::Case input = case_with_settings(path, options.overrides);
   const io::CaseCheck found = found_in(input);
+  print_counts(found);
+  for (const cycle::Note& note : found.notes) std::cout << wrapped(words("note: " + note.message));
+  print_assumed_inputs(options, found, input);
+  if (!options.all) return print_topics(found);
   print_inputs(found);
   print_assumptions(found, input);
-  print_assumed_inputs(options, found, input);
-  for (const cycle::Note& note : found.notes) std::cout << "note: " << note.message << "\n";
 }
 
 struct FieldsOptions {
@@ -205,11 +230,15 @@ struct NewOptions {
   std::optional<std::string> trace;         ///< file of the cylinder pressure
   io::TableReading table;                   ///< how the trace is read
   std::optional<std::string> points;        ///< file of a study of operating points, written as well
+  bool has_all_keys = false;                ///< every key of a ring, those without need as comments
 };
 
 io::StartOptions start_options(const NewOptions& options) {
   if (options.engine && options.pack) {
     throw InputError("--engine and --pack both name an engine", "name it once; --pack has all its rings");
+  }
+  if (options.has_all_keys && options.pack) {
+    throw InputError("--all is for the case of one ring", "remove it; `ringfilm fields` shows the keys of a pack");
   }
   io::StartOptions start;
   start.engine = options.engine.value_or(options.pack.value_or(start.engine));
@@ -218,6 +247,7 @@ io::StartOptions start_options(const NewOptions& options) {
   start.state = options.state.value_or(start.state);
   start.trace = options.trace;
   start.trace_table = options.table;
+  start.has_all_keys = options.has_all_keys;
   start.case_folder = std::filesystem::path(options.path).parent_path().string();
   return start;
 }
@@ -266,6 +296,7 @@ constexpr const char* kCheckFooter = R"(Examples:
   ringfilm check case.toml
   ringfilm check case.toml --set operating.speed='3000 rpm'
   ringfilm check case.toml --json
+  ringfilm check case.toml --all
   ringfilm check pack.toml --assumptions
 
 Default inputs are keys that the case does not state; modelling assumptions are what the models take for granted.
@@ -297,6 +328,7 @@ constexpr const char* kNewFooter = R"(Examples:
   ringfilm new pack.toml --pack hydrogen
   ringfilm new pack.toml --pack passenger-car --load part --points points.toml
   ringfilm new first_hour.toml --state new
+  ringfilm new all_keys.toml --all
 
 Numbers marked "typical, assumed" are guesses at the size. Of a trace the columns, their units and the dead centre at
 angle 0 are read; what the file does not show is printed as missing.
@@ -306,6 +338,7 @@ void declare_check(CommandOptions& add, CheckOptions& options) {
   add_case(add, options);
   add.flag("--assumptions", options.assumptions,
            "compute which assumed inputs decide friction and film, where that takes long, too: of a pack some minutes");
+  add.flag("--all", options.all, "print every default input and every modelling assumption, with its consequence");
   add_jobs(add, options.threads);
   add.json(options.summary, "print inputs, default inputs, modelling assumptions and notes as JSON");
 }
@@ -326,6 +359,7 @@ void declare_new(CommandOptions& add, NewOptions& options) {
   add.text("--state", options.state, "STATE", "of the surfaces: new, run-in (default) or worn");
   add.text("--points", options.points, "POINTS.toml",
            "a study of the case at weighted operating points, written as well; must not exist yet");
+  add.flag("--all", options.has_all_keys, "write every key of a ring, those that need no decision as comments");
   add.text("--trace", options.trace, "X.csv", "file of the cylinder pressure, whose columns and units are read");
   add_table(add, options.table);
 }

@@ -69,6 +69,7 @@ void add_commands(Program& program) {
   add_reproduce_command(program);
   add_verify_command(program);
   add_study_command(program);
+  add_sweep_command(program);
   add_fit_command(program);
   add_optimise_command(program);
   add_serve_command(program);
@@ -80,6 +81,7 @@ void add_commands(Program& program) {
   add_lateral_force_command(program);
   add_synthetic_command(program);
   add_data_commands(program);
+  add_completion_command(program);
 }
 
 /// The first of the arguments after a command that begins as an option and is not one of its options.

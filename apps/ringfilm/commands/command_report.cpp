@@ -29,9 +29,6 @@ struct ReportOptions {
 };
 
 void check_report_options(const ReportOptions& options) {
-  if (!options.output && !options.vts_folder) {
-    throw InputError("nothing is to be written", "name a page with --output X.html or a folder with --vts DIR");
-  }
   if (!options.overlays.empty() && !options.output) {
     throw InputError("--overlay lays curves over those of a page, but no page is named", "add --output X.html");
   }
@@ -99,7 +96,16 @@ std::string page_text(const ReportOptions& options, const std::vector<io::Result
   return ringfilm::report::report_page(documents, overlays);
 }
 
-void report(const ReportOptions& options) {
+/// The page is named after the first result where nothing else is to be written.
+ReportOptions with_page(ReportOptions options) {
+  if (!options.output && !options.vts_folder) {
+    options.output = std::filesystem::path(options.results.front()).replace_extension(".html").string();
+  }
+  return options;
+}
+
+void report(const ReportOptions& stated) {
+  const ReportOptions options = with_page(stated);
   check_report_options(options);
   check_page(options);
   const std::vector<io::OutputClaim> claimed = claims({page_of(options)});
@@ -125,6 +131,7 @@ void report(const ReportOptions& options) {
 }
 
 constexpr const char* kReportFooter = R"(Examples:
+  ringfilm report my.nc
   ringfilm report new.nc worn.nc --output comparison.html
   ringfilm report new.nc --overlay floating_liner.csv --output measured.html
   ringfilm report unrolled.nc --vts fields
@@ -137,7 +144,8 @@ void declare_report(CommandOptions& add, ReportOptions& options) {
   add.text("X.nc", options.results, "...", "results of ringfilm run --output, or one of ringfilm gas --output")
       ->required();
   add.texts("--overlay", options.overlays, "X.csv", "measured curves to lay over; may be repeated");
-  add.text("-o,--output,--html", options.output, "X.html", "the page to write");
+  add.text("-o,--output,--html", options.output, "X.html",
+           "the page to write; X.html beside the first result X.nc where neither it nor --vts is stated");
   add.text("--vts", options.vts_folder, "DIR",
            "write the fields around the ring of one result: a .vts file for each crank angle, a .pvd file of all");
   add.choice("--vts-shape", options.vts_shape, {{"cylinder", io::VtsShape::kCylinder}, {"plane", io::VtsShape::kPlane}},

@@ -12,6 +12,7 @@
 #include "ringfilm/io/result/result_document.hpp"
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
+#include "ringfilm/report/html.hpp"
 #include "ringfilm/run/run.hpp"
 #include "text/pad_summary.hpp"
 #include "text/shared_options.hpp"
@@ -22,11 +23,14 @@ namespace {
 
 struct RunOptions : CaseWithOutputs {
   run::Options computed;
+  bool all = false;                 ///< every value, default input, assumption and note
+  std::optional<std::string> page;  ///< report of a ring or pack
 };
 
 std::vector<NamedOutput> outputs_of(const RunOptions& options) {
   return {{"--output", options.output, OutputKind::kNetcdf},
-          {"--csv", options.csv, OutputKind::kCsv, io::Sink::kFileOrDevice}};
+          {"--csv", options.csv, OutputKind::kCsv, io::Sink::kFileOrDevice},
+          {"--report", options.page, OutputKind::kPage, io::Sink::kFileOrDevice}};
 }
 
 cycle::Case checked_case(const RunOptions& options) {
@@ -35,6 +39,9 @@ cycle::Case checked_case(const RunOptions& options) {
   faults.collect([&] { input = case_with_settings(options.case_path, options.overrides); });
   check_names(outputs_of(options), faults);
   faults.collect([&] { run::check_options(input, options.computed, {"--ledger", "--error-estimate"}); });
+  if (options.page && input.problem == cycle::Problem::kPad) {
+    faults.refuse("--report draws the cycle of rings, and the case is a pad", "remove it; --csv writes the curves");
+  }
   faults.check();
   check_apart(outputs_of(options), input.files, "case", faults);
   faults.check();
@@ -45,31 +52,50 @@ cycle::Case checked_case(const RunOptions& options) {
 struct Outputs {
   std::size_t n_solved = 0;  ///< crank angles or instants
   std::function<void(const std::string&)> write_netcdf;
-  std::function<std::string()> csv, json, text;
+  std::function<std::string()> csv, json, text, page;
 };
 
-Outputs contents_of(const io::ResultDocument& document, const cycle::Case& input) {
+std::string long_text(const io::ResultDocument& document, const cycle::Case& input) {
+  const cycle::Case shown = cycle::with_rails(input);
+  std::string all;
+  const std::span<const io::ResultDocument> rings = io::rings_of(document);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    all += (i > 0 ? "\n" : "") + summary(shown.is_pack() ? shown.rings[i] : shown, rings[i]);
+    if (rings[i].ledger_computed) all += "\n" + ledger_table(rings[i]);
+  }
+  return input.is_pack() ? all + "\n" + pack_summary(document) : all;
+}
+
+std::string short_text(const io::ResultDocument& document, const cycle::Case& input) {
+  std::string text = input.is_pack() ? short_pack_summary(input, document) : short_summary(input, document);
+  for (const io::ResultDocument& ring : io::rings_of(document)) {
+    if (ring.ledger_computed) text += "\n" + (input.is_pack() ? ring.title + "\n" : "") + ledger_table(ring);
+  }
+  return text;
+}
+
+Outputs contents_of(const io::ResultDocument& document, const cycle::Case& input, bool all) {
   std::size_t n_solved = 0;
   for (const io::ResultDocument& ring : io::rings_of(document)) n_solved += ring.result.samples.size();
-  const auto text = [&document, &input] {
-    const cycle::Case shown = cycle::with_rails(input);
-    std::string all;
-    const std::span<const io::ResultDocument> rings = io::rings_of(document);
-    for (std::size_t i = 0; i < rings.size(); ++i) {
-      all += (i > 0 ? "\n" : "") + summary(shown.is_pack() ? shown.rings[i] : shown, rings[i]);
-      if (rings[i].ledger_computed) all += "\n" + ledger_table(rings[i]);
-    }
-    if (input.is_pack()) all += "\n" + pack_summary(document);
-    return all;
+  const bool is_whole = document.result.complete;
+  const auto text = [&document, &input, is_long = all || !is_whole] {
+    return is_long ? long_text(document, input) : short_text(document, input);
   };
-  return {n_solved, [&](const std::string& path) { io::write_result(path, document); },
-          [&] { return io::result_csv(document); }, [&] { return io::result_json(document); }, text};
+  return {n_solved,
+          [&](const std::string& path) { io::write_result(path, document); },
+          [&] { return io::result_csv(document); },
+          [&] { return io::result_json(document); },
+          text,
+          [&] { return ringfilm::report::report_page({document}, {}); }};
 }
 
 Outputs contents_of(const io::PadDocument& document, const cycle::Case& input) {
-  return {document.result.samples.size(), [&](const std::string& path) { io::write_pad(path, document); },
-          [&] { return io::pad_csv(document.result); }, [&] { return io::pad_json(document); },
-          [&] { return pad_summary(input, document); }};
+  return {document.result.samples.size(),
+          [&](const std::string& path) { io::write_pad(path, document); },
+          [&] { return io::pad_csv(document.result); },
+          [&] { return io::pad_json(document); },
+          [&] { return pad_summary(input, document); },
+          nullptr};
 }
 
 /// Why the integration of a cycle stopped, and what there is of it now.
@@ -77,7 +103,7 @@ ConvergenceError named_stop(const RunOptions& options, const ConvergenceError& s
   std::string text = stop.what();
   if (n_solved == 0) {
     text += "\nno crank angle of those asked for was finished; nothing was written, files that exist are unchanged";
-  } else if (options.output || options.csv) {
+  } else if (options.output || options.csv || options.page) {
     text += fmt::format("\nwhat was written holds the {} crank angles that were solved before", n_solved);
   }
   return {text, stop.crank_angle_deg()};
@@ -91,10 +117,11 @@ void run(const RunOptions& options) {
   progress.reset();
   const bool is_pad = input.problem == cycle::Problem::kPad;
   const Outputs outputs = is_pad ? contents_of(std::get<io::PadDocument>(done.result), input)
-                                 : contents_of(std::get<io::ResultDocument>(done.result), input);
+                                 : contents_of(std::get<io::ResultDocument>(done.result), input, options.all);
   const bool is_worth_writing = outputs.n_solved > 0;
   if (options.output && is_worth_writing) outputs.write_netcdf(*options.output);
   if (options.csv && is_worth_writing) io::write_atomically(*options.csv, outputs.csv());
+  if (options.page && is_worth_writing) io::write_atomically(*options.page, outputs.page());
   const bool is_shown = is_worth_writing || !is_pad;
   if (is_shown && options.summary == SummaryForm::kJson) {
     std::cout << outputs.json();
@@ -109,6 +136,8 @@ void run(const RunOptions& options) {
 
 constexpr const char* kRunFooter = R"(Examples:
   ringfilm run case.toml
+  ringfilm run case.toml --all
+  ringfilm run case.toml --report case.html
   ringfilm run case.toml --output result.nc --csv curves.csv
   ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
   ringfilm run case.toml --ledger --output result.nc
@@ -128,7 +157,9 @@ void declare_run(CommandOptions& add, RunOptions& options) {
   add_case(add, options);
   add.text("-o,--output", options.output, "X.nc", "write the whole result as NetCDF-4");
   add_csv(add, options, "write the curves as CSV, SI units: over crank angle, of a pad along its length");
+  add.text("--report", options.page, "X.html", "draw the result as one self-contained page");
   add.json(options.summary, "print the values as JSON, SI units, instead of the table");
+  add.flag("--all", options.all, "print every value, default input, modelling assumption and note of each ring");
   add.flag("--ledger", options.computed.ledger,
            "run the other choice for every modelling assumption that can be lifted");
   add.flag("--error-estimate", options.computed.error_estimate,

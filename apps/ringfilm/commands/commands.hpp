@@ -15,6 +15,7 @@ class Program;
 
 // Each adds a command with its options, or several.
 void add_check_command(Program& program);
+void add_completion_command(Program& program);
 void add_conform_command(Program& program);
 void add_contact_command(Program& program);
 void add_data_commands(Program& program);  ///< fields, oils, pairs, new
@@ -30,6 +31,7 @@ void add_reproduce_command(Program& program);
 void add_run_command(Program& program);
 void add_serve_command(Program& program);
 void add_study_command(Program& program);
+void add_sweep_command(Program& program);
 void add_surface_commands(Program& program);  ///< surface, pair
 void add_synthetic_command(Program& program);
 void add_verify_command(Program& program);

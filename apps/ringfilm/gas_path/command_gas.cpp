@@ -68,7 +68,8 @@ void gas_of_variations(const GasOptions& options, const cycle::Case& input) {
                      "leave --vary out, or take the table as CSV with --csv X.csv");
   }
   const std::vector<io::OutputClaim> claimed = claimed_outputs(options, input);
-  const std::string table = gas_variations_csv(options.case_path, options.overrides, variations(options.varied));
+  const std::string table =
+      gas_variations_csv(options.case_path, options.overrides, variations(options.varied, vary_form()));
   if (!options.csv) {
     std::cout << table;
     return;

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "faults.hpp"
-#include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/pack/gas_quantities.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
@@ -19,38 +16,10 @@
 namespace ringfilm::app {
 namespace {
 
-/// More would be a study of hours.
-constexpr std::size_t kMaxCombinations = 10000;
-
-/// The settings of a combination, by its number.
-std::vector<io::Override> combination(const std::vector<Variation>& varied, std::size_t number) {
-  std::vector<io::Override> settings(varied.size());
-  for (std::size_t i = varied.size(); i-- > 0;) {
-    const std::size_t n = varied[i].values.size();
-    settings[i] = {varied[i].key, varied[i].values[number % n], "--vary"};
-    number /= n;
-  }
-  return settings;
-}
-
 std::string quoted_cell(const std::string& text) {
   std::string cell = "\"";
   for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
   return cell + "\"";
-}
-
-/// A case of each combination; whatever is wrong with one is reported before anything is computed.
-std::vector<cycle::Case> cases_of(const std::string& path, const std::vector<io::Override>& overrides,
-                                  const std::vector<Variation>& varied, std::size_t n) {
-  const io::Units units;
-  std::vector<cycle::Case> cases;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::vector<io::Override> settings = overrides;
-    std::ranges::copy(combination(varied, i), std::back_inserter(settings));
-    std::vector<io::DroppedKey> dropped;
-    cases.push_back(io::read_case_dropping(path, settings, units, dropped, cycle::CasePurpose::kGasPath));
-  }
-  return cases;
 }
 
 /// What the gas of a combination is.
@@ -163,42 +132,19 @@ bool acts_on_gas(const std::string& key) {
   return field == nullptr || (field->uses.gas && !field->is_for_record);
 }
 
-std::vector<Variation> variations(const std::vector<std::string>& texts) {
-  std::vector<Variation> all;
-  std::set<std::string> keys;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    Variation one{std::string(trimmed(text.substr(0, equals))), {}};
-    std::size_t begin = equals == std::string::npos ? text.size() : equals + 1;
-    while (begin < text.size()) {
-      const std::size_t end = std::min(text.find(',', begin), text.size());
-      one.values.emplace_back(trimmed(text.substr(begin, end - begin)));
-      begin = end + 1;
-    }
-    const bool has_values = !one.values.empty() && std::ranges::none_of(one.values, &std::string::empty);
-    if (one.key.empty() || !has_values) {
-      throw InputError("--vary " + text + " is not a key with its values",
-                       "write, for example, --vary operating.speed='1000 rpm, 2000 rpm'");
-    }
-    if (!keys.insert(one.key).second) throw InputError("--vary " + one.key + " is given twice", "keep one of them");
-    all.push_back(std::move(one));
-  }
-  return all;
+const VariationForm& vary_form() {
+  static const VariationForm form{"--vary ", "--vary operating.speed='1000 rpm, 2000 rpm'", 5};
+  return form;
 }
 
 std::string gas_variations_csv(const std::string& case_path, const std::vector<io::Override>& overrides,
                                const std::vector<Variation>& varied) {
   check_varied(varied, overrides);
-  std::size_t n = 1;
-  for (const Variation& one : varied) n *= one.values.size();
-  if (n > kMaxCombinations) {
-    throw InputError(fmt::format("--vary makes {} combinations, {} at the most are computed", n, kMaxCombinations),
-                     "vary fewer values");
-  }
-  const std::vector<cycle::Case> cases = cases_of(case_path, overrides, varied, n);
+  const std::vector<cycle::Case> cases =
+      cases_of(case_path, overrides, varied, vary_form(), cycle::CasePurpose::kGasPath);
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < n; ++i) {
-    Row row{combination(varied, i), std::nullopt, ""};
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    Row row{combination(varied, i, vary_form()), std::nullopt, ""};
     try {
       row.solution = solution_of(cases[i]);
     } catch (const ConvergenceError& error) {

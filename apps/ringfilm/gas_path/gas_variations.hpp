@@ -5,21 +5,16 @@
 #include <vector>
 
 #include "commands/commands.hpp"
+#include "variations.hpp"
 
 namespace ringfilm::app {
-
-/// A key and its values, of `--vary KEY=VALUE, VALUE, ...`.
-struct Variation {
-  std::string key;
-  std::vector<std::string> values;  ///< as written
-};
 
 /// Does the gas of a ring pack alone follow from the key, of one ring or of a ring of a pack? True for an unknown key,
 /// which the reader of the case reports.
 bool acts_on_gas(const std::string& key);
 
-/// Throws InputError where a text is not of that form, or a key is varied twice.
-std::vector<Variation> variations(const std::vector<std::string>& texts);
+/// How --vary has its variations.
+const VariationForm& vary_form();
 
 /// Computes the gas of a pack for each combination of the values, the last key fastest. Throws InputError where a
 /// varied key is one of `overrides` or has no effect on the gas.

@@ -7,14 +7,19 @@
 #include <vector>
 
 #include "gas_path/gas_tables.hpp"
+#include "ringfilm/base/joined.hpp"
 #include "ringfilm/io/result/pack_sums.hpp"
+#include "ringfilm/io/result/result_document.hpp"
 #include "text/engineering_text.hpp"
+#include "text/note_text.hpp"
 #include "text/wrapped_text.hpp"
 
 namespace ringfilm::app {
 namespace {
 
 using cycle::CycleValues;
+
+enum class Detail { kShort, kAll };
 
 constexpr int kValueWidth = 12;
 constexpr int kValueWithErrorWidth = 24;
@@ -47,39 +52,48 @@ class Table {
 
 std::string percent(double part, double whole) { return fmt::format("{:.0f} %", whole > 0 ? 100 * part / whole : 0.0); }
 
-std::string values_table(const CycleValues& values, const std::optional<study::ErrorEstimate>& errors) {
+std::string values_table(const CycleValues& values, const std::optional<study::ErrorEstimate>& errors, Detail detail) {
   Table table(values, errors);
+  const bool all = detail == Detail::kAll;
   table.add("fmep");
   table.add("mean_power_loss", "boundary " + percent(values.mean_boundary_power, values.mean_power_loss) +
                                    ", viscous " + percent(values.mean_viscous_power, values.mean_power_loss));
-  table.add("energy_per_cycle", fmt::format("power {}, exhaust {}, intake {}, compression {}",
-                                            percent(values.power_stroke_energy, values.energy_per_cycle),
-                                            percent(values.exhaust_stroke_energy, values.energy_per_cycle),
-                                            percent(values.intake_stroke_energy, values.energy_per_cycle),
-                                            percent(values.compression_stroke_energy, values.energy_per_cycle)));
-  table.add("mean_total_friction",
-            "boundary " + table.shown("mean_boundary_friction") + ", viscous " + table.shown("mean_viscous_friction"));
+  if (all) {
+    table.add("energy_per_cycle", fmt::format("power {}, exhaust {}, intake {}, compression {}",
+                                              percent(values.power_stroke_energy, values.energy_per_cycle),
+                                              percent(values.exhaust_stroke_energy, values.energy_per_cycle),
+                                              percent(values.intake_stroke_energy, values.energy_per_cycle),
+                                              percent(values.compression_stroke_energy, values.energy_per_cycle)));
+    table.add("mean_total_friction", "boundary " + table.shown("mean_boundary_friction") + ", viscous " +
+                                         table.shown("mean_viscous_friction"));
+  }
   table.add("peak_total_friction", table.at("peak_total_friction_angle"));
-  table.add("peak_boundary_friction", table.at("peak_boundary_friction_angle"));
-  table.add("peak_viscous_friction", table.at("peak_viscous_friction_angle"));
+  if (all) {
+    table.add("peak_boundary_friction", table.at("peak_boundary_friction_angle"));
+    table.add("peak_viscous_friction", table.at("peak_viscous_friction_angle"));
+  }
   table.add("peak_friction_coefficient", table.at("peak_friction_coefficient_angle") +
                                              "; within 60 degree of firing TDC " +
                                              table.shown("peak_friction_coefficient_firing"));
   table.add("min_film_thickness", table.at("min_film_thickness_angle"));
   table.add("lambda_ratio_at_peak_pressure", "lowest of the cycle " + table.shown("min_lambda_ratio"));
-  table.add("boundary_regime_cycle_share",
-            fmt::format("mixed {}, full film {}; of the friction energy {}, {} and {}",
-                        percent(values.mixed_regime_cycle_share, 1), percent(values.full_film_cycle_share, 1),
-                        percent(values.boundary_regime_energy_share, 1), percent(values.mixed_regime_energy_share, 1),
-                        percent(values.full_film_energy_share, 1)));
-  table.add("mean_absolute_oil_flow", "net " + table.shown("net_oil_flow") + ", positive to the crankcase");
+  const std::string other_regimes = fmt::format("mixed {}, full film {}", percent(values.mixed_regime_cycle_share, 1),
+                                                percent(values.full_film_cycle_share, 1));
+  table.add(
+      "boundary_regime_cycle_share",
+      other_regimes +
+          (all ? fmt::format("; of the friction energy {}, {} and {}", percent(values.boundary_regime_energy_share, 1),
+                             percent(values.mixed_regime_energy_share, 1), percent(values.full_film_energy_share, 1))
+               : ""));
+  table.add("mean_absolute_oil_flow", all ? "net " + table.shown("net_oil_flow") + ", positive to the crankcase" : "");
   const bool follows_oil = values.oil_replenished != 0 || values.oil_scraped_up != 0 || values.oil_scraped_down != 0;
   if (follows_oil) {
-    table.add("oil_replenished",
-              "left at TDC " + table.shown("oil_scraped_up") + ", at BDC " + table.shown("oil_scraped_down"));
+    table.add("oil_replenished", "left at TDC " + table.shown("oil_scraped_up") +
+                                     (all ? ", at BDC " + table.shown("oil_scraped_down") : ""));
   }
   if (values.gas_through_film_forward + values.gas_through_film_back > 0) {
-    table.add("gas_through_film_forward", "back " + table.shown("gas_through_film_back") + "; upper bounds");
+    table.add("gas_through_film_forward",
+              all ? "back " + table.shown("gas_through_film_back") + "; upper bounds" : "upper bound");
   }
   table.add("peak_film_pressure",
             "peak gas pressure " + table.shown("peak_gas_pressure") + " " + table.at("peak_gas_pressure_angle"));
@@ -157,6 +171,17 @@ std::string solver_lines(const cycle::Effort& effort) {
   return wrapped(words(text));
 }
 
+/// What is not printed, counted.
+std::string counts_line(const io::ResultDocument& document) {
+  const auto n_default = std::count_if(document.inputs.begin(), document.inputs.end(),
+                                       [](const io::CaseEntry& entry) { return entry.assumed; });
+  return wrapped(
+      words(fmt::format("{} default inputs, {} modelling assumptions, {} crank steps in {:.4g} cycles; "
+                        "--all prints them, more values and all notes",
+                        n_default, document.ledger.size(), document.result.effort.crank_steps,
+                        document.result.effort.cycles_integrated)));
+}
+
 std::string assumption_lines(const io::ResultDocument& document) {
   std::string topics;
   for (const study::LedgerEntry& entry : document.ledger) topics += (topics.empty() ? "" : ", ") + entry.topic;
@@ -220,6 +245,19 @@ std::string narrowed_lines(const std::vector<cycle::OilLoss>& losses) {
   return text.empty() ? "" : wrapped(words(text));
 }
 
+/// The loss of a cylinder, and what narrows it most.
+std::string oil_consumption_line(const std::vector<cycle::OilLoss>& losses) {
+  const auto total = std::find_if(losses.begin(), losses.end(),
+                                  [](const cycle::OilLoss& loss) { return loss.name == cycle::kTotalOilLoss; });
+  if (total == losses.end()) return "";
+  const auto shown = [](double loss) { return fmt::format("{:.2g}", number_in(loss, kGramPerHour)); };
+  std::string text = fmt::format("oil consumption of the cylinder, estimated: {} g/h ({} to {})", shown(total->value),
+                                 shown(total->low), shown(total->high));
+  const std::vector<cycle::NarrowedBand> bands = cycle::narrowed_bands(losses);
+  if (!bands.empty()) text += ", least known: " + bands.front().input;
+  return wrapped(words(text));
+}
+
 std::string oil_consumption_table(const std::vector<cycle::OilLoss>& losses) {
   if (losses.empty()) return "";
   std::string text = fmt::format("{:<30}{:>11}{:>11}{:>11}\n", "oil consumption, estimated", "low", "value", "high");
@@ -237,15 +275,20 @@ std::string oil_consumption_table(const std::vector<cycle::OilLoss>& losses) {
   return text + narrowed_lines(losses);
 }
 
-std::string pack_gas_lines(const io::ResultDocument& pack) {
-  if (!pack.gas) return "";
+/// Blow-by and peaks of pressure.
+std::string gas_line(const io::ResultDocument& pack) {
   std::string text = "blow-by per cylinder " + blow_by_text(pack.gas->sums) + reverse_blow_by_text(pack.gas->sums) +
                      "; peaks of pressure";
   for (std::size_t i = 1; i + 1 < pack.gas->regions.size(); ++i) {
     const gas_path::RegionValues& region = pack.gas->regions[i];
     text += fmt::format("{} {} {}", i > 1 ? "," : "", region.name, text_in(region.peak_pressure, kBar, 3));
   }
-  text = wrapped(words(text));
+  return text;
+}
+
+std::string pack_gas_lines(const io::ResultDocument& pack) {
+  if (!pack.gas) return "";
+  std::string text = wrapped(words(gas_line(pack)));
   for (const std::string& table :
        {paths_table(*pack.gas), composition_table(*pack.gas), ring_motion_table(*pack.gas)}) {
     if (!table.empty()) text += "\n" + table;
@@ -279,10 +322,116 @@ std::string pack_summary(const io::ResultDocument& pack) {
          oil_consumption_table(pack.oil_losses) + pack_gas_lines(pack);
 }
 
+namespace {
+
+std::string conditions_line(const cycle::Case& input) {
+  return wrapped(words(fmt::format("{}, {}; cylinder pressure: {}", text_in(input.operating.speed, kRpm),
+                                   oil_temperature(input), pressure_origin(input.gas))));
+}
+
+/// "ring 1: top ring, ring 2: ..." of rings that have names.
+std::string ring_names(const cycle::Case& pack) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < pack.rings.size(); ++i) {
+    const std::string& name = pack.rings[i].ring.name;
+    if (!name.empty()) names.push_back(fmt::format("ring {}: {}", i + 1, name));
+  }
+  return names.empty() ? "" : wrapped(words(joined(names, ", ")));
+}
+
+/// Lines of notes of a result that is not printed whole, so that it fits a screen.
+constexpr std::size_t kNoteLines = 6, kPackNoteLines = 12;
+
+/// Values of the rings side by side.
+class RingColumns {
+ public:
+  explicit RingColumns(const io::ResultDocument& pack) : pack_(pack), labels_(labels()) {
+    line("", "all rings", [this](std::size_t i) { return labels_[i]; });
+  }
+
+  const std::vector<std::string>& names() const { return labels_; }
+
+  /// @param of_pack has the pack this value, too?
+  void add(const std::string& name, bool of_pack) {
+    const cycle::CycleQuantity& quantity = cycle_quantity(name);
+    const std::string unit = quantity.display_unit == "1" ? "" : " [" + quantity.display_unit + "]";
+    line(quantity.long_name + unit, of_pack ? number(quantity, pack_.result.values) : "",
+         [&](std::size_t i) { return number(quantity, pack_.rings[i].result.values); });
+  }
+  void add_boundary_share() {
+    const auto share = [](const CycleValues& v) { return percent(v.mean_boundary_power, v.mean_power_loss); };
+    line("boundary share of it", share(pack_.result.values),
+         [&](std::size_t i) { return share(pack_.rings[i].result.values); });
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  /// "ring 2", and of an oil ring with rails "3 upper".
+  std::vector<std::string> labels() const {
+    const std::vector<std::size_t> numbers = io::ring_numbers(pack_);
+    std::vector<std::string> labels;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const bool has_rails = std::count(numbers.begin(), numbers.end(), numbers[i]) > 1;
+      const bool is_upper = has_rails && (i == 0 || numbers[i - 1] != numbers[i]);
+      labels.push_back(!has_rails ? fmt::format("ring {}", numbers[i])
+                                  : fmt::format("{} {}", numbers[i], is_upper ? "upper" : "lower"));
+    }
+    return labels;
+  }
+  template <class Cell>
+  void line(const std::string& name, const std::string& of_pack, const Cell& of_ring) {
+    text_ += fmt::format("{:<{}}{:>{}}", name, kNameWidth, of_pack, kWidth);
+    for (std::size_t i = 0; i < labels_.size(); ++i) text_ += fmt::format("{:>{}}", of_ring(i), kWidth);
+    text_ += "\n";
+  }
+  std::string number(const cycle::CycleQuantity& quantity, const CycleValues& values) const {
+    const std::string text = in_words_(quantity, values.*quantity.value);
+    return text.substr(0, text.find(' '));
+  }
+
+  static constexpr int kNameWidth = 47, kWidth = 10;
+  const io::ResultDocument& pack_;
+  std::vector<std::string> labels_;
+  EngineeringText in_words_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string short_summary(const cycle::Case& input, const io::ResultDocument& document) {
+  const cycle::CycleResult& result = document.result;
+  if (!result.complete) return summary(input, document);
+  const NoteText notes({&document}, {""});
+  std::string text = document.title + "\n" + conditions_line(input) + notes.verdict() + "\n";
+  if (!result.samples.empty()) text += values_table(result.values, document.errors, Detail::kShort) + "\n";
+  text += indicated_line(result.derived) + oil_consumption_line(document.oil_losses);
+  if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);
+  if (document.errors && study::has_values(*document.errors)) {
+    text += error_lines(*document.errors, input.solver.crank_step_control);
+  }
+  return text + notes.most_serious(kNoteLines) + counts_line(document);
+}
+
+std::string short_pack_summary(const cycle::Case& input, const io::ResultDocument& pack) {
+  RingColumns columns(pack);
+  columns.add("fmep", true);
+  columns.add("mean_power_loss", true);
+  columns.add_boundary_share();
+  for (const char* name : {"peak_total_friction", "min_film_thickness", "min_lambda_ratio",
+                           "boundary_regime_cycle_share", "mixed_regime_cycle_share", "peak_film_pressure"}) {
+    columns.add(name, false);
+  }
+  std::vector<const io::ResultDocument*> rings;
+  for (const io::ResultDocument& ring : pack.rings) rings.push_back(&ring);
+  const NoteText notes(rings, columns.names());
+  std::string text = pack.title + "\n" + conditions_line(input) + ring_names(input) + notes.verdict() + "\n" +
+                     columns.text() + "\n" + pack_oil_lines(pack) + oil_consumption_line(pack.oil_losses);
+  if (pack.gas) text += wrapped(words(gas_line(pack)));
+  return text + notes.most_serious(kPackNoteLines) + counts_line(pack.rings.front());
+}
+
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {
-  std::string text = document.title + "\n";
-  text += fmt::format("{}, {}; cylinder pressure: {}\n\n", text_in(input.operating.speed, kRpm), oil_temperature(input),
-                      pressure_origin(input.gas));
+  std::string text = document.title + "\n" + conditions_line(input) + "\n";
   const cycle::CycleResult& result = document.result;
   if (!result.complete) {
     text += fmt::format(
@@ -291,7 +440,8 @@ std::string summary(const cycle::Case& input, const io::ResultDocument& document
         "of the cycle\n\n",
         result.effort.cycles_integrated, result.samples.size());
   }
-  if (result.complete && !result.samples.empty()) text += values_table(result.values, document.errors) + "\n";
+  if (result.complete && !result.samples.empty())
+    text += values_table(result.values, document.errors, Detail::kAll) + "\n";
   text += indicated_line(result.derived);
   if (!document.oil_losses.empty()) text += oil_consumption_table(document.oil_losses) + "\n";
   if (!result.unrolled.is_absent()) text += unrolled_lines(input, result);

@@ -7,7 +7,13 @@
 
 namespace ringfilm::app {
 
-/// The table that `ringfilm run` prints: what was computed, the values of the cycle, how well it was solved, what was
+/// What `ringfilm run` prints of a ring: a verdict, the values that decide, the most serious notes.
+std::string short_summary(const cycle::Case& input, const io::ResultDocument& document);
+
+/// What it prints of a pack, the rings side by side.
+std::string short_pack_summary(const cycle::Case& input, const io::ResultDocument& pack);
+
+/// What it prints with --all, of a ring: what was computed, the values of the cycle, how well it was solved, what was
 /// assumed and what must be known about it.
 std::string summary(const cycle::Case& input, const io::ResultDocument& document);
 

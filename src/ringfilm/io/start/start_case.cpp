@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/start/start_values.hpp"
 #include "ringfilm/io/start/trace_keys.hpp"
@@ -73,7 +75,7 @@ std::string head(const std::string& title, bool has_all_keys) {
          "# A quantity is text with its unit; a bare number has none.\n"
          "# \"typical, assumed\" marks an estimate (docs/manual/guide/typical-inputs.md): state your own "
          "value.\n"
-         "# `ringfilm fields` shows all keys; `ringfilm check` reads this file without running it.\n" +
+         "# `ringfilm fields` shows all keys, `ringfilm new --all` writes them; `ringfilm check` reads this file.\n" +
          (has_all_keys ? of_keys : "");
 }
 
@@ -84,17 +86,57 @@ void append(const std::vector<StartValue>& values, std::vector<StartValue>& to) 
   }
 }
 
+/// A section of the case with its lines. Keys of a section below it share a line: "face = { form = ..., ... }".
+class SectionText {
+ public:
+  void add(const std::string& name, const StartValue& value) {
+    const std::size_t dot = name.find('.');
+    if (dot == std::string::npos) return write(name, value);
+    const std::string table = name.substr(0, dot);
+    if (table != table_) finish();
+    table_ = table;
+    entries_.push_back(name.substr(dot + 1) + " = " + value.value);
+    const bool has_more = value.remark.starts_with(kAssumed) && !remarks_.empty();
+    const std::string more = has_more ? value.remark.substr(kAssumed.size()) : value.remark;
+    if (more.size() > 2) remarks_.push_back(has_more ? more.substr(2) : more);
+  }
+  /// Once all values are added.
+  const std::string& text() {
+    finish();
+    return text_;
+  }
+
+ private:
+  void write(const std::string& name, const StartValue& value) {
+    finish();
+    text_ += value.value.empty()
+                 ? fmt::format("# {} = {}  # MISSING: {}\n", name, cycle::find_field(value.key)->example, value.remark)
+                 : fmt::format("{} = {}  # {}\n", name, value.value, value.remark);
+  }
+  void finish() {
+    if (entries_.empty()) return;
+    text_ += fmt::format("{} = {{ {} }}  # {}\n", table_, joined(entries_, ", "), joined(remarks_, "; "));
+    entries_.clear();
+    remarks_.clear();
+  }
+
+  std::string text_, table_;
+  std::vector<std::string> entries_, remarks_;
+};
+
 /// The values alone, section by section in their order.
 std::string stated_case(const std::string& head, const std::vector<StartValue>& values) {
-  std::string text = head, section;
+  std::vector<std::string> order;
+  std::map<std::string, SectionText> sections;
   for (const StartValue& value : values) {
-    const std::size_t dot = value.key.rfind('.');
-    const std::string of = dot == std::string::npos ? "" : value.key.substr(0, dot);
-    if (of != section) text += fmt::format("\n[{}]\n", of);
-    section = of;
-    const std::string name = value.key.substr(of.empty() ? 0 : dot + 1);
-    text += value.value.empty() ? fmt::format("# {} =  # MISSING: {}\n", name, value.remark)
-                                : fmt::format("{} = {}  # {}\n", name, value.value, value.remark);
+    const std::size_t dot = value.key.find('.');
+    const std::string section = dot == std::string::npos ? "" : value.key.substr(0, dot);
+    if (!sections.contains(section)) order.push_back(section);
+    sections[section].add(value.key.substr(section.empty() ? 0 : dot + 1), value);
+  }
+  std::string text = head;
+  for (const std::string& section : order) {
+    text += (section.empty() ? "" : "[" + section + "]\n") + sections[section].text();
   }
   return text;
 }
@@ -163,7 +205,8 @@ StartCase start_case(const StartOptions& options) {
   } else {
     values.push_back(
         {"output.fields", quoted("all"), "for the slider along the face in the report; 3 MB in the result"});
-    start.text = commented_case(head(title, true), values);
+    start.text =
+        options.has_all_keys ? commented_case(head(title, true), values) : stated_case(head(title, false), values);
   }
   return start;
 }

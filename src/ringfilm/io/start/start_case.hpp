@@ -18,6 +18,7 @@ struct StartOptions {
   /// Folder of the case, to which its path of the trace is relative; empty: the working folder.
   std::string case_folder{};
   TableReading trace_table{};  ///< how the trace is read
+  bool has_all_keys = false;   ///< every other key as a comment, in the case of a ring
 };
 
 /// A case as text, and what a trace does not show.
@@ -32,9 +33,9 @@ std::vector<std::string> start_engines();  ///< engines for which there are typi
 std::vector<std::string> start_loads();    ///< part and full load
 std::vector<std::string> start_states();   ///< new, run-in and worn
 
-/// A commented case that states typical numbers, each with its source or marked as assumed. That of a ring has every
-/// other key as a comment, that of a pack the shipped rings. Without a trace it runs unchanged. Throws InputError for
-/// an unknown engine, load or state and a trace that is not a table of numbers.
+/// A case that states what a person must decide, in typical numbers, each with its source or marked as assumed; that of
+/// a pack with the shipped rings. Without a trace it runs unchanged. Throws InputError for an unknown engine, load or
+/// state and a trace that is not a table of numbers.
 StartCase start_case(const StartOptions& options);
 
 /// A study of a case to start from at the weighted operating points of its engine: part load and full load at low and
