@@ -24,6 +24,7 @@
 #include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
+#include "ringfilm/io/text/foreign_file.hpp"
 #include "ringfilm/io/text/text_encoding.hpp"
 
 namespace ringfilm::instrument {
@@ -423,6 +424,9 @@ std::string shown_length(double length_m) {
 
 InstrumentFile open_instrument_file(const std::string& path, TableLayout layout, const io::TableReading& stated) {
   auto bytes = std::make_shared<const std::string>(file_bytes(path, kMaxInstrumentFile));
+  if (std::optional<Fault> fault = io::foreign_file_fault({path, 0, 0, ""}, *bytes)) {
+    throw InputError(std::vector<Fault>{std::move(*fault)});
+  }
   if (starts_with(*bytes, "PK\x03\x04")) {
     bytes.reset();
     return is_x3p(path) ? read_x3p(path) : through_gwyddion(path);

@@ -112,6 +112,26 @@ TEST(IndicatedPressure, AnOffsetOfATraceIsNotedWhereTheCompressionRatioIsKnown) 
   EXPECT_EQ(topics(-0.3e5), "gas-compression-high ");
 }
 
+TEST(IndicatedPressure, ABentCompressionIsNotedWhereALowerRatioHidesTheOffset) {
+  const auto topics = [](double offset, double ratio) {
+    Case c;
+    c.engine = engine();
+    c.gas.model = GasModel::kTrace;
+    c.gas.compression_ratio = ratio;
+    c.stated.insert("gas.compression_ratio");
+    c.gas.cylinder_pressure = SampledTrace{angles(), otto(kIntake, offset)};
+    const models::CyclePressure cylinder(angles(), otto(kIntake, offset));
+    EXPECT_NEAR(compression_index(c, cylinder).value(), 1.33, 0.1) << "no note of the index alone";
+    std::vector<Note> notes;
+    append_gas_notes(c, cylinder, notes);
+    std::string text;
+    for (const Note& note : notes) text += note.topic + " ";
+    return text;
+  };
+  EXPECT_EQ(topics(0.5e5, 0.6 * kRatio), "gas-compression-low ");
+  EXPECT_EQ(topics(0, kRatio), "");
+}
+
 TEST(IndicatedPressure, AnotherOneThanStatedIsNoted) {
   Case c;
   c.engine = engine();

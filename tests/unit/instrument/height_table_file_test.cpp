@@ -355,6 +355,10 @@ TEST(HeightTable, PointsWithFurtherColumnsAreNotAMatrix) {
   const SurfaceOptions options = with("um", "um", "1 um");
   EXPECT_THAT(refusal("a.txt", normals, options), HasSubstr("columns 1 and 2 of 6 are the places of points"));
   EXPECT_THAT(refusal("a.txt", numbered, options), HasSubstr("columns 2 and 3 of 4 are the places of points"));
+  EXPECT_THAT(refusal("a.txt", numbered, options), HasSubstr("--columns \"-, x [um], y [um], z [um]\""));
+  SurfaceOptions stated;
+  stated.table.columns = "-, x [um], y [um], z [um]";
+  EXPECT_EQ(read_bytes("a.txt", numbered, stated).map.points_x, 8u) << "as the remedy states";
   const SurfaceFile file = read_bytes("a.txt", "id x y z\n" + numbered, with("um", "mm"));
   ASSERT_EQ(file.map.points_x, 8u);
   ASSERT_EQ(file.map.points_y, 6u);
@@ -399,13 +403,53 @@ TEST(HeightTable, StepsOfOneOrTwoDigitsAreOneStep) {
               testing::Contains(HasSubstr("columns of the grid have no point")));
 }
 
+TEST(HeightTable, TheNotesNameDecimalCommasAndUnusedColumns) {
+  const auto notes = [](const std::string& text, const SurfaceOptions& options = {}) {
+    std::string all;
+    for (const std::string& note : read_bytes("a.csv", text, options).origin.notes) all += note + "\n";
+    return all;
+  };
+  EXPECT_THAT(notes("0,25;0,5;1;2\n3;4;5;6\n", with("um", nullptr, "1 um")), HasSubstr("decimal commas"));
+  EXPECT_THAT(notes("No;x [um];z [um];light\n1;0;1.5;9\n2;1;2.5;9\n3;2;1.5;9\n"),
+              HasSubstr("columns that were not used: No, light"));
+  EXPECT_THAT(notes("x [um];z [um]\n0;1.5\n1;2.5\n2;1\n"), testing::Not(HasSubstr("not used")));
+}
+
+TEST(HeightTable, AOfAHeightIsTheAngstrom) {
+  const SurfaceFile file = read_bytes(
+      "a.csv", "Meta Data\nFile Type,Profile\n\nLateral (um),Total Profile (A),\n0.0,13000.0,\n0.5,1e4,\n1.0,9e3,\n");
+  EXPECT_DOUBLE_EQ(file.map.height_m[0], 1.3e-6);
+  EXPECT_DOUBLE_EQ(file.map.step_x_m, 0.5e-6);
+}
+
+TEST(HeightTable, TrueOfAColumnOfValidityIsMeasured) {
+  const SurfaceFile file = read_bytes("a.csv", "x [um],z [um],valid\n0,1.5,true\n1,2.5,False\n2,1,true\n");
+  EXPECT_EQ(file.map.missing, (std::vector<std::uint8_t>{0, 1, 0}));
+}
+
+TEST(HeightTable, TwoValuesThatMayBeOneAreNamedWhereTheyDoNotFollowEachOther) {
+  EXPECT_THAT(refusal("a.txt", "3,25\n1,52\n2,12\n", with("um", "um")),
+              HasSubstr("--columns \"z [um]\" for one number"));
+}
+
+TEST(HeightTable, FilesOfOtherProgramsNameHowToExport) {
+  const std::string zeros(200, '\0');
+  EXPECT_THAT(refusal("a.xlsx", "PK\x03\x04" + zeros + "[Content_Types].xml" + zeros),
+              testing::AllOf(HasSubstr("this is an Excel workbook (xlsx) or another Office file, not text"),
+                             HasSubstr("save the table as CSV")));
+  EXPECT_THAT(refusal("a.mat", "MATLAB 5.0 MAT-file, Platform: GLNXA64" + zeros), HasSubstr("writematrix"));
+  EXPECT_THAT(refusal("a.tdms", "TDSm" + zeros), HasSubstr("this is a TDMS file of LabVIEW"));
+  EXPECT_THAT(refusal("a.h5", "\x89HDF\r\n\x1a\n" + zeros), HasSubstr("h5py"));
+}
+
 TEST(HeightTable, FaultsNameLineAndColumn) {
   EXPECT_THAT(refusal("a.csv", "1,2,3,4\n5,6,seven,8\n", with("um", nullptr, "1 um")),
               HasSubstr("a.csv:2:5: \"seven\" is not a finite number"));
   EXPECT_THAT(refusal("a.csv", "1,2,3,4\n5,6,7\n", with("um", nullptr, "1 um")),
               HasSubstr("a.csv:2:1: the row has 3 values, and 4 are required"));
   EXPECT_THAT(refusal("a.csv", "x [mm],q [um]\n1,2\n2,3\n"), HasSubstr("there is no column z among: x, q"));
-  EXPECT_THAT(refusal("a.csv", "1,2,3,inf\n5,6,7,8\n", with("um", nullptr, "1 um")), HasSubstr("not a finite number"));
+  EXPECT_THAT(refusal("a.csv", "1,2,3,1e999\n5,6,7,8\n", with("um", nullptr, "1 um")),
+              HasSubstr("not a finite number"));
 }
 
 }  // namespace

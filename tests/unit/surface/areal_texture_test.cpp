@@ -79,6 +79,19 @@ TEST(ArealTexture, TheAngleOfACrossHatch) {
 
 TEST(ArealTexture, OneLayIsNotACrossHatch) { EXPECT_FALSE(honing_angle(cross_hatch(0, 30)).has_value()); }
 
+TEST(ArealTexture, TwoPeaksOfOneBroadLobeAreNotACrossHatch) {
+  const HeightMap fan = map_of(96, 96, 1e-6, 1e-6, [](double x, double y) {
+    double z = 0;
+    for (int k = -5; k <= 5; k += 2) {  // lays from -9 to 9 degree
+      const double lay_deg = 1.8 * k, lay = lay_deg * kDegreeInRad;
+      const double across = -x * std::sin(lay) + y * std::cos(lay);
+      z += 1e-7 * std::sin(2 * std::numbers::pi * across / 9e-6 + 3 * lay_deg * lay_deg);
+    }
+    return z;
+  });
+  EXPECT_FALSE(honing_angle(fan).has_value());  // the middles of the lobes are 6 degree apart
+}
+
 TEST(ArealTexture, ProfilesAndFlatMapsAreRefused) {
   const HeightMap profile = map_of(64, 1, 1e-6, 1e-6, [](double x, double) { return std::sin(1e6 * x) * 1e-7; });
   EXPECT_THROW(developed_area_ratio(profile), InputError);

@@ -134,6 +134,7 @@ class GasNotes {
     if (!is_wiebe() && notes_.size() == notes_before) {
       if (case_.stated.contains("gas.compression_ratio")) {
         append_stated_index();
+        if (notes_.size() == notes_before) append_bend();
       } else {
         append_index();
       }
@@ -308,6 +309,12 @@ class GasNotes {
              " with gas.compression_ratio = " + number_text(gas_.compression_ratio) +
              ", where sealed engines have 1.25 to 1.4: is a pressure " + (is_low ? "added to" : "missing from") +
              " the trace, or TDC or the ratio wrong? " + kPeg);
+  }
+
+  /// A pressure that is added shows in the bend even where the stated ratio makes up for it in the index.
+  void append_bend() {
+    if (!is_compressed() || (!is_whole_ && first_deg_ > kCompressionFromDeg)) return;
+    append_common_index(start_of_compression());
   }
 
   void append_index() {

@@ -21,6 +21,7 @@
 
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/instrument/grid/binary_reader.hpp"
+#include "ringfilm/io/text/foreign_file.hpp"
 
 namespace ringfilm::instrument {
 namespace {
@@ -183,21 +184,27 @@ std::string first_words(const fs::path& log, const std::string& path) {
   return trimmed(place == std::string::npos ? line : line.substr(place + path.size() + 2));
 }
 
+/// What to do where a file of that ending cannot be read; empty where nothing more is known of it.
+std::string remedy_of_ending(const std::string& ending) {
+  if (ending == ".prf" || ending == ".PRF") {
+    return "no free program reads Talysurf .prf: export the profile as text with the columns x and z from the program "
+           "of the instrument";
+  }
+  return ending == ".h5" || ending == ".hdf5" ? io::kHdf5Remedy : "";
+}
+
 }  // namespace
 
 bool has_gwyddion() { return program_path().has_value(); }
 
 std::shared_ptr<const std::string> converted_by_gwyddion(const std::string& path, const ConversionLimits& limits) {
-  const std::string ending = fs::path(path).extension().string();
-  const bool is_talysurf = ending == ".prf" || ending == ".PRF";
-  const std::string talysurf_remedy =
-      "no free program reads Talysurf .prf: export the profile as text with the columns x and z from the program of "
-      "the instrument";
+  const std::string known_remedy = remedy_of_ending(fs::path(path).extension().string());
   const std::optional<std::string> program = program_path();
   if (!program) {
     refuse(path, "this format is read through the program gwyddion, which is not installed",
-           is_talysurf ? talysurf_remedy
-                       : "install it (Debian: apt install gwyddion), or export the measurement as X3P, SDF or SUR");
+           !known_remedy.empty()
+               ? known_remedy
+               : "install it (Debian: apt install gwyddion), or export the measurement as X3P, SDF or SUR");
   }
   const HeldSignals signals;  // let go after the folder is removed
   const ScratchFolder scratch;
@@ -219,7 +226,7 @@ std::shared_ptr<const std::string> converted_by_gwyddion(const std::string& path
   if (how == Ending::kFailed || !fs::exists(target, error)) {
     const std::string printed = first_words(log, absolute);
     refuse(path, "gwyddion cannot read the file" + (printed.empty() ? "" : ": " + printed),
-           is_talysurf ? talysurf_remedy : "export the measurement as X3P, SDF, SUR or text");
+           !known_remedy.empty() ? known_remedy : "export the measurement as X3P, SDF, SUR or text");
   }
   return std::make_shared<const std::string>(file_bytes(target, limits.output_bytes));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 #include "ringfilm/instrument/grid/regular_grid.hpp"
 #include "ringfilm/instrument/table/height_columns.hpp"
 #include "ringfilm/instrument/table/table_comments.hpp"
+#include "ringfilm/io/table/number_commas.hpp"
 #include "ringfilm/io/table/text_table.hpp"
 
 namespace ringfilm::instrument {
@@ -47,6 +49,7 @@ class TableHeights {
     if (layout != TableLayout::kMatrix && !columns_.account.empty()) {
       notes.push_back("taken by their names: " + columns_.account);
     }
+    if (!columns_.unused.empty()) notes.push_back("columns that were not used: " + columns_.unused);
     values.notes.insert(values.notes.begin(), notes.begin(), notes.end());
     return values;
   }
@@ -165,8 +168,18 @@ class TableHeights {
              fmt::format("columns {} and {} of {} are the places of points on an even grid, and were read as heights",
                          x + 1, x + 2, n_columns_),
              x == 0 ? "state the layout of points: x, y, z are then the first three columns"
-                    : "write the columns x, y and z alone");
+                    : "name the columns: --columns \"" + columns_from(x) + "\", where - is one that is not used");
     }
+  }
+
+  /// The columns for --columns where x, y and z follow each other from place `x` on.
+  std::string columns_from(std::size_t x) const {
+    static constexpr const char* kPoint[] = {"x [um]", "y [um]", "z [um]"};
+    std::string columns;
+    for (std::size_t i = 0; i < n_columns_; ++i) {
+      columns += std::string(i > 0 ? ", " : "") + (i >= x && i - x < std::size(kPoint) ? kPoint[i - x] : "-");
+    }
+    return columns;
   }
 
   /// Before the heights are scaled, since counts are whole numbers in the file.
@@ -238,6 +251,14 @@ class TableHeights {
            "start the line of counts with #");
   }
 
+  std::string remedy_of_order(std::size_t row) const {
+    const std::string remedy =
+        row <= 2 && !is_named()
+            ? "if the first line is not part of the profile, start it with #; else sort the rows by x"
+            : "sort the rows by x; give each place one height";
+    return table_.may_be_pairs ? remedy + "; or " + io::kPairRemedy : remedy;
+  }
+
   ChannelValues read_profile() {
     const bool has_places = is_named() ? columns_.x.has_value() : n_columns_ > 1;
     const std::size_t x = has_places ? column(columns_.x, "x", 0) : 0;
@@ -251,9 +272,7 @@ class TableHeights {
       if (i == 1) falls = place < values.x.back();
       if (i > 0 && !(falls ? place < values.x.back() : place > values.x.back())) {
         refuse_row(i, fmt::format("x {} or repeats: {} after {}", falls ? "rises" : "falls", place, values.x.back()),
-                   values.x.size() <= 2 && !is_named()
-                       ? "if the first line is not part of the profile, start it with #; else sort the rows by x"
-                       : "sort the rows by x; give each place one height");
+                   remedy_of_order(i));
       }
       values.x.push_back(place);
     }

@@ -11,7 +11,7 @@
 namespace ringfilm::instrument {
 namespace {
 
-enum class Meaning { kX, kY, kZ, kValid };
+enum class Meaning { kX, kY, kZ };
 
 /// A name of a column in small letters; the names of the first rows go before those of the last.
 struct KnownName {
@@ -27,9 +27,7 @@ constexpr KnownName kKnownNames[] = {{"x", Meaning::kX},
                                      {"total profile", Meaning::kZ},
                                      {"lateral", Meaning::kX},
                                      {"encoder1", Meaning::kX},
-                                     {"encoder2", Meaning::kY},
-                                     {"valid", Meaning::kValid},
-                                     {"validity", Meaning::kValid}};
+                                     {"encoder2", Meaning::kY}};
 
 std::optional<std::size_t> find_name(const std::vector<io::Heading>& columns, std::string_view name) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -43,6 +41,25 @@ std::string shown_name(const io::Heading& column) {
   return column.name + (column.unit ? " [" + *column.unit + "]" : "");
 }
 
+/// The names of the columns that are neither taken nor put aside with -.
+std::string unused_columns(const std::vector<io::Heading>& columns, const HeightColumns& taken) {
+  std::string names;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const bool is_taken = taken.x == i || taken.y == i || taken.z == i || taken.valid == i;
+    if (is_taken || columns[i].name == "-" || columns[i].name.empty()) continue;
+    names += (names.empty() ? "" : ", ") + shown_name(columns[i]);
+  }
+  return names;
+}
+
+/// Programs write A for angstrom; a current is not among the columns of places and heights.
+void read_angstrom(io::Heading& column) {
+  const std::string name = io::lower(column.name);
+  const bool is_length = std::any_of(std::begin(kKnownNames), std::end(kKnownNames),
+                                     [&name](const KnownName& known) { return known.name == name; });
+  if (is_length && column.unit == "A") column.unit = "angstrom";
+}
+
 }  // namespace
 
 HeightColumns height_columns(const std::vector<io::Heading>& columns) {
@@ -50,9 +67,11 @@ HeightColumns height_columns(const std::vector<io::Heading>& columns) {
   for (const KnownName& known : kKnownNames) {
     std::optional<std::size_t>& place = known.meaning == Meaning::kX   ? found.x
                                         : known.meaning == Meaning::kY ? found.y
-                                        : known.meaning == Meaning::kZ ? found.z
-                                                                       : found.valid;
+                                                                       : found.z;
     if (!place) place = find_name(columns, known.name);
+  }
+  for (std::size_t i = 0; i < columns.size() && !found.valid; ++i) {
+    if (io::is_validity(columns[i].name)) found.valid = i;
   }
   if (!found.z && found.x) {  // x and y alone are a profile
     if (!found.y) found.y = find_name(columns, "y1");
@@ -67,6 +86,7 @@ HeightColumns height_columns(const std::vector<io::Heading>& columns) {
   add(found.y, "y", "y");
   if (found.z && io::lower(columns[*found.z].name) != "height") add(found.z, "z", "heights");
   add(found.valid, "", "measured where 1");
+  found.unused = unused_columns(columns, found);
   return found;
 }
 
@@ -74,7 +94,10 @@ std::vector<io::Heading> with_lengths_in_names(std::vector<io::Heading> columns)
   const io::Units units;
   const auto is_length = [&units](const std::string& unit) { return units.measures(unit, "m"); };
   for (io::Heading& column : columns) {
-    if (column.unit) continue;
+    if (column.unit) {
+      read_angstrom(column);
+      continue;
+    }
     const std::size_t open = column.name.find('('), close = column.name.rfind(')');
     if (open != std::string::npos && close != std::string::npos && open < close && open > 0) {
       // Whatever is in parentheses is the unit: that it is not a length is reported with it.
@@ -82,6 +105,7 @@ std::vector<io::Heading> with_lengths_in_names(std::vector<io::Heading> columns)
           io::heading_of(column.name.substr(0, open) + "[" + column.name.substr(open + 1, close - open - 1) + "]");
       column.name = in_brackets.name;
       column.unit = in_brackets.unit;
+      read_angstrom(column);
     } else if (const std::optional<io::Heading> parted = io::with_unit_of_name(column, is_length)) {
       column = *parted;
     }
@@ -98,7 +122,7 @@ bool name_heights(const std::vector<io::Heading>& columns) {
   // x and another column, or a column of heights alone.
   const std::string first = io::lower(named.front().name);
   return std::any_of(std::begin(kKnownNames), std::end(kKnownNames),
-                     [&](const KnownName& known) { return known.name == first && known.meaning != Meaning::kValid; });
+                     [&](const KnownName& known) { return known.name == first; });
 }
 
 }  // namespace ringfilm::instrument

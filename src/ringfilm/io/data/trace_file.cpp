@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
@@ -55,6 +56,36 @@ bool sounds_like_pressure(const std::string& written) {
          name.find("press") != std::string::npos;
 }
 
+/// Without the digits at its end.
+std::string_view without_number(std::string_view name) {
+  while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.remove_suffix(1);
+  return name;
+}
+
+/// A unit of pressure that states what the pressure is counted from: "barg", "bar (g)", "bar abs".
+struct ReferredUnit {
+  std::string unit;
+  cycle::PressureReference reference{};
+};
+
+std::optional<ReferredUnit> referred_unit(const std::string& text, const Units& units) {
+  using enum cycle::PressureReference;
+  static constexpr std::pair<const char*, cycle::PressureReference> kEnds[] = {
+      {"gauge", kGauge}, {"absolute", kAbsolute}, {"rel", kGauge}, {"abs", kAbsolute}, {"g", kGauge}, {"a", kAbsolute}};
+  if (units.measures(text, "Pa") && text != "bara" && text != "psia") return std::nullopt;
+  std::string bare = lower(text);
+  std::erase_if(bare, [](char c) { return c == '(' || c == ')' || c == ' ' || c == '_'; });
+  for (const auto& [end, reference] : kEnds) {
+    if (!bare.ends_with(end)) continue;
+    const std::size_t length = bare.size() - std::string_view(end).size();
+    if (text.size() < length || lower(text.substr(0, length)) != bare.substr(0, length)) return std::nullopt;
+    std::string unit = text.substr(0, length);
+    if (unit.empty() || !units.measures(unit, "Pa")) return std::nullopt;
+    return ReferredUnit{std::move(unit), reference};
+  }
+  return std::nullopt;
+}
+
 /// One of the two columns that a trace needs.
 struct Role {
   std::string words;  ///< "crank angle"
@@ -85,7 +116,8 @@ class TraceReader {
                   stated.pressure_column,
                   stated.pressure_unit} {
     csv_.read_units_in_names([this](const std::string& text) {
-      return units_.measures(text, "degree") || units_.measures(text, "Pa") || is_gauge(text) || is_any_unit(text);
+      return units_.measures(text, "degree") || units_.measures(text, "Pa") || referred_unit(text, units_) ||
+             is_any_unit(text);
     });
   }
 
@@ -99,7 +131,8 @@ class TraceReader {
     for (const std::size_t i : pressures) seen.pressure.push_back({csv_.columns[i].name, csv_.columns[i].unit});
     if (angles.size() == 1) outline_samples(angles.front(), pressures, seen);
     if (!faults_.empty()) throw InputError(faults_);
-    seen.notes = notes_;
+    seen.notes = csv_.notes;
+    seen.notes.insert(seen.notes.end(), notes_.begin(), notes_.end());
     return seen;
   }
 
@@ -142,12 +175,8 @@ class TraceReader {
     seen.is_degree_by_span = !angle.unit && *high - *low > models::kMaxSpanInRadians;
     const bool is_one = pressures.size() == 1;
     const CsvColumn& pressure = csv_.columns[pressures.front()];
-    if (is_one && pressure.unit && is_gauge(*pressure.unit)) {
-      seen.reference_of_unit = cycle::PressureReference::kGauge;
-    }
-    if (is_one && pressure.unit && is_absolute(*pressure.unit)) {
-      seen.reference_of_unit = cycle::PressureReference::kAbsolute;
-    }
+    const auto referred = is_one && pressure.unit ? referred_unit(*pressure.unit, units_) : std::nullopt;
+    if (referred) seen.reference_of_unit = referred->reference;
     TraceRows rows;
     if (angle.unit) {
       rows.crank_angle_deg = in_si(angle, units_.scale(*angle.unit, angle_.si_unit));
@@ -158,7 +187,7 @@ class TraceReader {
     }
     const bool is_in_pascal = is_one && pressure.unit.has_value();
     if (is_in_pascal) {
-      const std::string unit = is_gauge(*pressure.unit) ? without_gauge(*pressure.unit) : *pressure.unit;
+      const std::string unit = referred ? referred->unit : *pressure.unit;
       rows.pressure.push_back(in_si(pressure, units_.scale(unit, pressure_.si_unit)));
     } else {
       rows.pressure.push_back(pressure.values);
@@ -231,7 +260,7 @@ class TraceReader {
 
   bool may_be(const CsvColumn& column, const Role& role) const {
     if (!column.unit) return sounds_like_angle(column.name) == (&role == &angle_);
-    return units_.measures(*column.unit, role.si_unit) || (&role == &pressure_ && is_gauge(*column.unit));
+    return units_.measures(*column.unit, role.si_unit) || (&role == &pressure_ && referred_unit(*column.unit, units_));
   }
 
   std::vector<std::size_t> candidates(const Role& role) const {
@@ -253,15 +282,6 @@ class TraceReader {
     std::transform(column.values.begin(), column.values.end(), si.begin(), [&](double v) { return scale.to_si(v); });
     return si;
   }
-
-  static std::string without_gauge(const std::string& unit) { return unit.substr(0, unit.find_first_of("g (")); }
-
-  bool is_gauge(const std::string& unit) const {
-    return unit.size() > 1 && !units_.measures(unit, "Pa") && (unit.back() == 'g' || unit.back() == ')') &&
-           units_.measures(without_gauge(unit), "Pa");
-  }
-
-  static bool is_absolute(const std::string& unit) { return unit == "bara" || unit == "psia"; }
 
   /// What is wrong with the unit of a column that has one.
   UnitError unit_error(const CsvColumn& column, const Role& role) const {
@@ -334,10 +354,19 @@ class TraceReader {
     if (found.empty()) {
       refuse_all_columns(role);
     } else {
-      faults_.push_back({header, fmt::format("{} columns of the file may be the {}", found.size(), role.words),
-                         "name one of them with " + role.column_key + "; the file has: " + csv_.names()});
+      faults_.push_back(
+          {header, fmt::format("{} columns of the file may be the {}", found.size(), role.words),
+           "name one of them with " + role.column_key + cycles_in(found, role) + "; the file has: " + csv_.names()});
     }
     return {};
+  }
+
+  /// How columns with one cycle each are named, where their names begin alike.
+  std::string cycles_in(const std::vector<std::size_t>& columns, const Role& role) const {
+    std::vector<std::string> names;
+    for (const std::size_t i : columns) names.push_back(csv_.columns[i].name);
+    const std::string pattern = &role == &pressure_ ? pattern_of_cycles(names) : "";
+    return pattern.empty() ? "" : ", or all, with one cycle each, with \"" + pattern + "\"";
   }
 
   std::vector<double> values(std::size_t i_column, const Role& role) {
@@ -350,26 +379,29 @@ class TraceReader {
       return refuse("the column " + column.name + " has no unit",
                     "write it as " + role.header_example + ", or state " + role.unit_key);
     }
-    const std::string unit = column.unit ? *column.unit : *role.unit;
-    if (reference_ == cycle::PressureReference::kGauge && is_absolute(unit)) {
-      return refuse("the unit " + unit + " is absolute, but gas.pressure_reference = \"gauge\"",
+    const std::string written = column.unit ? *column.unit : *role.unit;
+    const auto referred = role.si_unit == "Pa" ? referred_unit(written, units_) : std::nullopt;
+    if (referred && reference_ && referred->reference != *reference_) {
+      const bool is_gauge = referred->reference == cycle::PressureReference::kGauge;
+      return refuse("the unit " + written + " is " + (is_gauge ? "gauge" : "absolute") +
+                        ", but gas.pressure_reference = " + (is_gauge ? "\"absolute\"" : "\"gauge\""),
                     "one of them is wrong");
     }
+    const std::string unit = referred ? referred->unit : written;
     try {
       const Scale scale = units_.scale(unit, role.si_unit);
       if (column.unit && role.unit) {
-        const Scale other = units_.scale(*role.unit, role.si_unit);
+        const auto other_referred = role.si_unit == "Pa" ? referred_unit(*role.unit, units_) : std::nullopt;
+        const Scale other = units_.scale(other_referred ? other_referred->unit : *role.unit, role.si_unit);
         if (other.factor != scale.factor || other.divisor != scale.divisor) {
-          return refuse("the file states " + unit + ", " + role.unit_key + " states " + *role.unit,
+          return refuse("the file states " + written + ", " + role.unit_key + " states " + *role.unit,
                         "one of them is wrong");
         }
       }
       return in_si(column, scale);
     } catch (const UnitError& problem) {
-      const bool gauge = role.si_unit == "Pa" && is_gauge(unit);
       return refuse("the column " + column.name + " " + problem.what(),
-                    gauge ? "write the unit without the g, and state gas.pressure_reference = \"gauge\""
-                          : dimension_words(role.si_unit) + " is required here, for example " + role.header_example);
+                    dimension_words(role.si_unit) + " is required here, for example " + role.header_example);
     }
   }
 
@@ -453,7 +485,9 @@ class TraceReader {
       remedy += (remedy.empty() ? "" : "; ") +
                 std::string("is the trace a gauge pressure? Then gas.pressure_reference = \"gauge\"");
     }
-    return remedy.empty() ? "is the unit of the trace right?" : remedy;
+    return remedy.empty()
+               ? "is the unit of the trace right? If the number marks a missing sample, write nan in its place"
+               : remedy;
   }
 
   CsvFile csv_;
@@ -468,6 +502,17 @@ class TraceReader {
 };
 
 }  // namespace
+
+std::string pattern_of_cycles(const std::vector<std::string>& names) {
+  const std::string begin(names.empty() ? "" : without_number(names.front()));
+  if (begin.empty() || names.front().size() == begin.size()) return "";
+  const std::optional<double> first = number_of(std::string_view(names.front()).substr(begin.size()), false);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (without_number(names[i]) != begin) return "";
+    if (number_of(std::string_view(names[i]).substr(begin.size()), false) != *first + static_cast<double>(i)) return "";
+  }
+  return begin + "*";
+}
 
 bool TraceOutline::has_lone_low_pressure() const {
   return std::count_if(pressure_values.begin(), pressure_values.end(), [](double p) { return p <= 0; }) == 1;

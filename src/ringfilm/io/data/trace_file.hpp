@@ -57,11 +57,15 @@ struct TraceOutline {
   std::vector<double> crank_angle_deg;  ///< empty unless one column is the angle, in a unit that is known
   std::vector<double> pressure_values;  ///< empty where the angles are, or several columns may be the pressure
   bool is_in_pascal = false;            ///< the pressures; else as written, without unit
-  std::vector<std::string> notes;       ///< what was omitted, turned or averaged
+  std::vector<std::string> notes;       ///< how the text was read; what was omitted, turned or averaged
 
   /// Is one pressure alone not above zero, as a disturbed sample is? Many are in a gauge trace.
   bool has_lone_low_pressure() const;
 };
+
+/// The pattern "p*" of columns p1, p2, p3 that may have one cycle each; empty where their names
+/// differ by more than a number that counts them.
+std::string pattern_of_cycles(const std::vector<std::string>& names);
 
 /// Looks at a trace. Throws InputError for a file that is not a table of numbers, and with the faults of read_trace
 /// that hold whatever a case states.

@@ -77,7 +77,11 @@ class TraceAnswers {
   void column(const std::string& column_key, const std::string& unit_key, const std::string& what,
               const std::string& unit_names, const std::vector<TraceColumn>& columns) {
     if (columns.size() > 1) {
-      ask(column_key, "which column is the " + what + "? " + names_of(columns));
+      std::vector<std::string> names;
+      for (const TraceColumn& one : columns) names.push_back(one.name);
+      const std::string pattern = what == "pressure" ? pattern_of_cycles(names) : "";
+      ask(column_key, "which column is the " + what + "? " + names_of(columns) +
+                          (pattern.empty() ? "" : "; all, with one cycle each: " + quoted(pattern)));
       return;
     }
     if (columns.front().unit) {
@@ -93,9 +97,6 @@ class TraceAnswers {
     if (seen_.reference_of_unit) {
       const bool is_gauge = seen_.reference_of_unit == cycle::PressureReference::kGauge;
       state("gas.pressure_reference", quoted(is_gauge ? "gauge" : "absolute"), kFromFile);
-      if (!is_gauge) return;
-      keys_.missing.push_back("the unit " + *seen_.pressure.front().unit +
-                              " in the header of the trace: write it without the g");
       return;
     }
     const std::string question = "absolute or gauge?";

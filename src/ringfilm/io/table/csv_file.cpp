@@ -21,7 +21,6 @@ void append_notes(const TextTable& table, CsvFile& csv) {
   if (csv.units_line > 0) {
     csv.notes.push_back(path + " has a row of units in line " + std::to_string(csv.units_line) + ", which was used");
   }
-  if (table.has_decimal_commas) csv.notes.push_back(path + " is written with decimal commas and was read so");
   if (const std::string account = table.account(); !account.empty()) csv.notes.push_back(path + ": " + account);
 }
 

@@ -49,6 +49,8 @@ Heading heading_of(std::string_view cell) {
   return {bare_name(text.substr(0, open)), trimmed(text.substr(open + 1, close - open - 1)), text, 1, 1};
 }
 
+bool is_validity(const std::string& name) { return lower(name) == "valid" || lower(name) == "validity"; }
+
 bool is_any_unit(const std::string& text) {
   static constexpr const char* kDimensions[] = {"m",   "degree", "Pa",    "s",  "K",    "N",    "rad/s", "m/s",
                                                 "m-2", "Pa s",   "kg/m3", "m3", "m2/s", "Pa-1", "K-1",   "N/m"};

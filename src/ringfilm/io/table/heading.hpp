@@ -20,6 +20,9 @@ struct Heading {
 /// Name and unit of a cell of the header: a unit is in brackets, `pressure [bar]`.
 Heading heading_of(std::string_view cell);
 
+/// Is a column of that name true or 1 where the row was measured?
+bool is_validity(const std::string& name);
+
 /// Is the text a unit of a quantity that tables have: length, angle, pressure, time and the like? That of a gauge
 /// pressure (barg) is one, too.
 bool is_any_unit(const std::string& text);

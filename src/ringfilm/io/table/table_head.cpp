@@ -19,15 +19,26 @@ struct HeadLine {
   RowShape shape;
 
   /// May it name the columns of rows of `n` cells?
-  bool may_name(std::size_t n) const { return shape.n_cells == n && shape.n_words > 0 && !shape.holds_start_of_number; }
+  bool may_name(std::size_t n) const {
+    const bool is_entry = shape.separator == ' ' && line.text.find('=') != std::string_view::npos;  // "Units=um"
+    return shape.n_cells == n && shape.n_words > 0 && !shape.holds_start_of_number && !is_entry;
+  }
 };
 
 bool opens_unit(std::string_view cell) { return cell.starts_with('[') || cell.starts_with('('); }
 
-bool has_brackets(const HeadLine& line, char separator) {
+/// Has the heading a unit, in brackets or behind its name?
+bool states_unit(const Heading& heading) {
+  return !heading.name.empty() && (heading.unit || with_unit_of_name(heading, is_any_unit));
+}
+
+/// Does a cell of the line end with brackets or parentheses behind a name? `opening` are those that count.
+bool has_brackets(const HeadLine& line, char separator, std::string_view opening) {
   const std::vector<PlacedCell> cells = heading_cells(line.line.text, separator);
-  return std::any_of(cells.begin(), cells.end(),
-                     [](const PlacedCell& cell) { return heading_of(cell.text).unit && cell.text.front() != '['; });
+  return std::any_of(cells.begin(), cells.end(), [opening](const PlacedCell& cell) {
+    const std::size_t open = cell.text.find_first_of(opening);
+    return open != std::string::npos && open > 0 && (cell.text.back() == ']' || cell.text.back() == ')');
+  });
 }
 
 /// Names and units of the cells of a header.
@@ -140,18 +151,26 @@ class HeadFinder {
 
   void take_stated_columns() {
     const char separator = stated_.columns->find(';') != std::string::npos ? ';' : ',';
-    head_.columns = headings_of(cells_of(*stated_.columns, separator));
+    std::vector<PlacedCell> cells = cells_of(*stated_.columns, separator);
+    if (cells.size() > 1 && cells.back().text.empty()) cells.pop_back();  // behind the last separator
+    head_.columns = headings_of(cells);
     for (Heading& column : head_.columns) {
       column.column = column.unit_column = 1;
       if (column.name.empty()) column.name = "-";
     }
-    const std::size_t first = first_row_.value_or(0), n = lines_before_[first].shape.n_cells;
-    if (first_row_ && n != head_.columns.size()) {
+    const std::size_t first = first_row_.value_or(0), stated = head_.columns.size();
+    const RowShape& row = lines_before_[first].shape;
+    const bool is_doubled = row.separator == ',' && !separator_ && row.n_cells == 2 * stated;
+    const bool is_decimal = is_doubled && stated == 1;  // "1,5" is one number
+    if (first_row_ && row.n_cells != stated && !is_decimal) {
       throw HeadFault(lines_before_[first].line, 1,
-                      fmt::format("{} columns are stated, and the row has {} values", head_.columns.size(), n),
-                      "name every column; one that is not used is -");
+                      fmt::format("{} column{} stated, and the row has {} value{}", stated,
+                                  stated == 1 ? " is" : "s are", row.n_cells, row.n_cells == 1 ? "" : "s"),
+                      std::string("name every column; one that is not used is -") +
+                          (is_doubled ? "; with decimal commas, separate the columns of the file by semicolons" : ""));
     }
     begin_at(first);
+    if (is_decimal) head_.separator = ' ';
     skip_up_to(first, {}, {});
   }
 
@@ -166,8 +185,7 @@ class HeadFinder {
       const std::vector<PlacedCell> cells = heading_cells(text, separator);
       if (cells.size() != n) continue;
       std::vector<Heading> columns = headings_of(cells);
-      const auto has_unit = [](const Heading& column) { return column.unit && !column.name.empty(); };
-      if (!std::all_of(columns.begin(), columns.end(), has_unit)) continue;
+      if (!std::all_of(columns.begin(), columns.end(), states_unit)) continue;
       head_.columns = std::move(columns);
       return;
     }
@@ -207,8 +225,8 @@ class HeadFinder {
     for (HeadLine& line : lines_before_) line.shape = row_of_cells(line.line.text, ',');
   }
 
-  /// The line that names the columns of rows of `n` cells: the first one if it may, else the last one that may, or the
-  /// one in front of it where that is a row of units.
+  /// The line that names the columns of rows of `n` cells: of the lines right above the numbers that may, the first, or
+  /// the last where that alone has units; the one in front of a row of units.
   std::optional<std::size_t> header_among(std::size_t n) const {
     const auto may_name = [&](std::size_t i) { return lines_before_[i].may_name(n); };
     std::optional<std::size_t> last;
@@ -217,12 +235,17 @@ class HeadFinder {
     }
     if (!last) return std::nullopt;
     const char separator = head_.separator;
-    if (*last > 0 && may_name(*last - 1) && !has_brackets(lines_before_[*last], separator) &&
+    if (*last > 0 && may_name(*last - 1) && !has_brackets(lines_before_[*last], separator, "[") &&
         holds_units_alone(lines_before_[*last], separator) && !holds_units_alone(lines_before_[*last - 1], separator)) {
       return *last - 1;
     }
-    const bool is_better = has_brackets(lines_before_[*last], separator) && !has_brackets(lines_before_[0], separator);
-    return may_name(0) && !is_better ? 0 : *last;
+    std::size_t first = *last;
+    while (first > 0 && may_name(first - 1) &&
+           lines_before_[first - 1].line.number + 1 == lines_before_[first].line.number)
+      --first;
+    const bool is_better =
+        has_brackets(lines_before_[*last], separator, "[(") && !has_brackets(lines_before_[first], separator, "[(");
+    return is_better ? *last : first;
   }
 
   void name_columns(std::size_t header) {
@@ -254,7 +277,7 @@ class HeadFinder {
     std::vector<std::string> texts;
     const std::vector<PlacedCell> cells = heading_cells(line->text, head_.separator);
     for (const PlacedCell& cell : cells) {
-      if (!is_required() && !cell.text.empty() && is_missing_word(cell.text)) return;
+      if (!is_required() && !cell.text.empty() && cell.text != "-" && is_missing_word(cell.text)) return;
       texts.push_back(cell.text);
     }
     if (!is_required() && texts.size() == head_.columns.size() - 1 && head_.columns.back().text.empty()) {
@@ -290,14 +313,20 @@ void TextLines::skip(std::size_t n_lines) {
 void TextLines::return_to(const Line& line) {
   place_ = line.begin;
   number_ = line.number - 1;
+  line_feed_ = carriage_return_ = kUnknown;
+}
+
+/// The first one from the place on, or the end; the one that was found before, unless it is passed.
+std::size_t TextLines::next_sign(char sign, std::size_t& found) const {
+  if (found == kUnknown || found < place_) found = std::min(text_.find(sign, place_), text_.size());
+  return found;
 }
 
 std::optional<TextLines::Line> TextLines::next(char separator) {
   if (at_end()) return std::nullopt;
-  const std::size_t end = std::min(text_.find('\n', place_), text_.size());
+  const std::size_t feed = next_sign('\n', line_feed_), end = std::min(feed, next_sign('\r', carriage_return_));
   Line line{place_, ++number_, text_.substr(place_, end - place_)};
-  place_ = end + 1;
-  if (line.text.ends_with('\r')) line.text.remove_suffix(1);
+  place_ = (end < feed && end + 1 == feed ? feed : end) + 1;
   const std::string_view content = without_blanks(line.text);
   line.is_blank = content.empty() && !(separator == '\t' && line.text.find('\t') != std::string_view::npos);
   line.is_comment = !content.empty() && is_comment(content);
@@ -317,7 +346,8 @@ RowShape row_of_cells(std::string_view line, char separator) {
   Cells cells(line, separator);
   bool is_last_empty = false;
   for (std::string_view cell; cells.next(cell); ++shape.n_cells) {
-    const bool is_number_cell = number_of(cell, separator != ',').has_value(), is_gap = is_missing_word(cell);
+    const bool is_number_cell = number_of(cell, cells.may_have_comma()).has_value();
+    const bool is_gap = is_missing_word(cell) || truth_of(cell);
     shape.n_numbers += is_number_cell ? 1 : 0;
     shape.n_words += is_number_cell || is_gap ? 0 : 1;
     shape.holds_start_of_number = shape.holds_start_of_number || is_number_cell || starts_number(cell);

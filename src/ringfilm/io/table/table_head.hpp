@@ -37,8 +37,12 @@ class TextLines {
   std::optional<Line> next_row(char separator);
 
  private:
+  std::size_t next_sign(char sign, std::size_t& found) const;
+
+  static constexpr std::size_t kUnknown = std::string_view::npos;
   std::string_view text_;
   std::size_t place_ = 0;
+  std::size_t line_feed_ = kUnknown, carriage_return_ = kUnknown;  ///< the first ones behind the place
   int number_ = 0;
 };
 

@@ -12,8 +12,9 @@ bool is_blank_sign(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr std::string_view kMissingWords[] = {
-    "nan",  "-nan", "bad",  "no data", "nodata",  "no_data",  "missing", "n/a",     "invalid",  "na",       "null",
-    "none", "#n/a", "void", "#nv",     "1.#qnan", "-1.#qnan", "1.#ind",  "-1.#ind", "nan(ind)", "-nan(ind)"};
+    "nan",  "-nan", "bad",  "no data", "nodata",  "no_data",  "missing", "n/a",     "invalid",  "na",        "null",
+    "none", "#n/a", "void", "#nv",     "1.#qnan", "-1.#qnan", "1.#ind",  "-1.#ind", "nan(ind)", "-nan(ind)", "masked",
+    "inf",  "-inf", "+inf", "#num!",   "#div/0!", "1.#inf",   "-1.#inf", "-",       "."};
 
 /// The number that fills a text, also one that is not finite; nothing: the text is not a number.
 std::optional<double> whole_number_of(std::string_view text) {
@@ -68,6 +69,12 @@ bool is_missing_word(std::string_view cell) {
     return true;
   const std::string word = lower(cell);
   return std::find(std::begin(kMissingWords), std::end(kMissingWords), word) != std::end(kMissingWords);
+}
+
+std::optional<double> truth_of(std::string_view cell) {
+  if (cell.size() < 4 || cell.size() > 5) return std::nullopt;
+  const std::string word = lower(cell);
+  return word == "true" ? std::optional(1.0) : word == "false" ? std::optional(0.0) : std::nullopt;
 }
 
 std::optional<double> number_of(std::string_view cell, bool decimal_commas) {
@@ -153,8 +160,9 @@ bool Cells::next(std::string_view& cell) {
     end = end_of_cell();
     place_ = end + 1;
   }
-  const std::string_view whole = line_.substr(start_, end - start_);
+  const std::string_view whole = without_blanks(line_.substr(start_, end - start_));
   cell = stripped(whole);
+  is_quoted_ = cell.size() < whole.size();
   start_ = cell.empty() ? start_ : static_cast<std::size_t>(cell.data() - line_.data());
   return true;
 }

@@ -24,8 +24,11 @@ std::optional<char> stated_separator(std::string_view line);
 /// cell is not a number.
 bool is_comment(std::string_view line);
 
-/// Does the cell mark a missing number: empty, nan, NA, bad, no data, ***, 1.#QNAN and the like?
+/// Does the cell mark a missing number: empty, -, nan, NA, bad, no data, ***, 1.#QNAN, inf and the like?
 bool is_missing_word(std::string_view cell);
+
+/// 1 of "true", 0 of "false", as programs write what is valid; nothing for any other cell.
+std::optional<double> truth_of(std::string_view cell);
 
 /// The number of a cell, with an exponent of e or of Fortran's d; nothing if it is not a finite number.
 std::optional<double> number_of(std::string_view cell, bool decimal_commas);
@@ -50,6 +53,9 @@ class Cells {
   /// Column of the line in which the content of the cell begins, from 1.
   int column() const;
 
+  /// May a comma of the cell be that of a decimal number: where commas part no cells, or it is between quotes?
+  bool may_have_comma() const { return separator_ != ',' || is_quoted_; }
+
  private:
   std::size_t end_of_cell() const;
 
@@ -57,6 +63,7 @@ class Cells {
   char separator_;
   std::size_t place_ = 0;
   std::size_t start_ = 0;
+  bool is_quoted_ = false;
 };
 
 /// A cell with its place in the line.

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "ringfilm/base/trimmed.hpp"
+#include "ringfilm/io/table/number_commas.hpp"
 #include "ringfilm/io/table/table_head.hpp"
 #include "ringfilm/io/table/text_cells.hpp"
 
@@ -44,6 +45,8 @@ class TableParser {
     do {
       table_ = TextTable();
       keys_.clear();
+      commas_ = NumberCommas();
+      pairs_ = CellPairs();
       const TableHead head = find_head();
       if (!head.has_content) {
         if (!tables.empty()) break;  // comments behind the last row
@@ -87,6 +90,7 @@ class TableParser {
     add_units(head);
     lines_ = head.rows;
     table_.n_columns = head.columns.empty() ? n_columns_of(head) : head.columns.size();
+    may_hold_pairs_ = head.columns.empty() && head.separator == ',';
   }
 
   void note_key(std::string_view comment) {
@@ -165,9 +169,10 @@ class TableParser {
 
   /// Words behind which no numbers follow.
   bool is_tail(const TextLines::Line& line) const {
+    if (first_number_of(line)) return false;
     std::string_view first;
     Cells(line.text, table_.separator).next(first);
-    if (number_of(first, table_.separator != ',') || is_missing_word(first) || stated_gaps_.holds(first)) return false;
+    if (is_missing_word(first) || stated_gaps_.holds(first)) return false;
     if (row_of_cells(line.text, table_.separator).has_number()) return false;
     constexpr int kMaxTail = 1000;
     TextLines ahead = lines_;
@@ -178,6 +183,13 @@ class TableParser {
       if (shape.is_row() && shape.n_cells == table_.n_columns) return false;
     }
     return false;
+  }
+
+  std::optional<double> first_number_of(const TextLines::Line& line) const {
+    std::string_view first;
+    Cells cells(line.text, table_.separator);
+    cells.next(first);
+    return number_of(first, cells.may_have_comma());
   }
 
   void take_tail(const TextLines::Line& first) {
@@ -197,7 +209,7 @@ class TableParser {
     for (double& one : place) {
       const std::optional<TextLines::Line> next = ahead.next_row(table_.separator);
       if (!next) return false;
-      one = number_of(cells_of(next->text, table_.separator).front().text, table_.separator != ',').value_or(kNoNumber);
+      one = first_number_of(*next).value_or(kNoNumber);
     }
     return std::abs(place[0] - 1) > 3 * std::abs(place[1] - place[0]);
   }
@@ -210,7 +222,10 @@ class TableParser {
     const std::size_t n_faults = faults_.size();
     for (std::string_view cell; cells.next(cell); ++n_cells) {
       is_last_empty = cell.empty();
-      if (n_cells < n) table_.cells.push_back(value_of(cell, line, cells.column(), row, n_cells));
+      if (n_cells >= n) continue;
+      const CellInText place{line, cells.column(), cell};
+      if (may_hold_pairs_) pairs_.see(place, n_cells);
+      table_.cells.push_back(value_of(place, cells.may_have_comma(), row, n_cells));
     }
     if (n_cells == n + 1 && is_last_empty) n_cells = n;
     if (n_cells != n) {
@@ -235,17 +250,19 @@ class TableParser {
                          "of counts, with #, or skip them (--skip-lines)"};
   }
 
-  double value_of(std::string_view cell, const TextLines::Line& line, int column, std::size_t row, std::size_t k) {
-    const bool may_have_commas = table_.separator != ',';
-    if (const std::optional<double> number = number_of(cell, may_have_commas)) {
-      if (may_have_commas && cell.find(',') != std::string_view::npos) table_.has_decimal_commas = true;
+  double value_of(const CellInText& place, bool may_have_comma, std::size_t row, std::size_t k) {
+    const auto& [line, column, cell] = place;
+    if (const std::optional<double> number = number_of(cell, may_have_comma)) {
+      if (may_have_comma) commas_.see(place, *number, k);
       if (stated_gaps_.numbers.empty() || !stated_gaps_.holds(*number)) return *number;
+    } else if (const std::optional<double> valid = truth_of(cell); valid && states_validity(k)) {
+      return *valid;
     } else if (!is_missing_word(cell) && !stated_gaps_.holds(cell)) {
       faults_.push_back(not_a_number(cell, mark(line, column)));
       return kNoNumber;
     }
     if (rules_.gaps == Gaps::kKept) return kNoNumber;
-    const bool is_nan = is_number(cell) && !number_of(cell, false);
+    const bool is_nan = is_number(cell) && lower(cell).ends_with("nan");
     if (rules_.gaps == Gaps::kNaN && is_nan) return kNoNumber;
     Fault fault = cell.empty() ? Fault{mark(line, column), "a value is missing", "a number is required here"}
                                : not_a_number(cell, mark(line, column));
@@ -257,8 +274,13 @@ class TableParser {
     return kNoNumber;
   }
 
+  bool states_validity(std::size_t k) const { return k < table_.columns.size() && is_validity(table_.columns[k].name); }
+
   Fault not_a_number(std::string_view cell, const SourceMark& where) const {
     const std::string shown = shown_line(cell.substr(0, 40));
+    if (has_groups(cell)) {
+      return {where, fmt::format("\"{}\" has separators of thousands", shown), "write the numbers without them"};
+    }
     if (!is_named()) {
       return {where, fmt::format("\"{}\" is not a finite number", shown),
               "a number is required here, or nothing where no height was measured; another sign of missing heights is "
@@ -268,8 +290,26 @@ class TableParser {
             "a number is required here"};
   }
 
+  /// "1,234.5", "1.234,5" and "1,234,567".
+  static bool has_groups(std::string_view cell) {
+    const std::size_t first = cell.find_first_of(".,");
+    if (first == std::string_view::npos || cell.find_first_not_of("+-0123456789.,") != std::string_view::npos)
+      return false;
+    return starts_number(cell) && cell.find_first_of(".,", first + 1) == first + 4;
+  }
+
+  /// Refuses what can be read in two ways.
+  void check_commas() {
+    table_.has_decimal_commas = commas_.has_commas();
+    table_.may_be_pairs = may_hold_pairs_ && table_.n_columns == 2 && pairs_.may_be_numbers();
+    std::optional<CommaDoubt> doubt = commas_.doubt(table_.separator);
+    if (!doubt && may_hold_pairs_) doubt = pairs_.doubt(table_.n_columns);
+    if (doubt) faults_.push_back({mark(doubt->where.line, doubt->where.column), doubt->message, doubt->remedy});
+  }
+
   void finish() {
     const std::size_t n = table_.rows();
+    if (faults_.empty()) check_commas();
     if (faults_.empty() && n < (is_named() ? 2 : 1)) {
       faults_.push_back({{file_, 0, 0, ""},
                          std::string("the file has ") + (n == 0 ? "no row" : "only one row") + " of numbers",
@@ -290,6 +330,9 @@ class TableParser {
   TextLines lines_;
   TextTable table_;
   std::set<std::string> keys_;  ///< names of the comments in front of the rows
+  NumberCommas commas_;
+  CellPairs pairs_;
+  bool may_hold_pairs_ = false;  ///< do commas part cells without names?
   std::vector<Fault> faults_;
 };
 
@@ -323,6 +366,7 @@ std::string TextTable::account() const {
     if (!row_lines.empty()) add(fmt::format("the numbers begin in line {}", row_lines.front()));
     add("skipped: " + lines_text(head));
   }
+  if (has_decimal_commas) add("written with decimal commas and read so");
   if (!tail.empty()) add("skipped behind the numbers: " + lines_text(tail));
   return text;
 }

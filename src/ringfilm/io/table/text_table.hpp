@@ -55,6 +55,7 @@ struct Gap {
 struct TextTable {
   char separator = ',';
   bool has_decimal_commas = false;
+  bool may_be_pairs = false;     ///< may the two cells of each row be one number with a decimal comma?
   int header_line = 0;           ///< line of the names, from 1; 0 where there is none
   int units_line = 0;            ///< line of the row of units, from 1; 0 where there is none
   std::vector<Heading> columns;  ///< empty where neither the file nor the user names them
@@ -76,12 +77,12 @@ struct TextTable {
 };
 
 /// The tables of a text. Cells are parted by semicolon, tabulator, comma or blanks, and may be in quotes; decimal
-/// commas are read where they cannot part cells. Lines that start with #, % or //, and blank lines, are skipped;
-/// `sep=;` states the separator. A table whose comments repeat one of those in front of it, as where the head of
-/// another map begins, ends there. Lines in front of the header and lines of words behind the numbers are skipped and
-/// kept. Throws InputError with the faults of the text (at most ten).
+/// commas are read where they cannot part cells; commas that may be those of thousands are refused. Lines that start
+/// with #, % or //, and blank lines, are skipped; `sep=;` states the separator. A table whose comments repeat one of
+/// those in front of it, as where the head of another map begins, ends there. Lines in front of the header and lines of
+/// words behind the numbers are skipped and kept. Throws InputError with the faults of the text (at most ten).
 /// @param file name for messages
-/// @param text UTF-8, lines end with "\n" or "\r\n"
+/// @param text UTF-8, lines end with "\n", "\r\n" or "\r"
 std::vector<TextTable> read_text_tables(const std::string& file, std::string_view text, const TableRules& rules,
                                         const TableReading& stated = {});
 

@@ -11,6 +11,7 @@
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
+#include "ringfilm/io/text/foreign_file.hpp"
 #include "ringfilm/io/text/text_encoding.hpp"
 
 namespace ringfilm::io {
@@ -76,10 +77,14 @@ std::string normalised(std::string_view bytes, bool& has_byte_order_mark) {
   return text;
 }
 
-/// Refuses a NetCDF file where a text is read, before its bytes are searched for what is not text.
-void refuse_netcdf(const SourceMark& file, const std::string& bytes) {
+/// Refuses files of known other kinds where a text is read, before their bytes are searched for what is not text.
+void refuse_other_kinds(const SourceMark& file, const std::string& bytes) {
+  if (const std::optional<Fault> fault = foreign_file_fault(file, bytes)) throw InputError(std::vector<Fault>{*fault});
   if (!begins_as_netcdf(bytes)) return;
-  if (!has_digest_trailer(bytes)) refuse(file, "this is a NetCDF file, not text", "is it the right file?");
+  if (!has_digest_trailer(bytes)) {
+    refuse(file, "this is a NetCDF file, not text",
+           std::string("is it the right file? If it is another HDF5 file, ") + kHdf5Remedy);
+  }
   refuse(file, "this is a NetCDF file that ringfilm wrote, not text",
          "name the file that it was computed from; a web page of a result is drawn by ringfilm report " + file.file +
              " --output X.html");
@@ -143,13 +148,13 @@ SourceText read_source_text(const std::string& path, const std::string& shown, s
   if (bytes.rfind("\xFF\xFE", 0) == 0 || bytes.rfind("\xFE\xFF", 0) == 0) {
     refuse(file, "the file is UTF-16 text", "save it as UTF-8");
   }
-  refuse_netcdf(file, bytes);
+  refuse_other_kinds(file, bytes);
   return source_of(shown, bytes, bytes);
 }
 
 SourceText read_table_text(const std::string& path, const std::string& shown, std::size_t limit) {
   const std::string bytes = read_source_bytes(path, shown, limit);
-  refuse_netcdf({shown, 0, 0, ""}, bytes);
+  refuse_other_kinds({shown, 0, 0, ""}, bytes);
   const std::optional<DecodedText> text = decoded(bytes);
   SourceText source = source_of(shown, text ? text->text : bytes, bytes);
   if (text) source.encoding = text->encoding;

@@ -28,8 +28,8 @@ struct SourceText {
 /// unreadable, a directory, larger than `limit` bytes, empty, binary (control characters) or not UTF-8.
 SourceText read_source_text(const std::string& path, const std::string& shown, std::size_t limit);
 
-/// Reads the text of a table of numbers, which other programs write: UTF-8, UTF-16 with a byte-order mark, or
-/// Windows-1252. Throws InputError otherwise as read_source_text().
+/// Reads the text of a table of numbers, which other programs write: UTF-8, UTF-16 or Windows-1252. Throws InputError
+/// otherwise as read_source_text().
 SourceText read_table_text(const std::string& path, const std::string& shown, std::size_t limit);
 
 /// The bytes of the file at `path`, named `shown` in messages. Throws InputError: missing, unreadable, a directory, a

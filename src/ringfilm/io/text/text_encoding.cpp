@@ -38,6 +38,25 @@ class Conversion {
   iconv_t handle_;
 };
 
+/// Text of UTF-16 without its mark: every second byte is zero, and the others are letters. Nothing for other bytes.
+const char* unmarked_utf16(std::string_view bytes) {
+  constexpr std::size_t kSeen = 4096, kMinUnits = 8;
+  constexpr double kZeros = 0.9;  // other high bytes are those of Greek letters and the like
+  const std::size_t n_units = std::min(bytes.size(), kSeen) / 2;
+  if (n_units < kMinUnits) return nullptr;
+  for (const std::size_t high : {std::size_t{1}, std::size_t{0}}) {
+    std::size_t n_zeros = 0, n_controls = 0;
+    for (std::size_t i = 0; i < n_units; ++i) {
+      n_zeros += bytes[2 * i + high] == '\0' ? 1 : 0;
+      n_controls += is_control(bytes[2 * i + 1 - high]) ? 1 : 0;
+    }
+    if (n_controls == 0 && static_cast<double>(n_zeros) >= kZeros * static_cast<double>(n_units)) {
+      return high == 1 ? "UTF-16LE" : "UTF-16BE";
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 std::size_t utf8_length(std::string_view s, std::size_t i) {
@@ -66,10 +85,12 @@ bool is_utf8(std::string_view text) {
 
 std::optional<DecodedText> decoded(std::string_view bytes) {
   const std::string_view mark = bytes.substr(0, 2);
-  if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
+  const bool is_marked = mark == "\xFF\xFE" || mark == "\xFE\xFF";
+  const char* const utf16 = is_marked ? (mark == "\xFF\xFE" ? "UTF-16LE" : "UTF-16BE") : unmarked_utf16(bytes);
+  if (utf16 != nullptr) {
+    if (is_marked) bytes.remove_prefix(2);
     // A half unit behind the last one is what a file has that was cut.
-    const std::string_view units = bytes.substr(2, (bytes.size() - 2) / 2 * 2);
-    std::optional<std::string> text = Conversion(mark == "\xFF\xFE" ? "UTF-16LE" : "UTF-16BE")(units);
+    std::optional<std::string> text = Conversion(utf16)(bytes.substr(0, bytes.size() / 2 * 2));
     if (!text) return std::nullopt;
     return DecodedText{std::move(*text), "UTF-16"};
   }

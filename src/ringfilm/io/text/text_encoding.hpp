@@ -19,8 +19,8 @@ std::size_t utf8_length(std::string_view text, std::size_t i);
 /// Is the text well-formed UTF-8?
 bool is_utf8(std::string_view text);
 
-/// The text of bytes that are UTF-16 with a byte-order mark, or Windows-1252, of which Latin-1 is a part; nothing where
-/// they are UTF-8 already, hold control characters or cannot be converted.
+/// The text of bytes that are UTF-16, its byte-order mark there or not, or Windows-1252, of which Latin-1 is a part;
+/// nothing where they are UTF-8 already, hold control characters or cannot be converted.
 std::optional<DecodedText> decoded(std::string_view bytes);
 
 }  // namespace ringfilm::io

@@ -260,6 +260,7 @@ std::optional<HoningAngle> honing_angle(const HeightMap& map) {
   of.second_rad = in_half_turn(other.place * kStep);
   const double between = std::abs(of.first_rad - of.second_rad);
   of.angle_rad = std::min(between, std::numbers::pi - between);
+  if (of.angle_rad < kApart * kStep) return std::nullopt;  // two peaks of one broad lobe
   of.scatter_rad = std::sqrt(0.5 * (one.variance + other.variance)) * kStep;
   return of;
 }

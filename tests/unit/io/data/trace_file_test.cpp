@@ -138,7 +138,7 @@ TEST_F(Trace, ComparesTheRowOfUnitsWithWhatIsStated) {
   stated = {};
   stated.reference = cycle::PressureReference::kGauge;
   EXPECT_THAT(reported("crank_angle,p\ndeg,bara\n" + rows, stated), HasSubstr("p.csv:2:5: the unit bara is absolute"));
-  EXPECT_THAT(reported("crank_angle,p\ndeg,barg\n" + rows), HasSubstr("p.csv:2:5: the column p is a gauge pressure"));
+  EXPECT_THAT(reported("crank_angle,p\ndeg,barg\n" + rows), HasSubstr("p.csv:2:5: the unit barg is gauge"));
 }
 
 TEST_F(Trace, RefusesAnUnknownUnitInTheRowOfUnits) {
@@ -191,9 +191,59 @@ TEST_F(Trace, RefusesPressuresThatCannotBe) {
   EXPECT_THAT(read(head + "0,-500\n1,6e6\n", gauge).samples.value, ElementsAre(-500, 6e6));
   EXPECT_THAT(reported(head + "0,1\n1,62\n"), HasSubstr("the highest pressure of the trace is 0.00062 bar"));
   EXPECT_THAT(reported(head + "0,1\n1,62\n"), HasSubstr("between 0.5 and 1000 bar"));
-  EXPECT_THAT(reported("crank_angle [degree],p [barg]\n0,1\n1,62\n", gauge),
-              HasSubstr("write the unit without the g, and state gas.pressure_reference"));
-  EXPECT_THAT(reported("crank_angle [degree],p [bara]\n0,1\n1,62\n", gauge), HasSubstr("the unit bara is absolute"));
+  for (const char* missing : {"-9999", "-9999.0"}) {
+    EXPECT_THAT(reported("crank_angle [degree],p [bar]\n0,1\n1," + std::string(missing) + "\n2,-9999\n"),
+                HasSubstr("If the number marks a missing sample, write nan in its place"));
+  }
+}
+
+TEST_F(Trace, UnitsThatStateTheReferenceAgreeWithTheKeyOrAreRefused) {
+  TraceColumns gauge;
+  gauge.reference = cycle::PressureReference::kGauge;
+  const auto trace = [](const std::string& unit) { return "crank_angle [degree],p [" + unit + "]\n0,1\n1,62\n"; };
+  for (const char* unit : {"barg", "bar(g)", "bar (gauge)", "bar rel"}) {
+    EXPECT_THAT(read(trace(unit), gauge).samples.value, ElementsAre(1e5, 62e5)) << unit;
+    EXPECT_THAT(reported(trace(unit)), HasSubstr("is gauge, but gas.pressure_reference = \"absolute\"")) << unit;
+  }
+  for (const char* unit : {"bara", "bar abs", "bar (absolute)"}) {
+    EXPECT_THAT(read(trace(unit)).samples.value, ElementsAre(1e5, 62e5)) << unit;
+    EXPECT_THAT(reported(trace(unit), gauge), HasSubstr("is absolute, but gas.pressure_reference = \"gauge\"")) << unit;
+  }
+  EXPECT_THAT(read(trace("psig"), gauge).samples.value.front(), ::testing::DoubleNear(6894.757, 0.001));
+  EXPECT_THAT(reported(trace("bar x"), gauge), HasSubstr("unknown unit"));
+}
+
+TEST_F(Trace, WorkbooksNameHowToExport) {
+  EXPECT_THAT(reported("PK\x03\x04 [Content_Types].xml"), HasSubstr("save the table as CSV"));
+  EXPECT_THAT(reported("MATLAB 5.0 MAT-file, Platform: GLNXA64"), HasSubstr("writematrix"));
+}
+
+TEST_F(Trace, NumberedColumnsMayBeCycles) {
+  EXPECT_THAT(reported("CA [deg],p1 [bar],p2 [bar],p3 [bar]\n0,1,1,1\n1,2,2,2\n"),
+              HasSubstr("or all, with one cycle each, with \"p*\""));
+  EXPECT_EQ(pattern_of_cycles({"Cycle 1", "Cycle 2", "Cycle 3"}), "Cycle *");
+  for (const std::vector<std::string>& others : {std::vector<std::string>{"p_cyl", "p_intake"}, {"p25", "p50"}, {}}) {
+    EXPECT_EQ(pattern_of_cycles(others), "");
+  }
+}
+
+TEST_F(Trace, CommasThatMayPartThousandsAreRefused) {
+  EXPECT_THAT(reported("angle [deg]\tp [kPa]\n0\t998\n1\t4,573\n2\t1,100\n"),
+              HasSubstr("p.csv:3:3: \"4,573\" may be 4573 or 4.573"));
+  EXPECT_THAT(read("\"angle [deg]\",\"p [bar]\"\n\"0\",\"1,0000\"\n\"1\",\"1,5009\"\n").samples.value,
+              ElementsAre(1e5, 1.5009e5));
+}
+
+TEST_F(Trace, ACommentNamesTheColumnsAsAHeaderWould) {
+  for (const char* header : {"# CA_deg,Pcyl_bar", "#CA(deg),P(bar)", "# Crank angle / deg,Pressure / bar"}) {
+    EXPECT_THAT(read(std::string(header) + "\n0,1\n1,62\n").samples.value, ElementsAre(1e5, 62e5)) << header;
+  }
+}
+
+TEST_F(Trace, TheOutlineHasTheNotesOfTheText) {
+  write_text(folder_ / "p.csv", "Rig 7\nCA [deg];p [bar]\n0;1,5\n1;62\nEND\n");
+  const TraceOutline seen = trace_outline({folder_ / "p.csv", "p.csv"}, units_);
+  EXPECT_THAT(seen.notes, ElementsAre(::testing::AllOf(HasSubstr("decimal commas"), HasSubstr("END"))));
 }
 
 TEST_F(Trace, CrankcaseMayBeNearTheAtmosphere) {

@@ -42,10 +42,11 @@ TEST(TextCells, NumbersAndGapsOfOtherPrograms) {
   EXPECT_EQ(number_of("+3", false), 3);
   for (const char* word : {"d3", "inf", "nan", "1,5", "1.5x", "0x10", ""})
     EXPECT_EQ(number_of(word, false), std::nullopt) << word;
-  for (const char* word : {"", "NaN", "No Data", "***", "---", "NA", "n/a", "1.#QNAN", "-1.#IND", "BAD"}) {
+  for (const char* word : {"", "NaN", "No Data", "***", "---", "NA", "n/a", "1.#QNAN", "-1.#IND", "BAD", "Masked",
+                           "#NUM!", "1.#INF", "-inf", "-", "."}) {
     EXPECT_TRUE(is_missing_word(word)) << word;
   }
-  for (const char* word : {"-", "0", "x", "height", "banana"}) EXPECT_FALSE(is_missing_word(word)) << word;
+  for (const char* word : {"0", "x", "height", "banana"}) EXPECT_FALSE(is_missing_word(word)) << word;
 }
 
 TEST(TextCells, SeparatorsBetweenQuotesPartNothing) {
@@ -73,6 +74,15 @@ TEST(TextEncoding, Windows1252AndUtf16BecomeUtf8) {
                                 6))
                 ->text,
             "1\n");
+  const std::string letters = "x [\xB5m];z\n0;1,5\n";
+  std::string little, big;
+  for (const char letter : letters) {
+    little += {letter, '\0'};
+    big += {'\0', letter};
+  }
+  EXPECT_EQ(decoded(little)->text, "x [\u00B5m];z\n0;1,5\n") << "UTF-16 without its mark";
+  EXPECT_EQ(decoded(big)->text, decoded(little)->text);
+  EXPECT_EQ(decoded(std::string("MZ\0\0\1\0x\0y\0z\0a\0b\0", 18)), std::nullopt) << "binary";
   EXPECT_EQ(decoded("1\u00B5\n"), std::nullopt) << "UTF-8 already";
   EXPECT_EQ(decoded(std::string("\xB0\x01", 2)), std::nullopt) << "binary";
 }
@@ -150,6 +160,82 @@ TEST(TextTable, WhatTheUserStatesOverrules) {
   const TextTable table = table_of("1,-9999.0,leer,4\n5,6,7,8\n", kHeights, stated);
   EXPECT_TRUE(std::isnan(table.at(0, 1)) && std::isnan(table.at(0, 2)));
   EXPECT_EQ(table.at(1, 1), 6);
+}
+
+TEST(TextTable, CommasThatMayPartThousandsAreRefused) {
+  const std::string thousands = "x [um]\tz [nm]\n0\t998\n1\t1,002\n2\t12,345\n";
+  EXPECT_THAT(refusal_of(thousands), HasSubstr("a.csv:3:3: \"1,002\" may be 1002 or 1.002"));
+  EXPECT_THAT(refusal_of(thousands), HasSubstr("other numbers of the column have three digits or more without one"));
+  EXPECT_THAT(refusal_of(thousands), HasSubstr("if it is 1002, write thousands without commas"));
+  EXPECT_THAT(refusal_of("0.5;1,002\n1.0;2,003\n", kHeights), HasSubstr("have decimal points"));
+  EXPECT_THAT(refusal_of("x,z\n0,\"1,300\"\n1,\"1,400\"\n"), HasSubstr("commas separate the columns"));
+  EXPECT_THAT(refusal_of("x;z\n0;1,234.5\n1;2\n"), HasSubstr("a.csv:2:3: \"1,234.5\" has separators of thousands"));
+  EXPECT_THAT(refusal_of("x;z\n0;12.05.2024\n1;2\n"), HasSubstr("is not a number"));
+  // One number that cannot be grouped shows that all commas are decimal.
+  for (const char* rows : {"0;998\n1;1,002\n2;0,500\n", "0;998\n1;1,002\n2;1,02\n", "0;998\n1;1,002\n2;1500,000\n"}) {
+    EXPECT_EQ(table_of(std::string("x;z\n") + rows).at(1, 1), 1.002) << rows;
+  }
+  const TextTable table = table_of("x;z\n0;1,234\n1;5,678\n");
+  EXPECT_EQ(table.at(1, 1), 5.678);
+  EXPECT_THAT(table.account(), HasSubstr("decimal commas"));
+}
+
+TEST(TextTable, QuotedDecimalCommasBetweenCommas) {
+  EXPECT_THAT(table_of("\"x [um]\",\"z [um]\"\n\"0,5\",\"1,3000\"\n\"1,0\",\"-1,4\"\n").cells,
+              ElementsAre(0.5, 1.3, 1, -1.4));
+  EXPECT_THAT(table_of("x [um],z [um]\n0,\"1,3000\"\n1,\"1,4\"\n", kHeights).cells, ElementsAre(0, 1.3, 1, 1.4));
+  EXPECT_THAT(table_of("\"0,25\",\"0,5\",\"1\",\"2\"\n\"0,1\",\"4\",\"5\",\"6\"\n", kHeights).n_columns, 4u);
+}
+
+TEST(TextTable, OneNumberALineWithADecimalComma) {
+  const std::string heights = "1,3000\n1,0672\n-0,5228\n0,25\n";
+  EXPECT_THAT(
+      refusal_of(heights, kHeights),
+      HasSubstr("a.csv:2:3: \"0672\" is not a whole number: the 2 values of a row may be 1 with decimal commas"));
+  EXPECT_THAT(refusal_of(heights, kHeights), HasSubstr("--columns \"z [um]\" for one number"));
+  TableReading stated;
+  for (const char* columns : {"z [um]", "z [um];", "z [um],"}) {
+    stated.columns = columns;
+    EXPECT_THAT(table_of(heights, kHeights, stated).cells, ElementsAre(1.3, 1.0672, -0.5228, 0.25)) << columns;
+  }
+  stated.columns = "x [um], z [um]";
+  EXPECT_THAT(table_of("1,3000\n2,0672\n", kHeights, stated).cells, ElementsAre(1, 3000, 2, 672));
+  stated.columns = "z [um]";
+  EXPECT_THAT(refusal_of("0.5;1.3;2\n1;1.4;2\n", kHeights, stated), HasSubstr("1 column is stated, and the row has 3"));
+  EXPECT_TRUE(table_of("0,12\n1,15\n", kHeights).may_be_pairs);
+  EXPECT_FALSE(table_of("0,1.2\n1,15\n", kHeights).may_be_pairs);
+  EXPECT_THAT(refusal_of("x [um],z [um]\n0,5000,1,0300\n1,0000,1,3982\n", kHeights),
+              HasSubstr("with decimal commas, separate the columns by semicolons"));
+}
+
+TEST(TextTable, ACommentNamesTheColumnsAsAHeaderWould) {
+  for (const char* header : {"# x_um y_um", "# x(um) y(um)", "# x / um, y / um", "#x (um)\ty (um)"}) {
+    EXPECT_EQ(table_of(std::string(header) + "\n0 1\n1 2\n", kHeights).columns.size(), 2u) << header;
+  }
+  EXPECT_TRUE(table_of("# recorded yesterday\n0 1\n1 2\n", kHeights).columns.empty());
+}
+
+TEST(TextTable, TheLineRightAboveTheNumbersNamesThem) {
+  for (const char* head : {"Meta Data\nFile Type,Profile\n\n", "Meta Data\nFile Type,Profile\n"}) {
+    const TextTable table =
+        table_of(std::string(head) + "Lateral (um),Total Profile (A)\n0.0,13000.0,\n0.5,1e4,\n", kHeights);
+    ASSERT_EQ(table.columns.size(), 2u);
+    EXPECT_EQ(table.columns[1].name, "Total Profile (A)");
+  }
+  EXPECT_TRUE(table_of("[Header]\nInstrument=Form Talysurf\n[Data]\n0.0 1.3\n0.5 1.4\n", kHeights).columns.empty());
+}
+
+TEST(TextTable, LinesOfOldMacintoshFilesEndWithACarriageReturn) {
+  EXPECT_THAT(table_of("x,z\r0,1\r1,2\r").cells, ElementsAre(0, 1, 1, 2));
+  EXPECT_THAT(table_of("x,z\r\n0,1\r\n1,2\r\n").row_lines, ElementsAre(2, 3));
+  EXPECT_THAT(table_of("1,2,3,4\r5,6,7,8\r9,1,2,3", kHeights).row_lines, ElementsAre(1, 2, 3));
+  EXPECT_THAT(table_of("x,z\n0,1\r1,2\n2,3\r\n").row_lines, ElementsAre(2, 3, 4));
+}
+
+TEST(TextTable, TrueAndFalseStateWhatIsValid) {
+  EXPECT_THAT(table_of("Scan 3\nx [um];z [um];valid\n0;1;TRUE\n1;2;false\n", kHeights).cells,
+              ElementsAre(0, 1, 1, 1, 2, 0));
+  EXPECT_THAT(refusal_of("x;z\n0;true\n1;2\n"), HasSubstr("\"true\" is not a number"));
 }
 
 TEST(TextTable, GapsAreListedWithTheirFaults) {
