@@ -17,7 +17,7 @@ struct Variation {
 /// How a command has its variations.
 struct VariationForm {
   std::string label;         ///< before the text in messages: "--vary "
-  std::string example;       ///< of a key with its values
+  std::string example;       ///< what a key with its values looks like
   std::size_t n_points = 0;  ///< values of a range FROM..TO, with both ends; 0: ranges are refused
 };
 

@@ -22,6 +22,7 @@
 #include "ringfilm/io/start/start_case.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
+#include "ringfilm/run/inverse/gradients.hpp"
 #include "ringfilm/study/design/scenario.hpp"
 #include "ringfilm/study/ensemble/ledger.hpp"
 #include "run.hpp"
@@ -351,6 +352,32 @@ Returns a Result, of a ring pack a PackResult, of a pad a PadResult. Other threa
 ends the run with KeyboardInterrupt.
 Raises InputError, and ConvergenceError with all up to the last good crank angle in its attribute `result`.
 Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`.)");
+  type.def(
+      "gradient",
+      [](const CaseObject& self, const std::vector<std::string>& keys, const py::object& threads) {
+        std::vector<run::Gradient> found;
+        const int n = threads_of(threads);
+        {
+          const py::gil_scoped_release other_threads_continue;
+          found = run::gradients(self.value(), keys, n);
+        }
+        py::dict by_quantity;
+        for (const run::Gradient& one : found) {
+          for (const auto& [quantity, derivative] : one.derivatives) {
+            const py::str name(quantity);
+            if (!by_quantity.contains(name)) by_quantity[name] = py::dict();
+            by_quantity[name][py::str(one.key)] = py::make_tuple(derivative.value, derivative.error);
+          }
+        }
+        return by_quantity;
+      },
+      py::arg("keys") = std::vector<std::string>(), py::arg("threads") = py::none(),
+      R"(What a small change of an input makes of each value: {quantity: {key: (derivative, error)}} in SI.
+
+keys: numbers of the case, such as "ring.face_width"; without them all that it states. Four runs each, on fixed crank
+    steps. threads: 1 to 1024; None: as many as the machine runs at once.
+Keys for which a run has no solution are absent. Raises InputError for a key whose value is not a number. Source:
+docs/theory/error-estimate.md, eq-gradient.)");
   type.def(
       "resolved", [](const CaseObject& self) { return io::resolved_case(self.value()); },
       "The case as a complete case file in SI, which gives the same bits again.");

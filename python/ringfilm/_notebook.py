@@ -30,7 +30,7 @@ def _read(text, overrides=None):
 
 def case_of(values):
     """A case of {key: value}, as update() takes them; files relative to the working folder."""
-    return _read("", dict(values))
+    return _read('title = ""\n', dict(values))
 
 
 def new_case(engine, load, state, pack, trace):

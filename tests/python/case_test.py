@@ -4,6 +4,7 @@ import copy
 import pickle
 import subprocess
 import sys
+import tomllib
 
 import numpy
 import pytest
@@ -440,11 +441,14 @@ def test_what_cannot_be_pickled_is_a_type_error(protocol):
 def test_cases_begin_without_a_file():
     case = ringfilm.Case.new("heavy-duty", load="part")
     assert case.text("engine.bore") == '"130 mm"'
-    stated = {key: ringfilm.SI(case[key]) for key in ("engine.bore", "engine.stroke")}
-    other = ringfilm.Case({"title": "mine", **stated})
-    assert (other.title, other["engine.bore"]) == ("mine", case["engine.bore"])
-    with pytest.raises(ringfilm.InputError, match="unknown key engine.borre"):
-        ringfilm.Case({"engine.borre": "89 mm"})
+    stated = {key: tomllib.loads("x = " + case.text(key))["x"] for key in case.keys() if key in case}
+    assert "lubricant.grade" in stated
+    other = ringfilm.Case({**stated, "title": "mine"})
+    assert other.title == "mine"
+    case["title"] = "mine"
+    assert other.resolved() == case.resolved()
+    with pytest.raises(ringfilm.InputError, match="key engine.bore is missing"):
+        ringfilm.Case({"title": "mine"})
     with pytest.raises(ringfilm.InputError, match="heavy_duty"):
         ringfilm.Case.new("heavy_duty")
     assert len(ringfilm.Case.new(pack=True).rings) == 3

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
 #include "output_names.hpp"
@@ -13,6 +16,8 @@
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/report/html.hpp"
+#include "ringfilm/run/inverse/gradients.hpp"
+#include "ringfilm/run/inverse/case_numbers.hpp"
 #include "ringfilm/run/run.hpp"
 #include "text/pad_summary.hpp"
 #include "text/shared_options.hpp"
@@ -25,6 +30,7 @@ struct RunOptions : CaseWithOutputs {
   run::Options computed;
   bool all = false;                 ///< every value, default input, assumption and note
   std::optional<std::string> page;  ///< report of a ring or pack
+  bool gradients = false;           ///< derivatives of all values with respect to the numbers of the case
 };
 
 std::vector<NamedOutput> outputs_of(const RunOptions& options) {
@@ -72,6 +78,48 @@ std::string short_text(const io::ResultDocument& document, const cycle::Case& in
     if (ring.ledger_computed) text += "\n" + (input.is_pack() ? ring.title + "\n" : "") + ledger_table(ring);
   }
   return text;
+}
+
+/// The FMEP and the thinnest film of a case against its numbers, the strongest first.
+std::string gradient_table(const std::vector<run::Gradient>& gradients, const run::CaseNumbers& at) {
+  const auto elasticity = [&](const run::Gradient& one, const char* quantity) {
+    const auto found = one.derivatives.find(quantity);
+    const auto value = at.values.find(quantity);
+    if (found == one.derivatives.end() || value == at.values.end() || value->second == 0) return 0.0;
+    return found->second.value * one.at / value->second;
+  };
+  std::vector<const run::Gradient*> order;
+  for (const run::Gradient& one : gradients) order.push_back(&one);
+  std::ranges::stable_sort(order, std::greater(),
+                           [&](const run::Gradient* one) { return std::abs(elasticity(*one, "fmep")); });
+  std::string text = fmt::format("\nper cent of a value for one per cent of an input\n{:<44}{:>12}{:>12}{:>12}\n", "",
+                                 "FMEP", "min. film", "peak force");
+  for (const run::Gradient* one : order) {
+    text += fmt::format("{:<44}", one->key);
+    if (!one->reason.empty()) {
+      text += "  not computed: " + one->reason + "\n";
+      continue;
+    }
+    for (const char* quantity : {"fmep", "min_film_thickness", "peak_total_friction"}) {
+      text += fmt::format("{:>12.3f}", elasticity(*one, quantity));
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// The JSON of a result with `gradients` and `gradient_errors`, by quantity and key.
+std::string with_gradients(const std::string& json, const std::vector<run::Gradient>& gradients) {
+  auto document = nlohmann::ordered_json::parse(json);
+  document["gradients"] = document["gradient_errors"] = nlohmann::ordered_json::object();
+  for (const run::Gradient& one : gradients) {
+    for (const auto& [quantity, derivative] : one.derivatives) {
+      document["gradients"][quantity][one.key] = derivative.value;
+      document["gradient_errors"][quantity][one.key] = derivative.error;
+    }
+    if (!one.reason.empty()) document["gradients_not_computed"][one.key] = one.reason;
+  }
+  return document.dump(2) + "\n";
 }
 
 Outputs contents_of(const io::ResultDocument& document, const cycle::Case& input, bool all) {
@@ -123,10 +171,13 @@ void run(const RunOptions& options) {
   if (options.csv && is_worth_writing) io::write_atomically(*options.csv, outputs.csv());
   if (options.page && is_worth_writing) io::write_atomically(*options.page, outputs.page());
   const bool is_shown = is_worth_writing || !is_pad;
+  std::vector<run::Gradient> gradients;
+  if (options.gradients && !done.stopped) gradients = run::gradients(input, {}, options.computed.threads);
   if (is_shown && options.summary == SummaryForm::kJson) {
-    std::cout << outputs.json();
+    std::cout << (options.gradients ? with_gradients(outputs.json(), gradients) : outputs.json());
   } else if (is_shown) {
     std::cout << outputs.text();
+    if (!gradients.empty()) std::cout << gradient_table(gradients, run::case_numbers(input, {}));
     if (is_worth_writing) print_written(outputs_of(options));
   }
   if (!done.stopped) return;
@@ -142,6 +193,7 @@ constexpr const char* kRunFooter = R"(Examples:
   ringfilm run case.toml --set operating.speed='3000 rpm' --set solver.cells=400 --json
   ringfilm run case.toml --ledger --output result.nc
   ringfilm run case.toml --error-estimate --jobs 4
+  ringfilm run case.toml --gradients
   ringfilm run verification/rayleigh1918_step/best.toml
 
 A case with a table [pad] instead of [engine] and [ring] is the film of a slider, a step or two plates that approach
@@ -165,6 +217,8 @@ void declare_run(CommandOptions& add, RunOptions& options) {
   add.flag("--error-estimate", options.computed.error_estimate,
            "integrate four other grids too and give every value its error (cost: docs/theory/error-estimate.md); "
            "always done where solver.accuracy is stated");
+  add.flag("--gradients", options.gradients,
+           "differentiate all values with respect to the numbers that the case states, with their errors");
   add_jobs(add, options.computed.threads);
 }
 

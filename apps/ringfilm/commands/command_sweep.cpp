@@ -169,7 +169,7 @@ constexpr const char* kSweepFooter = R"(Examples:
   ringfilm sweep case.toml lubricant.grade='SAE 0W-20, SAE 5W-30' operating.speed='1000..6000 rpm' --points 6
   ringfilm sweep pack.toml ring.1.face.crown_height='2 um, 4 um, 8 um' --csv crowns.csv
 
-A bare number has the unit in which `ringfilm fields` shows the key. All combinations are computed, the last key fastest;
+A bare number has the unit of `ringfilm fields`. All combinations are computed, the last key fastest;
 `ringfilm study` computes larger plans, with a page, and continues after a kill.
 )";
 

@@ -20,7 +20,7 @@ class NoteText {
  private:
   struct One {
     cycle::Note note;
-    std::string labels;  ///< of the rings that have it
+    std::string labels;  ///< names of the rings that have it
   };
   std::vector<One> notes_;
 };

@@ -27,7 +27,7 @@ class StartCaseOf : public ::testing::TestWithParam<std::string> {
 
 TEST_P(StartCaseOf, CanBeReadUnchanged) {
   const ScratchFolder folder;
-  const StartCase start = start_case({.engine = GetParam()});
+  const StartCase start = start_case({.engine = GetParam(), .has_all_keys = true});
   write_text(folder / "my.toml", start.text);
   const cycle::Case c = read_case(folder / "my.toml");
   EXPECT_EQ(c.gas.model, cycle::GasModel::kWiebe);
@@ -39,7 +39,7 @@ TEST_P(StartCaseOf, CanBeReadUnchanged) {
 }
 
 TEST_P(StartCaseOf, HasEveryKeyOrItsComment) {
-  const std::string text = start_case({.engine = GetParam()}).text;
+  const std::string text = start_case({.engine = GetParam(), .has_all_keys = true}).text;
   for (const cycle::Field& field : cycle::case_fields()) {
     if (!cycle::belongs(field, cycle::Case{})) continue;  // the case that it starts is a cycle
     const std::string name = field.key.substr(field.key.rfind('.') + 1);
@@ -47,6 +47,17 @@ TEST_P(StartCaseOf, HasEveryKeyOrItsComment) {
                 text.find("\n# " + name + " = ") != std::string::npos)
         << field.key;
   }
+}
+
+TEST_P(StartCaseOf, HasFortyLinesAndTheValuesOfTheLongOne) {
+  const ScratchFolder folder;
+  const std::string text = start_case({.engine = GetParam()}).text;
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 40);
+  write_text(folder / "short.toml", text);
+  write_text(folder / "long.toml", start_case({.engine = GetParam(), .has_all_keys = true}).text);
+  const cycle::Case c = read_case(folder / "short.toml"), all = read_case(folder / "long.toml");
+  EXPECT_EQ(c.stated, all.stated);
+  EXPECT_EQ(resolved_case(c), resolved_case(all));
 }
 
 INSTANTIATE_TEST_SUITE_P(Engines, StartCaseOf, ::testing::ValuesIn(start_engines()), [](const auto& one) {
