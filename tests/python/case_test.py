@@ -448,7 +448,7 @@ def test_cases_begin_without_a_file():
     case["title"] = "mine"
     assert other.resolved() == case.resolved()
     with pytest.raises(ringfilm.InputError, match="key engine.bore is missing"):
-        ringfilm.Case({"title": "mine"})
+        ringfilm.Case({"engine.stroke": "80 mm"})
     with pytest.raises(ringfilm.InputError, match="heavy_duty"):
         ringfilm.Case.new("heavy_duty")
     assert len(ringfilm.Case.new(pack=True).rings) == 3
