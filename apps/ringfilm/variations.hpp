@@ -25,6 +25,9 @@ struct VariationForm {
 /// text is not of that form, or a key is varied twice.
 std::vector<Variation> variations(const std::vector<std::string>& texts, const VariationForm& form);
 
+/// A text as a cell of CSV.
+std::string quoted_cell(const std::string& text);
+
 /// Number of the combinations. Throws InputError where they are too many.
 std::size_t n_combinations(const std::vector<Variation>& varied, const VariationForm& form);
 

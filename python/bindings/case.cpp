@@ -363,6 +363,7 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
         }
         py::dict by_quantity;
         for (const run::Gradient& one : found) {
+          if (!one.reason.empty()) py::module_::import("warnings").attr("warn")(one.key + ": " + one.reason);
           for (const auto& [quantity, derivative] : one.derivatives) {
             const py::str name(quantity);
             if (!by_quantity.contains(name)) by_quantity[name] = py::dict();
@@ -376,7 +377,8 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
 
 keys: numbers of the case, such as "ring.face_width"; without them all that it states. Four runs each, on fixed crank
     steps. threads: 1 to 1024; None: as many as the machine runs at once.
-Keys for which a run has no solution are absent. Raises InputError for a key whose value is not a number. Source:
+Keys for which a run has no solution are absent, with a UserWarning. Raises InputError for a key whose value is not a
+number. Source:
 docs/theory/error-estimate.md, eq-gradient.)");
   type.def(
       "resolved", [](const CaseObject& self) { return io::resolved_case(self.value()); },
@@ -427,6 +429,9 @@ Raises InputError, also where the trace does not show what must be stated.)");
   type.def(
       "_repr_html_", [](const py::object& self) { return in_notebook("case_html")(self); },
       "The keys that the case states, as a notebook shows them.");
+  type.def(
+      "_without_file", [](CaseObject& self, const std::string& path) { self.forget_file(path); }, py::arg("path"),
+      "Forgets a file that is read and removed.");
   type.def("_ipython_key_completions_", &keys_in_use, "What a notebook completes in case[...].");
   type.def(
       "__copy__", [](const CaseObject& self) { return self; }, "As copy().");

@@ -28,6 +28,13 @@ class CaseObject {
   void update(const py::dict& values);
   /// Throws InputError with everything that is wrong with the case as a whole.
   void check();
+  /// Of a file that is read and removed.
+  void forget_file(const std::string& path) {
+    std::erase_if(value_.files, [&](const cycle::InputFile& file) { return file.path == path; });
+    for (cycle::Case& ring : value_.rings) {
+      std::erase_if(ring.files, [&](const cycle::InputFile& file) { return file.path == path; });
+    }
+  }
 
  private:
   cycle::Case value_;

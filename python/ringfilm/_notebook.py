@@ -4,7 +4,6 @@ import html
 import pathlib
 import tempfile
 
-from ._drawing import shown
 from ._ringfilm import Case, quantities, starting_case
 
 SHOWN = (
@@ -25,12 +24,14 @@ def _read(text, overrides=None):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "case.toml"
         path.write_text(text, encoding="utf-8")
-        return Case.read(path, overrides)
+        case = Case.read(path, overrides)
+        case._without_file(str(path))
+        return case
 
 
 def case_of(values):
     """A case of {key: value}, as update() takes them; files relative to the working folder."""
-    return _read('title = ""\n', dict(values))
+    return _read('title = "a case"\n', dict(values))
 
 
 def new_case(engine, load, state, pack, trace):
@@ -57,6 +58,12 @@ def _table(title, head, rows):
     return f"<table><caption>{html.escape(title)}</caption>{head}<tbody>{body}</tbody></table>"
 
 
+def _shown(quantity, value):
+    from ._drawing import shown  # needs numpy
+
+    return f"{shown(value, quantity):.4g}"
+
+
 def _name(quantity):
     return quantity.long_name + ("" if quantity.display_unit == "1" else f" [{quantity.display_unit}]")
 
@@ -79,7 +86,7 @@ def _notes_html(notes):
 def result_html(result):
     """The values of the cycle that decide, and the first notes."""
     values = result.values
-    rows = [(_name(quantity), f"{shown(values[quantity.name], quantity):.4g}") for quantity in _cycle_quantities()]
+    rows = [(_name(quantity), _shown(quantity, values[quantity.name])) for quantity in _cycle_quantities()]
     return _table(result.title, None, rows) + _notes_html(result.notes)
 
 
@@ -87,7 +94,7 @@ def pack_html(pack):
     """The same of each ring side by side."""
     rings = [ring.values for ring in pack.rings]
     rows = [
-        (_name(quantity), *(f"{shown(values[quantity.name], quantity):.4g}" for values in rings))
+        (_name(quantity), *(_shown(quantity, values[quantity.name]) for values in rings))
         for quantity in _cycle_quantities()
     ]
     return _table(pack.title, ("", *(ring.title.rpartition(": ")[2] for ring in pack.rings)), rows)

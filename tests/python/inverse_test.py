@@ -48,9 +48,7 @@ def test_gradients_are_those_of_richardson_and_of_what_is_proportional(case):
             steps = [0.004 * case[of], 0.002 * case[of]]
             differences = []
             for step in steps:
-                at = [
-                    still.copy({of: ringfilm.SI(case[of] + sign * step)}).run().values[name] for sign in (-1, 1)
-                ]
+                at = [still.copy({of: ringfilm.SI(case[of] + sign * step)}).run().values[name] for sign in (-1, 1)]
                 differences.append((at[1] - at[0]) / (2 * step))
             limit = differences[1] + (differences[1] - differences[0]) / 3
             assert gradient[name][of][0] == pytest.approx(limit, rel=1e-5), (name, of)

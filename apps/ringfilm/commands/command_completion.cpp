@@ -46,7 +46,7 @@ std::vector<std::string> keys() {
 std::string bash_text(const CLI::App& program) {
   std::string text = "_ringfilm() {\n  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words\n";
   text += "  if [ \"$COMP_CWORD\" = 1 ]; then\n    words=\"" + joined(command_names(program), " ") + "\"\n";
-  text += "  elif [ \"$before\" = --set ] || [ \"${COMP_WORDS[1]}\" = fields ]; then\n    compopt -o nospace\n";
+  text += "  elif [ \"$before\" = --set ]; then\n    compopt -o nospace 2>/dev/null\n";
   text += "    words=\"" + joined(keys(), " ") + "\"\n  else\n    case ${COMP_WORDS[1]} in\n";
   for (const CLI::App* command : commands_of(program)) {
     text += "      " + command->get_name() + ") words=\"" + joined(option_names(*command), " ") + "\" ;;\n";
@@ -102,10 +102,11 @@ std::string manual_text(const CLI::App& program) {
 
 constexpr const char* kFooter = R"(Examples:
   ringfilm completion bash > ~/.local/share/bash-completion/completions/ringfilm
+  source <(ringfilm completion zsh)
   ringfilm completion fish > ~/.config/fish/completions/ringfilm.fish
   ringfilm completion man > ~/.local/share/man/man1/ringfilm.1
 
-Commands, options and, after --set, the keys of a case are completed.
+Commands and options are completed, with bash and zsh the keys of a case after --set, too.
 )";
 
 void declare(CommandOptions& add, CompletionOptions& options) {

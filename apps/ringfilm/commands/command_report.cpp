@@ -96,9 +96,12 @@ std::string page_text(const ReportOptions& options, const std::vector<io::Result
   return ringfilm::report::report_page(documents, overlays);
 }
 
-/// The page is named after the first result where nothing else is to be written.
+/// The page of one result is named after it where nothing else is to be written.
 ReportOptions with_page(ReportOptions options) {
   if (!options.output && !options.vts_folder) {
+    if (options.results.size() > 1) {
+      throw InputError("a page of several results has no name by itself", "name it with --output X.html");
+    }
     options.output = std::filesystem::path(options.results.front()).replace_extension(".html").string();
   }
   return options;
@@ -145,7 +148,7 @@ void declare_report(CommandOptions& add, ReportOptions& options) {
       ->required();
   add.texts("--overlay", options.overlays, "X.csv", "measured curves to lay over; may be repeated");
   add.text("-o,--output,--html", options.output, "X.html",
-           "the page to write; X.html beside the first result X.nc where neither it nor --vts is stated");
+           "the page to write; X.html beside the result X.nc where neither it nor --vts is stated");
   add.text("--vts", options.vts_folder, "DIR",
            "write the fields around the ring of one result: a .vts file for each crank angle, a .pvd file of all");
   add.choice("--vts-shape", options.vts_shape, {{"cylinder", io::VtsShape::kCylinder}, {"plane", io::VtsShape::kPlane}},

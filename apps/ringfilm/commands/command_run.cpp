@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
 #include "output_names.hpp"
 #include "progress.hpp"
+#include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/cycle/pack/rails_of_pack.hpp"
 #include "ringfilm/io/pad/pad_netcdf.hpp"
 #include "ringfilm/io/result/result_csv.hpp"
@@ -16,8 +18,8 @@
 #include "ringfilm/io/result/result_json.hpp"
 #include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/report/html.hpp"
-#include "ringfilm/run/inverse/gradients.hpp"
 #include "ringfilm/run/inverse/case_numbers.hpp"
+#include "ringfilm/run/inverse/gradients.hpp"
 #include "ringfilm/run/run.hpp"
 #include "text/pad_summary.hpp"
 #include "text/shared_options.hpp"
@@ -80,32 +82,52 @@ std::string short_text(const io::ResultDocument& document, const cycle::Case& in
   return text;
 }
 
-/// The FMEP and the thinnest film of a case against its numbers, the strongest first.
-std::string gradient_table(const std::vector<run::Gradient>& gradients, const run::CaseNumbers& at) {
-  const auto elasticity = [&](const run::Gradient& one, const char* quantity) {
-    const auto found = one.derivatives.find(quantity);
-    const auto value = at.values.find(quantity);
-    if (found == one.derivatives.end() || value == at.values.end() || value->second == 0) return 0.0;
-    return found->second.value * one.at / value->second;
+/// Values of a case against its numbers: a per cent for one of the input, for a temperature of a kelvin.
+std::string gradient_table(const std::vector<run::Gradient>& gradients, const std::vector<double>& values,
+                           const std::vector<cycle::Quantity>& shown) {
+  const auto relative = [&](const run::Gradient& one, std::size_t k) {
+    const bool is_temperature = cycle::ring_key(one.key) ? cycle::find_field(cycle::ring_key(one.key)->key)->unit == "K"
+                                                         : cycle::find_field(one.key)->unit == "K";
+    const auto found = one.derivatives.find(shown[k].name);
+    const double scale = (is_temperature ? 100 : one.at) / values[k];
+    return found == one.derivatives.end()
+               ? run::Derivative{}
+               : run::Derivative{found->second.value * scale, std::abs(found->second.error * scale)};
   };
   std::vector<const run::Gradient*> order;
   for (const run::Gradient& one : gradients) order.push_back(&one);
   std::ranges::stable_sort(order, std::greater(),
-                           [&](const run::Gradient* one) { return std::abs(elasticity(*one, "fmep")); });
-  std::string text = fmt::format("\nper cent of a value for one per cent of an input\n{:<44}{:>12}{:>12}{:>12}\n", "",
-                                 "FMEP", "min. film", "peak force");
+                           [&](const run::Gradient* one) { return std::abs(relative(*one, 0).value); });
+  std::string text = fmt::format("\n{:<44}", "per cent for 1 % of an input, or 1 K");
+  for (const cycle::Quantity& quantity : shown) text += fmt::format("{:>26}", quantity.long_name.substr(0, 24));
+  text += "\n";
   for (const run::Gradient* one : order) {
     text += fmt::format("{:<44}", one->key);
-    if (!one->reason.empty()) {
-      text += "  not computed: " + one->reason + "\n";
-      continue;
-    }
-    for (const char* quantity : {"fmep", "min_film_thickness", "peak_total_friction"}) {
-      text += fmt::format("{:>12.3f}", elasticity(*one, quantity));
+    if (!one->reason.empty()) text += "  not computed: " + one->reason;
+    for (std::size_t k = 0; one->reason.empty() && k < shown.size(); ++k) {
+      const run::Derivative of = relative(*one, k);
+      text += of.error > std::abs(of.value)
+                  ? fmt::format("{:>26}", fmt::format("within {:.1g}", of.error))
+                  : fmt::format("{:>26}", fmt::format("{:.3g} +- {:.1g}", of.value, of.error));
     }
     text += "\n";
   }
   return text;
+}
+
+/// The table of the values that decide, as far as the case has them.
+std::string gradient_text(const cycle::Case& input, const std::vector<run::Gradient>& gradients) {
+  const std::map<std::string, double> values = run::case_numbers(input, {}).values;
+  const std::vector<cycle::Quantity> all = run::value_quantities(input);
+  std::vector<cycle::Quantity> shown;
+  std::vector<double> at;
+  for (const char* name : {"fmep", "min_film_thickness", "load", "friction_moving"}) {
+    const auto found = std::ranges::find(all, name, &cycle::Quantity::name);
+    if (found == all.end() || !values.contains(name) || values.at(name) == 0) continue;
+    shown.push_back(*found);
+    at.push_back(values.at(name));
+  }
+  return shown.empty() || gradients.empty() ? "" : gradient_table(gradients, at, shown);
 }
 
 /// The JSON of a result with `gradients` and `gradient_errors`, by quantity and key.
@@ -171,13 +193,13 @@ void run(const RunOptions& options) {
   if (options.csv && is_worth_writing) io::write_atomically(*options.csv, outputs.csv());
   if (options.page && is_worth_writing) io::write_atomically(*options.page, outputs.page());
   const bool is_shown = is_worth_writing || !is_pad;
-  std::vector<run::Gradient> gradients;
-  if (options.gradients && !done.stopped) gradients = run::gradients(input, {}, options.computed.threads);
+  const bool differentiates = options.gradients && !done.stopped;
+  const auto gradients = [&] { return run::gradients(input, {}, options.computed.threads); };
   if (is_shown && options.summary == SummaryForm::kJson) {
-    std::cout << (options.gradients ? with_gradients(outputs.json(), gradients) : outputs.json());
+    std::cout << (differentiates ? with_gradients(outputs.json(), gradients()) : outputs.json());
   } else if (is_shown) {
-    std::cout << outputs.text();
-    if (!gradients.empty()) std::cout << gradient_table(gradients, run::case_numbers(input, {}));
+    std::cout << outputs.text() << std::flush;
+    if (differentiates) std::cout << gradient_text(input, gradients());
     if (is_worth_writing) print_written(outputs_of(options));
   }
   if (!done.stopped) return;
@@ -218,7 +240,9 @@ void declare_run(CommandOptions& add, RunOptions& options) {
            "integrate four other grids too and give every value its error (cost: docs/theory/error-estimate.md); "
            "always done where solver.accuracy is stated");
   add.flag("--gradients", options.gradients,
-           "differentiate all values with respect to the numbers that the case states, with their errors");
+           "differentiate all values with respect to the numbers that the case states, with their errors: four runs "
+           "each, on "
+           "--jobs threads");
   add_jobs(add, options.computed.threads);
 }
 

@@ -16,12 +16,6 @@
 namespace ringfilm::app {
 namespace {
 
-std::string quoted_cell(const std::string& text) {
-  std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
-  return cell + "\"";
-}
-
 /// What the gas of a combination is.
 struct Solution {
   gas_path::GasSums sums;
@@ -109,13 +103,11 @@ std::string line_of(const Row& row, const std::vector<cycle::GasSumQuantity>& su
   return line + std::string(sums.size() + regions.size() + 1, ',') + quoted_cell(row.reason) + "\n";
 }
 
-/// Refuses what varies nothing, or what --set fixes.
-void check_varied(const std::vector<Variation>& varied, const std::vector<io::Override>& overrides) {
+/// Refuses what varies nothing.
+void check_varied(const std::vector<Variation>& varied) {
   Faults faults;
   for (const Variation& one : varied) {
-    if (std::ranges::find(overrides, one.key, &io::Override::key) != overrides.end()) {
-      faults.refuse(one.key + " is stated by --set and by --vary", "keep one of them");
-    } else if (!acts_on_gas(one.key)) {
+    if (!acts_on_gas(one.key)) {
       faults.refuse("--vary " + one.key + " has no effect: the gas of a ring pack alone does not follow from it",
                     "vary a key of the engine, the gas or the rings, for example ring.1.end_gap; ringfilm study "
                     "varies keys of the films");
@@ -139,7 +131,7 @@ const VariationForm& vary_form() {
 
 std::string gas_variations_csv(const std::string& case_path, const std::vector<io::Override>& overrides,
                                const std::vector<Variation>& varied) {
-  check_varied(varied, overrides);
+  check_varied(varied);
   const std::vector<cycle::Case> cases =
       cases_of(case_path, overrides, varied, vary_form(), cycle::CasePurpose::kGasPath);
   std::vector<Row> rows;

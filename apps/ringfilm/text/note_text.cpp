@@ -17,6 +17,7 @@ cycle::Trust trust_with(const cycle::Note& note) {
 }
 
 std::string in_words(std::string topic) {
+  if (topic == "input") return "how files were read";
   std::replace(topic.begin(), topic.end(), '-', ' ');
   return topic;
 }
@@ -25,7 +26,8 @@ std::ptrdiff_t n_lines(const std::string& text) { return std::count(text.begin()
 
 }  // namespace
 
-NoteText::NoteText(const std::vector<const io::ResultDocument*>& rings, const std::vector<std::string>& labels) {
+NoteText::NoteText(const std::vector<const io::ResultDocument*>& rings, const std::vector<std::string>& labels)
+    : n_rings_(rings.size()) {
   for (std::size_t i = 0; i < rings.size(); ++i) {
     std::vector<cycle::Note> notes = rings[i]->result.notes;
     for (const std::string& note : rings[i]->input_notes) notes.push_back({"input", note, 1});
@@ -34,15 +36,11 @@ NoteText::NoteText(const std::vector<const io::ResultDocument*>& rings, const st
         return one.note.topic == note.topic && (note.topic != "input" || one.note.message == note.message);
       });
       if (same == notes_.end()) {
-        notes_.push_back({note, labels[i]});
-      } else if (!same->labels.ends_with(labels[i])) {
-        same->labels += ", " + labels[i];
+        notes_.push_back({note, labels[i], {}});
+      } else if (labels[i] != same->label && std::ranges::find(same->others, labels[i]) == same->others.end()) {
+        same->others.push_back(labels[i]);
       }
     }
-  }
-  if (labels.size() > 1) {
-    const std::string all = joined(labels, ", ");
-    for (One& one : notes_) one.labels = one.labels == all ? "all rings" : one.labels;
   }
   std::stable_sort(notes_.begin(), notes_.end(), [](const One& a, const One& b) {
     return cycle::note_rank(a.note.topic) < cycle::note_rank(b.note.topic);
@@ -66,7 +64,10 @@ std::string NoteText::most_serious(std::size_t max_lines) const {
   std::string text;
   std::vector<std::string> others;
   for (const One& one : notes_) {
-    const std::string of = one.labels.empty() ? "" : one.labels + ": ";
+    const std::string also = one.others.empty()                  ? ""
+                             : one.others.size() + 1 == n_rings_ ? " (all others, too)"
+                                                                 : " (" + joined(one.others, ", ") + ", too)";
+    const std::string of = one.label.empty() ? "" : one.label + also + ": ";
     const std::string line = wrapped(words("note: " + of + one.note.message));
     if (others.empty() && static_cast<std::size_t>(n_lines(text) + n_lines(line)) <= max_lines) {
       text += line;

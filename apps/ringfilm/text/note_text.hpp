@@ -20,8 +20,10 @@ class NoteText {
  private:
   struct One {
     cycle::Note note;
-    std::string labels;  ///< names of the rings that have it
+    std::string label;                ///< ring whose message it is
+    std::vector<std::string> others;  ///< rings that have such a note, too
   };
+  std::size_t n_rings_;
   std::vector<One> notes_;
 };
 

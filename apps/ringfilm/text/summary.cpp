@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "gas_path/gas_tables.hpp"
@@ -175,6 +176,12 @@ std::string solver_lines(const cycle::Effort& effort) {
 std::string counts_line(const io::ResultDocument& document) {
   const auto n_default = std::count_if(document.inputs.begin(), document.inputs.end(),
                                        [](const io::CaseEntry& entry) { return entry.assumed; });
+  std::set<std::string> topics;
+  long steps = 0;
+  for (const io::ResultDocument& ring : io::rings_of(document)) {
+    for (const study::LedgerEntry& entry : ring.ledger) topics.insert(entry.topic);
+    steps += ring.result.effort.crank_steps;
+  }
   return wrapped(
       words(fmt::format("{} default inputs, {} modelling assumptions, {} crank steps in {:.4g} cycles; "
                         "--all prints them, more values and all notes",
@@ -427,7 +434,7 @@ std::string short_pack_summary(const cycle::Case& input, const io::ResultDocumen
   std::string text = pack.title + "\n" + conditions_line(input) + ring_names(input) + notes.verdict() + "\n" +
                      columns.text() + "\n" + pack_oil_lines(pack) + oil_consumption_line(pack.oil_losses);
   if (pack.gas) text += wrapped(words(gas_line(pack)));
-  return text + notes.most_serious(kPackNoteLines) + counts_line(pack.rings.front());
+  return text + notes.most_serious(kPackNoteLines) + counts_line(pack);
 }
 
 std::string summary(const cycle::Case& input, const io::ResultDocument& document) {

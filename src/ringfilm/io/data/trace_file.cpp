@@ -393,7 +393,8 @@ class TraceReader {
       if (column.unit && role.unit) {
         const auto other_referred = role.si_unit == "Pa" ? referred_unit(*role.unit, units_) : std::nullopt;
         const Scale other = units_.scale(other_referred ? other_referred->unit : *role.unit, role.si_unit);
-        if (other.factor != scale.factor || other.divisor != scale.divisor) {
+        const bool differs = referred && other_referred && referred->reference != other_referred->reference;
+        if (other.factor != scale.factor || other.divisor != scale.divisor || differs) {
           return refuse("the file states " + written + ", " + role.unit_key + " states " + *role.unit,
                         "one of them is wrong");
         }
@@ -507,6 +508,7 @@ std::string pattern_of_cycles(const std::vector<std::string>& names) {
   const std::string begin(names.empty() ? "" : without_number(names.front()));
   if (begin.empty() || names.front().size() == begin.size()) return "";
   const std::optional<double> first = number_of(std::string_view(names.front()).substr(begin.size()), false);
+  if (!first) return "";
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (without_number(names[i]) != begin) return "";
     if (number_of(std::string_view(names[i]).substr(begin.size()), false) != *first + static_cast<double>(i)) return "";

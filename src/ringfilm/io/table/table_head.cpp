@@ -158,10 +158,13 @@ class HeadFinder {
       column.column = column.unit_column = 1;
       if (column.name.empty()) column.name = "-";
     }
-    const std::size_t first = first_row_.value_or(0), stated = head_.columns.size();
+    std::size_t first = first_row_.value_or(0);
+    const std::size_t stated = head_.columns.size();
     const RowShape& row = lines_before_[first].shape;
     const bool is_doubled = row.separator == ',' && !separator_ && row.n_cells == 2 * stated;
-    const bool is_decimal = is_doubled && stated == 1;  // "1,5" is one number
+    const bool is_decimal = is_doubled && stated == 1;  // "1,5" is one number, as are whole ones in front of it
+    const auto is_whole = [](const RowShape& shape) { return shape.is_row() && shape.n_cells == 1; };
+    while (is_decimal && first > 0 && is_whole(lines_before_[first - 1].shape)) --first;
     if (first_row_ && row.n_cells != stated && !is_decimal) {
       throw HeadFault(lines_before_[first].line, 1,
                       fmt::format("{} column{} stated, and the row has {} value{}", stated,

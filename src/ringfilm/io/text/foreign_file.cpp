@@ -18,6 +18,7 @@ constexpr ForeignKind kKinds[] = {
     {"PK\x03\x04", "[Content_Types].xml", "an Excel workbook (xlsx) or another Office file", kWorkbookRemedy},
     {"PK\x03\x04", "application/vnd.oasis.opendocument", "a workbook or another OpenDocument file (ods)",
      kWorkbookRemedy},
+    {"\xD0\xCF\x11\xE0", "", "a workbook of Excel 97 (xls) or another old Office file", kWorkbookRemedy},
     {"MATLAB 5.0 MAT-file", "", "a MAT file of MATLAB", kMatRemedy},
     {"MATLAB 7.3 MAT-file", "", "a MAT file of MATLAB", kMatRemedy},
     {"TDSm", "", "a TDMS file of LabVIEW",

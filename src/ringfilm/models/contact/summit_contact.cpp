@@ -114,7 +114,7 @@ double height_integral(double n, double lambda) {
   return std::pow(-lambda, n) * (1 + n * (n - 1) / (2 * square) * (1 + (n - 2) * (n - 3) / (4 * square)));
 }
 
-/// height_integral of one exponent, from a table where most summits are: with these steps to 1e-8 of its value.
+/// height_integral of one exponent, from a table where most summits are: with these steps to 3e-7 of its value.
 class HeightIntegral {
  public:
   /// @param n at least 1

@@ -70,12 +70,13 @@ double half_width(const Field& field, double value, bool with_oil) {
   return (with_oil ? kWidthWithOil : kWidth) * std::abs(value);
 }
 
+/// The case with another number, checked as its user states it, and then smoothed.
 Case with_number(Case c, const std::string& key, const Field& field, double value, const io::Units& units) {
   const std::string text =
       field.unit == "1" ? io::exact_text(value) : "\"" + io::exact_text(value) + " " + field.unit + "\"";
   io::update(c, {{key, io::parse_toml_value(text)}}, units);
   io::check_case(c);
-  return c;
+  return smoothed(std::move(c));
 }
 
 /// What is computed for one input.
@@ -84,7 +85,8 @@ struct Difference {
   std::array<std::map<std::string, double>, 4> values;
 };
 
-void conclude(const Difference& difference, const std::vector<cycle::Quantity>& quantities, Gradient& gradient) {
+void conclude(const Difference& difference, const std::vector<cycle::Quantity>& quantities, bool with_oil,
+              Gradient& gradient) {
   for (const cycle::Quantity& quantity : quantities) {
     if (quantity.unit == "degree") continue;
     std::array<double, 4> at{};
@@ -95,7 +97,10 @@ void conclude(const Difference& difference, const std::vector<cycle::Quantity>& 
     const double narrow = (at[2] - at[1]) / (2 * difference.half_width),
                  wide = (at[3] - at[0]) / (4 * difference.half_width);
     if (!std::isfinite(narrow) || !std::isfinite(wide)) continue;
-    gradient.derivatives[quantity.name] = {narrow + (narrow - wide) / 3, std::abs(narrow - wide) / 3};
+    // Extrapolation would magnify the scatter of the oil that settles.
+    gradient.derivatives[quantity.name] = with_oil
+                                              ? Derivative{wide, std::abs(narrow - wide)}
+                                              : Derivative{narrow + (narrow - wide) / 3, std::abs(narrow - wide) / 3};
   }
 }
 
@@ -106,8 +111,12 @@ std::vector<std::string> differentiable_keys(const Case& c) {
   for (const io::CaseEntry& entry : io::case_entries(c)) {
     if (entry.assumed) continue;
     const Field& field = io::located_key(c, entry.key).field;
-    const bool is_of_solver = field.key.starts_with("solver.") || field.key.starts_with("output.");
-    if (is_number(field) && !field.is_for_record && !is_of_solver && entry.value_si != 0) keys.push_back(entry.key);
+    const bool is_of_solver =
+        field.key.starts_with("solver.") || field.key.starts_with("output.") || field.key.ends_with("_step");
+    const bool is_whole = field.key == "engine.cylinders";
+    if (is_number(field) && !field.is_for_record && !is_of_solver && !is_whole && entry.value_si != 0) {
+      keys.push_back(entry.key);
+    }
   }
   return keys;
 }
@@ -133,9 +142,9 @@ std::vector<Gradient> gradients(const Case& c, std::vector<std::string> keys, in
     for (const double place : kPlaces) {
       Case changed = base;
       try {
-        changed = with_number(base, key, field, *value + place * differences.back().half_width, units);
+        changed = with_number(c, key, field, *value + place * differences.back().half_width, units);
       } catch (const InputError& error) {
-        all.back().reason = error.what();
+        all.back().reason = error.faults().front().message;
       }
       cases.push_back(std::move(changed));
     }
@@ -150,6 +159,8 @@ std::vector<Gradient> gradients(const Case& c, std::vector<std::string> keys, in
         differences[i / kPlaces.size()].values[i % kPlaces.size()] = case_numbers(cases[i], {}).values;
       } catch (const ConvergenceError& error) {
         failed[i] = error.what();
+      } catch (const InputError& error) {
+        failed[i] = error.faults().front().message;
       }
     }
   });
@@ -157,7 +168,7 @@ std::vector<Gradient> gradients(const Case& c, std::vector<std::string> keys, in
     if (!failed[i].empty()) all[i / kPlaces.size()].reason = failed[i];
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].reason.empty()) conclude(differences[k], quantities, all[k]);
+    if (all[k].reason.empty()) conclude(differences[k], quantities, with_oil, all[k]);
   }
   return all;
 }

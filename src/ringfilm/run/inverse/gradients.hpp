@@ -12,7 +12,7 @@ namespace ringfilm::run {
 /// A derivative with respect to an input.
 struct Derivative {
   double value = 0;  ///< [SI of the quantity over SI of the input]
-  double error = 0;  ///< estimate, from two widths of the difference
+  double error = 0;  ///< estimate, from two widths of the difference; what is below it is not known
 };
 
 /// The derivatives of all values with respect to one input.

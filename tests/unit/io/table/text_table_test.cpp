@@ -198,6 +198,8 @@ TEST(TextTable, OneNumberALineWithADecimalComma) {
     stated.columns = columns;
     EXPECT_THAT(table_of(heights, kHeights, stated).cells, ElementsAre(1.3, 1.0672, -0.5228, 0.25)) << columns;
   }
+  stated.columns = "z [um]";
+  EXPECT_THAT(table_of("1\n1,0672\n-0,5228\n", kHeights, stated).cells, ElementsAre(1, 1.0672, -0.5228));
   stated.columns = "x [um], z [um]";
   EXPECT_THAT(table_of("1,3000\n2,0672\n", kHeights, stated).cells, ElementsAre(1, 3000, 2, 672));
   stated.columns = "z [um]";
