@@ -44,12 +44,26 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
   }
   const cycle::Case with_gas = cycle::with_gas_path(cycle::with_rails(input));
   const std::vector<cycle::Case> rings = input.is_pack() ? with_gas.rings : std::vector{with_gas};
+  std::vector<std::pair<cycle::Note, std::vector<std::string>>>
+      of_rings;  // each note once, with the rings that have it
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check.assumptions.push_back(study::assumptions(rings[i]));
-    for (cycle::Note note : cycle::advice(cycle::prepare(rings[i]))) {
-      if (input.is_pack()) note.message = fmt::format("ring {}: {}", cycle::ring_label(input, i), note.message);
-      check.notes.push_back(std::move(note));
+    for (const cycle::Note& note : cycle::advice(cycle::prepare(rings[i]))) {
+      const auto same = std::ranges::find_if(of_rings, [&](const auto& one) {
+        return one.first.topic == note.topic && one.first.message == note.message;
+      });
+      if (same == of_rings.end()) {
+        of_rings.push_back({note, {cycle::ring_label(input, i)}});
+      } else {
+        same->second.push_back(cycle::ring_label(input, i));
+      }
     }
+  }
+  for (auto& [note, labels] : of_rings) {
+    if (input.is_pack()) {
+      note.message = fmt::format("ring{} {}: {}", labels.size() > 1 ? "s" : "", joined(labels, ", "), note.message);
+    }
+    check.notes.push_back(std::move(note));
   }
   return check;
 }

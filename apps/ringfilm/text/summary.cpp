@@ -185,8 +185,8 @@ std::string counts_line(const io::ResultDocument& document) {
   return wrapped(
       words(fmt::format("{} default inputs, {} modelling assumptions, {} crank steps in {:.4g} cycles; "
                         "--all prints them, more values and all notes",
-                        n_default, document.ledger.size(), document.result.effort.crank_steps,
-                        document.result.effort.cycles_integrated)));
+                        n_default, topics.size(), steps,
+                        io::rings_of(document).front().result.effort.cycles_integrated)));
 }
 
 std::string assumption_lines(const io::ResultDocument& document) {
