@@ -77,12 +77,11 @@ class ProgramTest(unittest.TestCase):
         (self.folder / "case.toml").write_text(CASE)
 
     def run_program(self, *words, **how):
-        return subprocess.run(
-            [PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, timeout=LONGEST, **how
-        )
+        how.setdefault("timeout", LONGEST)
+        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, **how)
 
-    def run_well(self, *words):
-        done = self.run_program(*words)
+    def run_well(self, *words, **how):
+        done = self.run_program(*words, **how)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertEqual(PROGRESS.sub("", done.stderr), "")
         return done.stdout

@@ -434,6 +434,10 @@ class OtherCommands(program.ProgramTest):
         self.assert_refused(self.run_program("new", "mine.toml"), "mine.toml", "exists already")
         self.assertEqual((self.folder / "mine.toml").read_text(), text)
 
+    def test_fields_understands_words_of_data_sheets(self):
+        for word, key in (("vi", "viscosity_index"), ("kv40", "kinematic_viscosity"), ("preload", "tangential_force")):
+            self.assertRegex(self.run_well("fields", word), rf"(?m)^ +{key} ")
+
     def test_fields_lists_every_key_of_the_starting_case(self):
         table = self.run_well("fields")
         self.run_well("new", "mine.toml", "--all")

@@ -61,7 +61,7 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
   }
   for (auto& [note, labels] : of_rings) {
     if (input.is_pack()) {
-      note.message = fmt::format("ring{} {}: {}", labels.size() > 1 ? "s" : "", joined(labels, ", "), note.message);
+      note.message = fmt::format("ring{} {}: {}", labels.size() > 1 ? "s" : "", joined(labels, "; "), note.message);
     }
     check.notes.push_back(std::move(note));
   }

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -16,6 +17,7 @@
 
 #include "commands/commands.hpp"
 #include "output_names.hpp"
+#include "progress.hpp"
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
@@ -294,10 +296,17 @@ void sweep(const SweepOptions& options) {
   const std::vector<io::OutputClaim> claimed = claims(outputs_of(options));
   std::vector<Row> rows(cases.size());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].settings = combination(varied, i, form);
-  std::atomic<std::size_t> next = 0;
+  std::atomic<std::size_t> next = 0, n_done = 0;
+  std::mutex shows;
+  std::optional<ProgressLine> line(std::in_place);
   study::on_threads(std::min(study::n_threads(options.threads), static_cast<int>(rows.size())), [&](int) {
-    for (std::size_t i = next++; i < rows.size(); i = next++) compute(cases[i], rows[i]);
+    for (std::size_t i = next++; i < rows.size(); i = next++) {
+      compute(cases[i], rows[i]);
+      const std::lock_guard lock(shows);
+      line->show(fmt::format("{} of {} cases", ++n_done, rows.size()));
+    }
   });
+  line.reset();
   const std::vector<cycle::Quantity> quantities = run::value_quantities(cases.front());
   const auto n_failed = std::ranges::count_if(rows, [](const Row& row) { return row.values.empty(); });
   if (options.csv) io::write_atomically(*options.csv, csv_of(rows, quantities));

@@ -18,6 +18,7 @@
 #include "ringfilm/io/case/case_values.hpp"
 #include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/io/text/suggestion.hpp"
+#include "ringfilm/io/text/trade_terms.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -149,7 +150,12 @@ std::set<std::string> keys_of_word(std::string word, const std::set<std::string>
     return !selected.empty();
   };
   if (select([&](const std::string& key) { return key == word || key.starts_with(word + "."); })) return selected;
+  const TradeTerm* term = trade_term(word);
+  const auto by_term = [&] { return term != nullptr && select([&](const auto& key) { return key == term->key; }); };
+  constexpr std::size_t kShort = 3;  // "vi" is a part of many keys
+  if (word.size() <= kShort && by_term()) return selected;
   if (select([&](const std::string& key) { return key.find(word) != std::string::npos; })) return selected;
+  if (by_term()) return selected;
   const KeyProposal proposal = key_proposal(word, {all.begin(), all.end()});
   throw InputError("ringfilm fields " + word + ": there is no such section or key" + proposal.message,
                    proposal.remedy.empty() ? "ringfilm fields lists all keys" : proposal.remedy);

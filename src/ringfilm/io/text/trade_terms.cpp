@@ -30,6 +30,14 @@ constexpr std::string_view kGroove =
     "excess "
     "gas pressure that acts behind the ring";
 
+constexpr std::string_view kTwoViscosities =
+    "state it at its temperature: [{ temperature = \"40 degC\", value = \"70 mm2/s\" }, "
+    "{ temperature = \"100 degC\", value = \"11 mm2/s\" }]";
+constexpr std::string_view kIndex =
+    "with one value of lubricant.kinematic_viscosity at 40 or 100 degC it gives the other";
+constexpr std::string_view kHths =
+    "the viscosity at 150 degC and 1e6 1/s of the data sheet, with lubricant.shear_thinning";
+
 constexpr auto kTerms = std::to_array<TradeTerm>({
     {"closed_gap", "ring.end_gap", kEndGap},
     {"gap_closed", "ring.end_gap", kEndGap},
@@ -61,6 +69,16 @@ constexpr auto kTerms = std::to_array<TradeTerm>({
     {"napier", "ring.section_form", kSection},
     {"scraper", "ring.section_form", kSection},
     {"twist", "ring.twist", kTwist},
+    {"kv40", "lubricant.kinematic_viscosity", kTwoViscosities},
+    {"kv100", "lubricant.kinematic_viscosity", kTwoViscosities},
+    {"kv", "lubricant.kinematic_viscosity", kTwoViscosities},
+    {"vi", "lubricant.viscosity_index", kIndex},
+    {"hths", "lubricant.hths_viscosity", kHths},
+    {"sae", "lubricant.grade", ""},
+    {"rpm", "operating.speed", ""},
+    {"conrod", "engine.connecting_rod_length", ""},
+    {"con_rod", "engine.connecting_rod_length", ""},
+    {"preload", "ring.tangential_force", kTension},
     {"side_clearance", "ring.side_clearance", kGroove},
     {"groove_clearance", "ring.side_clearance", kGroove},
 });

@@ -33,6 +33,9 @@ TEST(Suggestion, EachTermOfTheTradeLeadsToAKeyOfTheCaseOrIsNotModelled) {
                            "axial_width", "radial_width", "nominal_diameter", "keystone", "tapered", "twist_angle"}) {
     EXPECT_NE(key_proposal(std::string("ring.") + term, keys).near, "") << term;
   }
+  EXPECT_EQ(key_proposal("lubricant.vi", keys).near, "lubricant.viscosity_index");
+  EXPECT_EQ(key_proposal("kv100", keys).near, "lubricant.kinematic_viscosity");
+  EXPECT_EQ(key_proposal("oil.hths", keys).near, "lubricant.hths_viscosity");
   for (const char* term : {"chamfer", "chamfers"}) {
     const KeyProposal proposal = key_proposal(std::string("ring.") + term, keys);
     EXPECT_EQ(proposal.near, "") << term;
