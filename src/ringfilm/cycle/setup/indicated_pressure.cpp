@@ -8,12 +8,13 @@
 #include "ringfilm/models/crank_slider.hpp"
 
 namespace ringfilm::cycle {
-namespace {
 
 double piston_distance(const Engine& engine, double crank_angle_deg) {
   const models::CrankSlider crank{engine.stroke / 2, engine.connecting_rod_length};
   return crank.position(crank_angle_deg * std::numbers::pi / 180) / crank.stroke();
 }
+
+namespace {
 
 /// Work over the swept volume between two angles, of a pressure that comes `later_deg` later.
 double work(const Engine& engine, const models::CyclePressure& cylinder, double from_deg, double to_deg,

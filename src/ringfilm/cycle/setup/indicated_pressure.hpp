@@ -13,6 +13,9 @@ struct IndicatedPressure {
 };
 IndicatedPressure indicated_pressure(const Engine& engine, const models::CyclePressure& cylinder);
 
+/// Distance of the piston from TDC at a crank angle [degree], in strokes.
+double piston_distance(const Engine& engine, double crank_angle_deg);
+
 /// Volume above the piston at a crank angle [degree], in strokes.
 double volume_in_strokes(const Engine& engine, double crank_angle_deg, double compression_ratio);
 

@@ -2,14 +2,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 
 #include "ringfilm/base/constants.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
+#include "ringfilm/cycle/setup/indicated_pressure.hpp"
 #include "ringfilm/cycle/setup/kinematics.hpp"
-#include "ringfilm/models/crank_slider.hpp"
 
 namespace ringfilm::cycle {
 namespace {
@@ -17,11 +16,6 @@ namespace {
 /// Around bottom dead centre after intake the piston hardly moves, and the pressure is that of the intake; assumed.
 constexpr double kBottomFromDeg = -190, kBottomToDeg = -170;
 constexpr std::size_t kMinSamples = 3;
-
-double piston_distance(const Engine& engine, double crank_angle_deg) {
-  const models::CrankSlider crank{engine.stroke / 2, engine.connecting_rod_length};
-  return crank.position(crank_angle_deg * std::numbers::pi / 180) / crank.stroke();
-}
 
 /// Samples of the cylinder's trace between two angles.
 struct Window {
@@ -60,8 +54,7 @@ double shift_to_index(const Case& c) {
   const auto n = static_cast<double>(window.pressure.size());
   double x_sum = 0, y_sum = 0, xx = 0, xy = 0;
   for (std::size_t i = 0; i < window.pressure.size(); ++i) {
-    const double volume =
-        1 / (c.gas.compression_ratio - 1) + piston_distance(c.engine, window.crank_angle_deg[i]);  // in strokes
+    const double volume = volume_in_strokes(c.engine, window.crank_angle_deg[i], c.gas.compression_ratio);
     const double x = std::pow(volume, -c.gas.polytropic_index), y = window.pressure[i];
     x_sum += x;
     y_sum += y;

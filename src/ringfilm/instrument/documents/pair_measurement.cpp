@@ -17,7 +17,7 @@ namespace ringfilm::instrument {
 namespace {
 
 /// Which filters and pixels the numbers hold for: of all maps in one, or one for each side.
-std::string measured_with(const Side& ring, const Side& liner) {
+std::string pair_measured_with(const Side& ring, const Side& liner) {
   const std::string of_ring = measured_with(ring.surfaces.front()), of_liner = measured_with(liner.surfaces.front());
   return of_ring == of_liner ? of_ring : "ring: " + of_ring + "; liner: " + of_liner;
 }
@@ -188,7 +188,7 @@ io::Measurement pair_measurement(const std::vector<SurfaceFile>& ring_files,
     if (samples < kEnoughForScatter) all.notes.push_back(few_samples_note(samples));
   }
 
-  const std::string rule = measured_with(ring, liner);
+  const std::string rule = pair_measured_with(ring, liner);
   all.groups.push_back(pair_group(scatter, rule, rule + "; " + surface_sigma_text(analysis.sigma_rule)));
   io::PairOfSurfaces pair = pair_for_case(ring, liner, analysis, scatter, flat);
   if (pair.plateau) all.groups.push_back(plateau_group(*pair.plateau, rule));

@@ -18,7 +18,7 @@ namespace ringfilm::instrument {
 namespace {
 
 constexpr char kEndOfSection = '\x03';
-constexpr std::size_t kMaxHeader = 4096;
+constexpr std::size_t kMaxSmdHeader = 4096;
 constexpr std::uint64_t kModulus = 65535;
 
 /// A line without the NUL that end its words.
@@ -170,7 +170,7 @@ class SmdText {
 }  // namespace
 
 bool is_smd(const std::string& bytes) {
-  const std::string_view head = std::string_view(bytes).substr(0, kMaxHeader);
+  const std::string_view head = std::string_view(bytes).substr(0, kMaxSmdHeader);
   const std::size_t end = head.find(kEndOfSection);
   if (end == std::string_view::npos) return false;
   const std::size_t feature = head.find('\n'), axis = head.find("\nCX");
