@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
@@ -82,22 +82,32 @@ std::string short_text(const io::ResultDocument& document, const cycle::Case& in
   return text;
 }
 
-/// Values of a case against its numbers: a per cent for one of the input, for a temperature of a kelvin.
-std::string gradient_table(const std::vector<run::Gradient>& gradients, const std::vector<double>& values,
-                           const std::vector<cycle::Quantity>& shown) {
-  const auto relative = [&](const run::Gradient& one, std::size_t k) {
-    const bool is_temperature = cycle::ring_key(one.key) ? cycle::find_field(cycle::ring_key(one.key)->key)->unit == "K"
-                                                         : cycle::find_field(one.key)->unit == "K";
-    const auto found = one.derivatives.find(shown[k].name);
-    const double scale = (is_temperature ? 100 : one.at) / values[k];
-    return found == one.derivatives.end()
-               ? run::Derivative{}
-               : run::Derivative{found->second.value * scale, std::abs(found->second.error * scale)};
+/// What is printed of gradients: of a ring or pack, else of a pad.
+std::vector<cycle::Quantity> shown_gradients(const cycle::Case& input) {
+  std::vector<cycle::Quantity> shown = run::value_quantities(input);
+  std::erase_if(shown, [](const cycle::Quantity& quantity) {
+    constexpr std::array kNames = {"fmep", "min_film_thickness", "load", "friction_moving"};
+    return std::ranges::find(kNames, quantity.name) == kNames.end();
+  });
+  return shown;
+}
+
+/// Values of a case against its numbers: per cent for one of the input, for a temperature for a kelvin.
+std::string gradient_table(const cycle::Case& input, const std::vector<run::Gradient>& gradients) {
+  const std::vector<cycle::Quantity> shown = shown_gradients(input);
+  const auto relative = [](const run::Gradient& one, const cycle::Quantity& quantity) {
+    const auto found = one.derivatives.find(quantity.name);
+    if (found == one.derivatives.end() || found->second.around == 0) return run::Derivative{};
+    const auto ring = cycle::ring_key(one.key);
+    const bool is_temperature = cycle::find_field(ring ? ring->key : one.key)->unit == "K";
+    const double scale = (is_temperature ? 100 : one.at) / found->second.around;
+    return run::Derivative{found->second.value * scale, std::abs(found->second.error * scale)};
   };
   std::vector<const run::Gradient*> order;
   for (const run::Gradient& one : gradients) order.push_back(&one);
+  if (shown.empty() || order.empty()) return "";
   std::ranges::stable_sort(order, std::greater(),
-                           [&](const run::Gradient* one) { return std::abs(relative(*one, 0).value); });
+                           [&](const run::Gradient* one) { return std::abs(relative(*one, shown.front()).value); });
   std::string text = fmt::format("\n{:<44}", "per cent for 1 % of an input, or 1 K");
   for (const cycle::Quantity& quantity : shown) text += fmt::format("{:>26}", quantity.long_name.substr(0, 24));
   text += "\n";
@@ -105,29 +115,14 @@ std::string gradient_table(const std::vector<run::Gradient>& gradients, const st
     text += fmt::format("{:<44}", one->key);
     if (!one->reason.empty()) text += "  not computed: " + one->reason;
     for (std::size_t k = 0; one->reason.empty() && k < shown.size(); ++k) {
-      const run::Derivative of = relative(*one, k);
-      text += of.error > std::abs(of.value)
-                  ? fmt::format("{:>26}", fmt::format("within {:.1g}", of.error))
-                  : fmt::format("{:>26}", fmt::format("{:.3g} +- {:.1g}", of.value, of.error));
+      const run::Derivative of = relative(*one, shown[k]);
+      const std::string cell = of.error > std::abs(of.value) ? fmt::format("within {:.1g}", of.error)
+                                                             : fmt::format("{:.3g} +- {:.1g}", of.value, of.error);
+      text += fmt::format("{:>26}", cell);
     }
     text += "\n";
   }
   return text;
-}
-
-/// The table of the values that decide, as far as the case has them.
-std::string gradient_text(const cycle::Case& input, const std::vector<run::Gradient>& gradients) {
-  const std::map<std::string, double> values = run::case_numbers(input, {}).values;
-  const std::vector<cycle::Quantity> all = run::value_quantities(input);
-  std::vector<cycle::Quantity> shown;
-  std::vector<double> at;
-  for (const char* name : {"fmep", "min_film_thickness", "load", "friction_moving"}) {
-    const auto found = std::ranges::find(all, name, &cycle::Quantity::name);
-    if (found == all.end() || !values.contains(name) || values.at(name) == 0) continue;
-    shown.push_back(*found);
-    at.push_back(values.at(name));
-  }
-  return shown.empty() || gradients.empty() ? "" : gradient_table(gradients, at, shown);
 }
 
 /// The JSON of a result with `gradients` and `gradient_errors`, by quantity and key.
@@ -199,7 +194,7 @@ void run(const RunOptions& options) {
     std::cout << (differentiates ? with_gradients(outputs.json(), gradients()) : outputs.json());
   } else if (is_shown) {
     std::cout << outputs.text() << std::flush;
-    if (differentiates) std::cout << gradient_text(input, gradients());
+    if (differentiates) std::cout << gradient_table(input, gradients());
     if (is_worth_writing) print_written(outputs_of(options));
   }
   if (!done.stopped) return;

@@ -98,9 +98,8 @@ void conclude(const Difference& difference, const std::vector<cycle::Quantity>& 
                  wide = (at[3] - at[0]) / (4 * difference.half_width);
     if (!std::isfinite(narrow) || !std::isfinite(wide)) continue;
     // Extrapolation would magnify the scatter of the oil that settles.
-    gradient.derivatives[quantity.name] = with_oil
-                                              ? Derivative{wide, std::abs(narrow - wide)}
-                                              : Derivative{narrow + (narrow - wide) / 3, std::abs(narrow - wide) / 3};
+    const double step = with_oil ? wide - narrow : (narrow - wide) / 3;
+    gradient.derivatives[quantity.name] = {narrow + step, std::abs(step), (at[1] + at[2]) / 2};
   }
 }
 

@@ -11,8 +11,9 @@ namespace ringfilm::run {
 
 /// A derivative with respect to an input.
 struct Derivative {
-  double value = 0;  ///< [SI of the quantity over SI of the input]
-  double error = 0;  ///< estimate, from two widths of the difference; what is below it is not known
+  double value = 0;   ///< [SI of the quantity over SI of the input]
+  double error = 0;   ///< estimate, from two widths of the difference; what is below it is not known
+  double around = 0;  ///< the value between the inputs of the narrower width [SI]
 };
 
 /// The derivatives of all values with respect to one input.
