@@ -9,12 +9,11 @@
 #include <set>
 #include <utility>
 
-#include "command_options.hpp"
+#include "commands/commands.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/number_text.hpp"
 #include "ringfilm/base/trimmed.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
-#include "ringfilm/io/text/toml_tree.hpp"
 
 namespace ringfilm::app {
 namespace {

@@ -377,9 +377,8 @@ Source: docs/theory/film.md. The same case gives the same bits as `ringfilm run`
 
 keys: numbers of the case, such as "ring.face_width"; without them all that it states. Four runs each, on fixed crank
     steps. threads: 1 to 1024; None: as many as the machine runs at once.
-Keys for which a run has no solution are absent, with a UserWarning. Raises InputError for a key whose value is not a
-number. Source:
-docs/theory/error-estimate.md, eq-gradient.)");
+Keys for which a run has no solution are absent, with a UserWarning.
+Raises InputError for a key whose value is not a number. Source: docs/theory/error-estimate.md, eq-gradient.)");
   type.def(
       "resolved", [](const CaseObject& self) { return io::resolved_case(self.value()); },
       "The case as a complete case file in SI, which gives the same bits again.");

@@ -44,8 +44,7 @@ io::CaseCheck checked(const cycle::Case& input, const std::string& path) {
   }
   const cycle::Case with_gas = cycle::with_gas_path(cycle::with_rails(input));
   const std::vector<cycle::Case> rings = input.is_pack() ? with_gas.rings : std::vector{with_gas};
-  std::vector<std::pair<cycle::Note, std::vector<std::string>>>
-      of_rings;  // each note once, with the rings that have it
+  std::vector<std::pair<cycle::Note, std::vector<std::string>>> of_rings;  // each note once, and who has it
   for (std::size_t i = 0; i < rings.size(); ++i) {
     check.assumptions.push_back(study::assumptions(rings[i]));
     for (const cycle::Note& note : cycle::advice(cycle::prepare(rings[i]))) {

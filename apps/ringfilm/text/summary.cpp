@@ -182,11 +182,10 @@ std::string counts_line(const io::ResultDocument& document) {
     for (const study::LedgerEntry& entry : ring.ledger) topics.insert(entry.topic);
     steps += ring.result.effort.crank_steps;
   }
-  return wrapped(
-      words(fmt::format("{} default inputs, {} modelling assumptions, {} crank steps in {:.4g} cycles; "
-                        "--all prints them, more values and all notes",
-                        n_default, topics.size(), steps,
-                        io::rings_of(document).front().result.effort.cycles_integrated)));
+  return wrapped(words(
+      fmt::format("{} default inputs, {} modelling assumptions, {} crank steps in {:.4g} cycles; "
+                  "--all prints them, more values and all notes",
+                  n_default, topics.size(), steps, io::rings_of(document).front().result.effort.cycles_integrated)));
 }
 
 std::string assumption_lines(const io::ResultDocument& document) {
