@@ -67,7 +67,7 @@ SECTIONS = [
         ],
     ),
     ("Tutorials", ["docs/tutorials/README", "docs/tutorials/reproduce-the-paper", "docs/tutorials/*"]),
-    ("From programs", ["python", "matlab", "library", "examples/*/README", "result-file"]),
+    ("From programs", ["python", "matlab", "library", "examples/README", "result-file"]),
     (
         "Reference",
         [

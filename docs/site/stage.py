@@ -29,7 +29,7 @@ def pages_of(root):
         "docs/**/*.md",
         "verification/*/README.md",
         "cases/measured/README.md",
-        "examples/*/README.md",
+        "examples/README.md",
         "CONTRIBUTING.md",
         "CHANGELOG.md",
     ]

@@ -16,6 +16,21 @@ CMAKE = os.environ.get("CMAKE", "cmake")
 # The installed program and library alone are to be found: nothing of the checkout.
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name not in ("RINGFILM_DATA", "XDG_DATA_DIRS")}
 
+STUDY = """
+kind = "compare"
+base = [{{ name = "new", case = "{case}" }}]
+factor = [{{ key = "operating.speed", values = ["1000 rpm", "2000 rpm"] }}]
+plan = {{ method = "grid" }}
+"""
+
+AS_ONE = """
+cmake_minimum_required(VERSION 3.25)
+project(as_one LANGUAGES CXX)
+find_package(ringfilm 0.1 REQUIRED)
+add_executable(as_one as_one.cpp)
+target_link_libraries(as_one PRIVATE ringfilm::ringfilm)
+"""
+
 
 class TheInstalledPackage(unittest.TestCase):
     @classmethod
@@ -122,6 +137,56 @@ class TheInstalledPackage(unittest.TestCase):
         )
         self.assertIn("20 scenarios, 0 not solved", reported)
         self.assertIn("scenario 18:", reported)
+
+    def test_the_other_examples(self):
+        folders = SOURCES / "examples" / "cpp"
+        cases = self.prefix / "share" / "ringfilm" / "cases"
+        (self.folder / "study.toml").write_text(STUDY.format(case=self.case))
+        arguments = {
+            "assumptions": [self.case],
+            "gas": [cases / "ring-pack" / "two_rings.toml"],
+            "life": [cases / "life" / "styles2014.toml"],
+            "pack": [cases / "ring-pack" / "three_rings.toml"],
+            "study": ["study.toml"],
+            "surface": [cases / "measured" / "ring_new.x3p", cases / "measured" / "liner.sur"],
+            "sweep": [self.case],
+        }
+        self.assertEqual({folder.name for folder in folders.iterdir()}, {"batch", "one_cycle", "own_oil", *arguments})
+        project = (folders / "one_cycle" / "CMakeLists.txt").read_text()
+        for name in arguments:
+            with self.subTest(name):
+                expected = project.replace("one_cycle", name)
+                self.assertEqual((folders / name / "CMakeLists.txt").read_text(), expected)
+        program = self.built_as_one([folders / name / f"{name}.cpp" for name in arguments])
+        env = {**ENVIRONMENT, "RINGFILM_DATA": str(self.prefix / "share" / "ringfilm")}
+        for name, words in arguments.items():
+            with self.subTest(name):
+                self.assertRegex(self.done(program, name, *words, env=env), r"\d (kPa|MPa|bar)\b")
+
+    def built_as_one(self, sources):
+        """A program whose first argument names the example. The headers of the library are compiled once for all."""
+        folder = self.folder / "as_one"
+        folder.mkdir()
+        lines = [line for source in sources for line in source.read_text().splitlines()]
+        text = sorted({line for line in lines if line.startswith("#include <")} | {"#include <string_view>"})
+        text += ['#include "ringfilm/ringfilm.hpp"']
+        for source in sources:  # each in a namespace of its own: all of them have a function main
+            text += [
+                f"namespace example_{source.stem} {{",
+                "#define main run",
+                f'#include "{source}"',
+                "#undef main",
+                "}",
+            ]
+        text += ["int main(int argc, char** argv) {", '  const std::string_view name = argc > 1 ? argv[1] : "";']
+        for name in (source.stem for source in sources):
+            text += [f'  if (name == "{name}") return example_{name}::run(argc - 1, argv + 1);']
+        (folder / "as_one.cpp").write_text("\n".join([*text, "  return 2;", "}", ""]))
+        (folder / "CMakeLists.txt").write_text(AS_ONE)
+        build = folder / "build"
+        self.done(CMAKE, "-S", folder, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        self.done(CMAKE, "--build", build)
+        return build / "as_one"
 
     def test_by_pkg_config(self):
         if shutil.which("pkg-config") is None:
