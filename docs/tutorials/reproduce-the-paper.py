@@ -16,7 +16,7 @@ cases = {life: ringfilm.Case.read(f"cases/styles2014/{life}.toml") for life in l
 results = {life: case.run() for life, case in cases.items()}
 
 # %% [markdown]
-# The measurements changed asperities, boundary shear strength and the shape of the face:
+# Wear changed asperities, boundary shear strength and the shape of the face:
 
 # %%
 keys = [
