@@ -1,9 +1,9 @@
 # %% [markdown]
 # # Choose a crown
 #
-# The face of a ring is crowned so that oil is drawn under it in both directions. Too flat, and no wedge forms; too round, and the film has no length that carries. Where between is best, and for what?
+# A crowned face draws oil under the ring in both directions. A flat face forms no wedge; in a round one little length carries. Which crown is best?
 #
-# **The case** is that of `ringfilm new`: a passenger-car engine at 1500 rpm with typical numbers, a cylinder pressure from a Wiebe model (COMPUTED, not measured), and a parabolic face whose crown height we vary. Unlike there, the inlet is flooded with oil (`film.supply`): the oil flow is an upper bound.
+# **The case** is that of `ringfilm new` at 1500 rpm: cylinder pressure from a Wiebe model (COMPUTED), parabolic face. Unlike there, the inlet is flooded (`film.supply`): the oil flow is an upper bound.
 
 # %%
 import pathlib
@@ -59,7 +59,7 @@ panels[-1].set_xlabel("crown height [um]")
 plt.show()
 
 # %% [markdown]
-# *Friction mean effective pressure, thinnest film and oil flow over the height of the crown, at two speeds. Friction has a minimum, at a higher crown the faster the engine. The thinnest film falls with the crown throughout.*
+# *FMEP, thinnest film and oil flow over the crown height. Friction has a minimum, at a higher crown for a higher speed. The thinnest film falls throughout.*
 
 # %%
 for speed, batch in batches.items():
@@ -71,6 +71,6 @@ for speed, batch in batches.items():
     )
 
 # %% [markdown]
-# The film is thinnest just after firing TDC, where the ring hardly moves and lives on what the squeeze leaves: a flat face is hard to squeeze out. Friction is lost over the whole of the power stroke, and there a wedge helps. So friction has an optimum, and it grows with the speed. It is broad: a crown of 3 µm costs some 4 % at both speeds, and a crown changes with wear anyway. Weigh it over the operating points that matter, with a [study](../manual/study.md).
+# The film is thinnest just after firing TDC, where only squeeze carries: a flat face is hard to squeeze out. Over the power stroke a wedge helps. The minimum of friction is broad: a crown of 3 µm costs some 4 % at both speeds. Weigh operating points with a [study](../manual/study.md).
 #
-# What this page omits counts here: edges that starve, which the case follows without that line, a ring that twists, a bore that is not straight. With the supply of the case the friction near TDC, where little oil is left, prevails: 4.00, 3.97 and 3.58 kPa at crowns of 2, 6 and 15 µm. Take from this page the trend, not the micrometre.
+# Starvation, twist and bore distortion are omitted. With the supply of the case friction near TDC prevails: 4.00, 3.97 and 3.58 kPa at crowns of 2, 6 and 15 µm. Take from this page the trend, not the micrometre.

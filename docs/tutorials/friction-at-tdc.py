@@ -1,9 +1,9 @@
 # %% [markdown]
 # # What moves the friction coefficient at TDC?
 #
-# At firing top dead centre (TDC) the ring is at rest for an instant, the gas presses it hard, and the film has only what the squeeze leaves. The friction coefficient $\mu=f_t/W$ there decides how much the ring wears near the top of the stroke. Which input moves it most?
+# At firing top dead centre (TDC) the ring rests under high gas pressure, with little film left. The friction coefficient $\mu=f_t/W$ there decides the wear near the top of the stroke. Which input changes it most?
 #
-# **The case:** the new ring of styles2014, 1500 rpm, 120 °C. Its cylinder pressure is SYNTHETIC. **The ranges** below are ASSUMED: what a careful laboratory might leave open in each input, not what somebody measured.
+# **The case:** the new ring of styles2014, 1500 rpm, 120 °C. Its cylinder pressure is SYNTHETIC. **The ranges** below are ASSUMED, not measured.
 
 # %%
 import matplotlib.pyplot as plt
@@ -34,7 +34,7 @@ batch = ringfilm.simulate_many(cases)
 assert not batch.unsolved, batch.unsolved
 
 # %% [markdown]
-# All cases were computed side by side. Now the friction coefficient at 0 degrees, and its highest value within 60 degrees of firing TDC.
+# The friction coefficient at 0 degrees, and its highest value near firing TDC:
 
 # %%
 at_tdc = np.array([result["friction_coefficient"][np.argmin(np.abs(result.crank_angle))] for result in batch])
@@ -64,9 +64,9 @@ panels[1].legend(fontsize=8, loc="lower right")
 plt.show()
 
 # %% [markdown]
-# *Friction coefficient of the new ring when one input at a time goes to the lowest and the highest value of its range. The line is the unchanged case.*
+# *Friction coefficient with the lowest and the highest value of each input. The line is the unchanged case.*
 #
-# One input has by far the largest effect. The reason is what carries the load at TDC:
+# One input has by far the largest effect. The load that asperities carry explains it:
 
 # %%
 at = np.argmin(np.abs(batch[0].crank_angle))
@@ -77,9 +77,9 @@ print(f"  carried by the film   {100 * now.hydrodynamic_load[at] / now.applied_l
 print(f"friction of asperities {now.boundary_friction[at]:.1f} N, of the oil {now.viscous_friction[at]:.2f} N")
 
 # %% [markdown]
-# The ring is at rest, so the film makes hardly any pressure of its own: it passes on that of the gas at its edges, and that carries about half of the load. The asperities carry the rest, *whatever* their number, size and height. Rougher surfaces are further apart; nothing else changes. The shear strength therefore goes through one to one, and the tension matters because it is load that no gas holds up.
+# A film at rest passes on the pressure of the gas, which carries about half of the load. The asperities carry the rest, *whatever* their number, size and height. The shear strength therefore acts one to one, and the tension because no gas carries it.
 #
-# Away from TDC it is different: there roughness and oil decide how much the film carries ([a friction band](friction-band.md)).
+# Away from TDC roughness and oil decide how much the film carries ([a friction band](friction-band.md)).
 
 # The coefficient at TDC, with the lowest and the highest value of each input:
 
@@ -89,4 +89,4 @@ for i in order[::-1]:
 print(f"{'unchanged':32s} {at_tdc[0]:.4f}")
 
 # %% [markdown]
-# A one-at-a-time sensitivity does not show how inputs act together. For that there are Sobol indices: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.
+# Sobol indices show how inputs act together: a [study](../manual/study.md) with `indices = "first-and-total"`, as `cases/studies/new_ring_uncertainty.toml`.

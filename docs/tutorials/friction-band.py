@@ -1,9 +1,9 @@
 # %% [markdown]
 # # From two scans to a friction band
 #
-# One pair of height maps gives one density, radius and height of asperities. But another place on the same ring would have given others. How far does that scatter reach into the friction of the cycle?
+# Two height maps give one density, radius and height of asperities; another place gives others. How far does this scatter change friction?
 #
-# **The maps are SYNTHETIC**, made with the statistics of the paper's new ring: they demonstrate the method, and their numbers describe no real ring. The cylinder pressure is SYNTHETIC, too.
+# **The maps are SYNTHETIC**, made with the statistics of the paper's new ring; their numbers describe no real ring. The cylinder pressure is SYNTHETIC, too.
 
 # %%
 import matplotlib.pyplot as plt
@@ -22,10 +22,10 @@ figure.colorbar(picture, ax=panels, label="height above the mean plane [um]", ex
 plt.show()
 
 # %% [markdown]
-# *The two synthetic maps with their tilt removed. The colours end at ±1.5 um; white points were not measured.*
+# *The two synthetic maps with their tilt removed. White points were not measured.*
 #
 # ## N, beta and sigma of sixteen places
-# Both maps are levelled and filtered as a whole, between cut-offs of 1 and 80 um. Then each is cut into 4 x 4 parts, and each part is a sample of its own.
+# Both maps are levelled and filtered between cut-offs of 1 and 80 um. Then each is cut into 4 x 4 parts; each part is a sample.
 
 
 # %%
@@ -50,7 +50,7 @@ print("correlations of their logarithms (N, beta, sigma):")
 print(np.corrcoef(np.log(samples.T)).round(2))
 
 # %% [markdown]
-# The three are not independent. So they are drawn together, as a lognormal distribution with this covariance, and the cycle is computed for each draw.
+# The three are correlated. So they are drawn together, as a lognormal distribution with this covariance.
 
 # %%
 random = np.random.default_rng(2014)
@@ -90,6 +90,6 @@ print(
 )
 
 # %% [markdown]
-# *Total friction of the new ring over the cycle, with the scatter of N, beta and sigma between sixteen places of the two maps. Each angle has its own quantiles.*
+# *Total friction with the scatter between sixteen places of the maps. Each angle has its own quantiles.*
 #
-# That is the scatter of single places of a quarter of a map. What a whole ring feels is nearer to their mean, and the band of that is narrower; on the other hand shear strength, tension and oil temperature scatter, too, and regions of one map that share long waves are not independent. `ringfilm pair --fragment` writes mean, deviations and correlations into a case, and [a study](../manual/study.md) with `[[measured]]` takes them over with the errors of the calibration: `cases/studies/life_states_measured.toml`.
+# A whole ring is nearer to the mean of the places, with a narrower band; on the other hand shear strength, tension and oil temperature scatter, too. `ringfilm pair --fragment` writes mean, deviations and correlations into a case, which [a study](../manual/study.md) with `[[measured]]` uses: `cases/studies/life_states_measured.toml`.

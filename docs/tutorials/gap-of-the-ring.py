@@ -1,9 +1,9 @@
 # %% [markdown]
 # # The end gap of the ring
 #
-# A cycle usually takes the film to be alike all around the bore. The ring has an end gap, though, where oil can leave at its ends. Does that change friction and film?
+# A cycle usually takes the film to be alike all around. Do the ends of the ring at its gap change friction and film?
 #
-# **The case:** the new ring of styles2014 (SYNTHETIC cylinder pressure) with an end gap of 0.3 mm, ASSUMED. The film is computed on the whole ring, cut open at its end gap and laid flat. The grid is coarse here, so that the page is made quickly. No gas blows through the end gap in this model.
+# **The case:** the new ring of styles2014 (SYNTHETIC cylinder pressure) with an end gap of 0.3 mm, ASSUMED. The film of the whole ring is unrolled, on a coarse grid. No gas blows through the end gap in this model.
 
 # %%
 import matplotlib.pyplot as plt
@@ -26,7 +26,7 @@ whole = case.run()
 
 # %% [markdown]
 # ## The pressure of the film near the end gap
-# At 20 degrees after firing TDC, where the gas presses most. The ring is some 200 times as long as its face is wide, so only the last 3 mm before one end are drawn.
+# The last 3 mm before one end, at 20 degrees after firing TDC:
 
 # %%
 data = whole.to_xarray().isel(field_crank_angle=0)
@@ -41,7 +41,7 @@ figure.colorbar(mesh, label="film pressure [bar]")
 plt.show()
 
 # %% [markdown]
-# *Film pressure at 20 degrees, 0 to 3 mm from the end of the ring, chamber edge on top. At the end itself the pressure is set to the mean of chamber and crankcase; half a millimetre further on the film does not change.*
+# *Film pressure near the end of the ring, chamber edge on top. At the end it is set to the mean of chamber and crankcase; half a millimetre further on the film does not change.*
 #
 # ## What the end does to the whole
 
@@ -70,6 +70,6 @@ axes.set_xticks(range(-360, 361, 90))
 plt.show()
 
 # %% [markdown]
-# *Oil that leaves the film through both ends into the end gap; negative where it comes in. On this coarse grid it shows the course, not the amount.*
+# *Oil that leaves the film through both ends into the end gap; negative where it enters. The coarse grid shows the course, not the amount.*
 #
-# For friction and film of a ring in a round bore, take the film alike all around: the difference is that of the missing length. The leakage has no limit in the cells, because the pressure jumps in the corners ([why](../manual/unrolled.md)): it shows that the boundary condition, not the film, decides how much oil enters the end gap.
+# For friction and film of a ring in a round bore, take the film alike all around. The leakage does not converge with the cells, because the pressure jumps in the corners ([why](../manual/unrolled.md)).

@@ -1,9 +1,9 @@
 # %% [markdown]
 # # Reproduce the paper
 #
-# Styles, Rahmani, Rahnejat and Fitzsimons (styles2014) measured a compression ring when new, run-in and fully worn ("embedded"), and computed its friction over an engine cycle at 1500 rpm and 120 °C. Here are the same three rings.
+# The paper (styles2014) measured a compression ring when new, run-in and fully worn ("embedded"), and computed its friction over a cycle at 1500 rpm and 120 °C.
 #
-# **What is not the paper's:** its cylinder pressure is printed as a picture only. The one used here is SYNTHETIC, with the same peak of 62 bar. Modulus and ring tension are not stated there and are assumed; each choice is [argued](../theory/paper-errata.md).
+# **Not the paper's:** the cylinder pressure is SYNTHETIC, with the same peak of 62 bar. Modulus and ring tension are assumed ([reasons](../theory/paper-errata.md)).
 
 # %%
 import matplotlib.pyplot as plt
@@ -16,7 +16,7 @@ cases = {life: ringfilm.Case.read(f"cases/styles2014/{life}.toml") for life in l
 results = {life: case.run() for life, case in cases.items()}
 
 # %% [markdown]
-# What the three measurements changed: density, radius and height of the asperities, and the coefficient of boundary shear strength from lateral force microscopy. The shape of the face changed with wear, too.
+# Wear changed asperities, boundary shear strength and the shape of the face:
 
 # %%
 keys = [
@@ -56,10 +56,10 @@ film.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1))
 plt.show()
 
 # %% [markdown]
-# *Minimum film thickness and total friction of the three rings over one cycle. All three films are thinnest about 20 degrees after firing TDC, where the gas presses the ring hardest, and friction peaks there. As the coating wears in, that peak falls: the shear strength falls, and the asperities with it.*
+# *Minimum film thickness and total friction over one cycle. All three films are thinnest about 20 degrees after firing TDC, where friction peaks. As the coating wears in, that peak falls.*
 #
 # ## The numbers beside those of the paper
-# The paper gives the lambda ratio $\lambda=h_m/\sigma$ of the new ring at peak pressure as 1.41, and the highest friction coefficient near firing TDC as 0.17.
+# The paper gives the new ring $\lambda=h_m/\sigma$ of 1.41 at peak pressure, and a friction coefficient of up to 0.17.
 
 # %%
 table = pandas.DataFrame(
@@ -78,4 +78,4 @@ table.insert(0, "paper, new", [1.41, 0.17, 1.41 * 0.48, np.nan, np.nan])
 table.round(3)
 
 # %% [markdown]
-# The lambda ratio is 9 % below the published one, the friction coefficient 9 % above. An effective modulus near 190 GPa, which the paper does not state, would meet it. `ringfilm reproduce styles2014` makes the whole comparison, with every statement of the paper and what decides it.
+# The lambda ratio is 9 % below the published one, the friction coefficient 9 % above. An effective modulus near 190 GPa, which the paper does not state, would meet it. `ringfilm reproduce styles2014` makes the whole comparison.

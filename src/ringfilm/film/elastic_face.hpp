@@ -7,7 +7,7 @@
 namespace ringfilm::film {
 
 /// Face and liner that give way locally to the pressure between them, as half-spaces in plane strain
-/// (docs/theory/film.md, eq-local-deformation).
+/// (docs/theory/ring.md, eq-local-deformation).
 class ElasticFace {
  public:
   /// @param grid with the heights of the face without load @param E_prime of 2/E' = sum (1 - nu^2)/E [Pa]

@@ -76,8 +76,8 @@ cycle::Case case_of(const io::Measurement& pair) {
 }
 
 /// Compares the law of the plateau with that of the maps, at separations of so many composite roughnesses above the
-/// plateau. Over seeds and relative positions the ratio is 0.8 to 1.2 there (docs/theory/contact.md, the table of the
-/// plateau): a map of (200 um)^2 has some thousand summits.
+/// plateau. Over seeds and relative positions the ratio is 0.8 to 1.2 there (docs/theory/contact.md#plateau-validity):
+/// a map of (200 um)^2 has some thousand summits.
 void expect_law_of_maps(const io::Measurement& pair, const SurfaceFile& ring, const SurfaceFile& liner,
                         surface::MapEdges edges, const std::vector<double>& places) {
   const cycle::Case c = case_of(pair);

@@ -5,7 +5,7 @@
 
 /// One iteration of the coupled Newton method for the films in all lanes of a block, in one pass up the face (oil,
 /// fluxes, balance and elimination together, no matrix is stored) and one down (solution and update).
-/// docs/theory/film.md, "Newton's method on all of it".
+/// docs/theory/film.md, "Newton's method on film and separation".
 namespace ringfilm::film {
 
 inline constexpr double kMaxFall = -0.916290731874155;  // ln 0.4: trust region in ln h_m
