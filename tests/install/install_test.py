@@ -26,7 +26,7 @@ plan = {{ method = "grid" }}
 AS_ONE = """
 cmake_minimum_required(VERSION 3.25)
 project(as_one LANGUAGES CXX)
-find_package(ringfilm 0.1 REQUIRED)
+find_package(ringfilm 0.2 REQUIRED)
 add_executable(as_one as_one.cpp)
 target_link_libraries(as_one PRIVATE ringfilm::ringfilm)
 """

@@ -9,7 +9,7 @@ struct RenamedName {
   std::string_view kind;             ///< key, choice, command, option, json, csv or netcdf
   std::string_view before;           ///< name in earlier versions
   std::string_view now;              ///< present name
-  std::string_view since = "0.1.0";  ///< version that renamed it
+  std::string_view since = "0.2.0";  ///< version that renamed it
 };
 
 /// docs/renamed.csv is this table; a test compares the two.

@@ -188,7 +188,7 @@ io::ResultDocument document(const std::string& title, double friction) {
   d.files = {{"case", "/somewhere/cases/styles2014/new.toml", std::string(64, 'a')},
              {"gas.cylinder_pressure", "cylinder_pressure.csv", std::string(64, '7')}};
   d.input_notes = {"the density at 120 degree Celsius is extrapolated"};
-  d.provenance = {"ringfilm 0.1.0", "0123456789ab", "GNU 12.2.0, Release", "avx2, 1 lane"};
+  d.provenance = {"ringfilm 0.2.0", "0123456789ab", "GNU 12.2.0, Release", "avx2, 1 lane"};
   for (int k = 0; k < 720; ++k) d.result.samples.push_back(sample(k, friction));
   d.result.values = values(friction);
   d.result.fields = fields();

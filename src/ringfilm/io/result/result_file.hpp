@@ -19,7 +19,7 @@ namespace ringfilm::io {
 
 /// What computed the result.
 struct Provenance {
-  std::string program;   ///< "ringfilm 0.1.0"
+  std::string program;   ///< "ringfilm 0.2.0"
   std::string commit;    ///< commit of the sources, "unknown" outside a checkout
   std::string compiler;  ///< name, version, build type
   std::string kernels;   ///< inner loops that found the films, and how many at once: "avx512, 1 lane"; of a run alone
