@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "ringfilm/base/error.hpp"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr int kMinCells = 12;           // number on the coarsest grid in each direction
 constexpr int kMaxNodes = 2'000'000;    // as of a pad
-constexpr int kLandHalvings = 6;        // halvings of the speed from which a film is reached that was not found at once
+constexpr int kMaxGaps = 60;            // that are tried on the way to a gap
+constexpr double kClosest = 0.99;       // ratio of two gaps between which no other one is tried
 constexpr double kLandDensity = 850;    // without influence: flows are reported as volumes [kg/m3]
 constexpr double kAcrossOverWidth = 2;  // length of a patch across the motion over the width of the land (assumed)
 constexpr double kSame = 1e-9;          // lengths that differ by less of themselves are the same
@@ -96,28 +98,30 @@ class Patch {
 
   double highest() const { return highest_; }
 
+  /// The film at a separation, from that of the separation before where there was one: states fall from call to call.
   LandFilmPoint point(double separation) {
     const double h_m = separation - highest_;
     LandFilmPoint of;
     of.separation = separation;
     of.lowest_gap = h_m;
     of.mean_gap = h_m + mean_;
-    std::optional<film::FilmState> state;
     double coarse_lift = std::nan(""), slow_lift = std::nan("");
-    for (std::size_t k = 0; k < levels_.size(); ++k) {
-      const Level& level = levels_[k];
-      film::FilmState next = state ? refined(levels_[k - 1], *state, level) : full(level, h_m);
-      const film::FilmReport report = solve(level, next);
-      of.iterations = report.iterations;
-      state = next;
+    const std::size_t n = levels_.size(), first = films_.empty() || n < 2 ? 0 : n - 2;
+    films_.resize(n);
+    for (std::size_t k = first; k < n; ++k) {
+      std::optional<film::FilmState>& film = films_[k];
+      film::FilmState guess = film    ? *film
+                              : k > 0 ? refined(levels_[k - 1], *films_[k - 1], levels_[k])
+                                      : full(levels_[k], h_m);
+      film = closed_in(levels_[k], std::move(guess), h_m, of.iterations);
       // The influence of the speed is that on the grid before the finest, at a fraction of the cost.
-      if (k + 2 != levels_.size() && !(k == 0 && levels_.size() == 1)) continue;
-      coarse_lift = lift(level, next);
-      film::FilmState slow = next;
-      const film::FilmReport slower = film::solve_steady_film2d(level.problem, inputs(0.5 * land_.speed), slow);
-      if (slower.converged) slow_lift = lift(level, slow);
+      if (k + 2 != n && n > 1) continue;
+      coarse_lift = lift(levels_[k], *film);
+      film::FilmState slow = *film;
+      const film::FilmReport slower = film::solve_steady_film2d(levels_[k].problem, inputs(0.5 * land_.speed), slow);
+      if (slower.converged) slow_lift = lift(levels_[k], slow);
     }
-    add_integrals(*state, of);
+    add_integrals(*films_.back(), of);
     of.speed_exponent = coarse_lift > 0 && slow_lift > 0 ? std::log2(coarse_lift / slow_lift)
                                                          : std::numeric_limits<double>::quiet_NaN();
     return of;
@@ -156,18 +160,33 @@ class Patch {
     return state;
   }
 
-  film::FilmReport solve(const Level& level, film::FilmState& state) const {
-    const film::FilmState guess = state;
-    film::FilmReport report = film::solve_steady_film2d(level.problem, inputs(land_.speed), state);
-    if (report.converged) return report;
-    state = full(level, guess.h_m);
-    for (int halvings = kLandHalvings; halvings >= 0; --halvings) {
-      report = film::solve_steady_film2d(level.problem, inputs(std::ldexp(land_.speed, -halvings)), state);
-      if (report.converged) continue;
-      throw ConvergenceError("no steady film of the land was found at a lowest gap of " +
-                             surface::length_text(guess.h_m) + "; larger separations, or a coarser map, have one");
+  /// The film at the lowest gap h_m from a film at another one, by gaps between them where the cavities of the one do
+  /// not lead to those of the other.
+  film::FilmState closed_in(const Level& level, film::FilmState from, double h_m, int& iterations) const {
+    std::vector<double> gaps{h_m};
+    film::FilmState film = std::move(from);
+    double reached = film.h_m;
+    for (int tried = 0; !gaps.empty(); ++tried) {
+      film::FilmState next = film;
+      next.h_m = gaps.back();
+      const film::FilmReport report = film::solve_steady_film2d(level.problem, inputs(land_.speed), next);
+      iterations = report.iterations;
+      if (report.converged) {
+        film = std::move(next);
+        reached = gaps.back();
+        gaps.pop_back();
+      } else if (tried == 0) {  // begin with a wide gap, full of oil
+        reached = std::max(reached, h_m) + mean_;
+        film = full(level, reached);
+        gaps.push_back(reached);
+      } else if (tried < kMaxGaps && gaps.back() < kClosest * reached) {
+        gaps.push_back(std::sqrt(reached * gaps.back()));
+      } else {
+        throw ConvergenceError("no steady film of the land was found at a lowest gap of " +
+                               surface::length_text(gaps.back()) + "; larger separations, or a coarser map, have one");
+      }
     }
-    return report;
+    return film;
   }
 
   /// The film of a coarser grid, at the nodes of a finer one.
@@ -218,7 +237,8 @@ class Patch {
   static constexpr double kMinScale = 1e4;  // scale of pressures, where ambient is the cavitation pressure [Pa]
 
   const LandFilmProblem& land_;
-  std::vector<Level> levels_;  // from the coarsest on
+  std::vector<Level> levels_;                          // from the coarsest on
+  std::vector<std::optional<film::FilmState>> films_;  // film of the last separation on each level
   std::shared_ptr<const models::OilAtTemperature> oil_;
   double highest_ = -std::numeric_limits<double>::infinity(), mean_ = 0;
 };
@@ -335,11 +355,13 @@ LandFilm land_film(const LandFilmProblem& land) {
   std::vector<std::vector<LandFilmPoint>> of_separation(land.separations.size());
   // The highest point of the map bounds those of all patches: nothing is computed before the separations are checked.
   check_separations(land, result.highest);
+  std::vector<std::size_t> falling(land.separations.size());
+  std::iota(falling.begin(), falling.end(), std::size_t{0});
+  std::stable_sort(falling.begin(), falling.end(),
+                   [&](std::size_t a, std::size_t b) { return land.separations[a] > land.separations[b]; });
   for (const Corner& corner : places) {
     Patch patch(land, corner, result.patch_length, cells);
-    for (std::size_t k = 0; k < land.separations.size(); ++k) {
-      of_separation[k].push_back(patch.point(land.separations[k]));
-    }
+    for (const std::size_t k : falling) of_separation[k].push_back(patch.point(land.separations[k]));
   }
   for (const std::vector<LandFilmPoint>& patches : of_separation) result.points.push_back(mean_of(patches));
   return result;
