@@ -136,7 +136,7 @@ std::optional<RingKey> ring_key(const std::string& key) {
   }
   if (at == section.size() || at + 1 >= key.size() || key[at] != '.' || ring == 0) return std::nullopt;
   const std::string rest = key.substr(at + 1);
-  return RingKey{ring, rest.rfind("contact.", 0) == 0 ? rest : section + rest};
+  return RingKey{ring, may_be_of_ring(rest) ? rest : section + rest};
 }
 
 std::string pack_key(std::size_t ring, const std::string& key) {
@@ -147,7 +147,9 @@ std::string pack_key(std::size_t ring, const std::string& key) {
 
 bool is_implied_in_pack(std::size_t ring, const std::string& key) { return ring > 1 && key == "ring.pressure_above"; }
 
-bool is_of_ring(const std::string& key) { return key.rfind("ring.", 0) == 0 || key.rfind("contact.", 0) == 0; }
+bool may_be_of_ring(const std::string& key) { return key.starts_with("contact.") || key.starts_with("film.land_"); }
+
+bool is_of_ring(const std::string& key) { return key.starts_with("ring.") || may_be_of_ring(key); }
 
 bool belongs(const Field& field, const Case& c) {
   switch (c.problem) {

@@ -180,6 +180,9 @@ bool is_implied_in_pack(std::size_t ring, const std::string& key);
 /// Does the key belong to a ring of its own, and not to the engine?
 bool is_of_ring(const std::string& key);
 
+/// Is it a key outside [ring] that a ring of a pack may replace for itself?
+bool may_be_of_ring(const std::string& key);
+
 /// The field of that key, nullptr if there is none.
 const Field* find_field(const std::string& key);
 

@@ -136,7 +136,7 @@ std::vector<Field> face_fields(const FaceText& text) {
       field({.key = key("crown_height"),
              .kind = NumberKind{member<Path..., &FaceShape::crown_height>},
              .unit = kMicrometre,
-             .range = above(0, text.highest),
+             .range = between(0, text.highest),
              .need = Need::kRequired,
              .when = is_crowned,
              .help = text.crown_height,

@@ -147,9 +147,8 @@ void add_files(const Case& c, DataFiles& files) {
         [](ContactLawFile& law, Case& to) { to.contact.law = std::move(law.law); });
   }
   if (c.film.land_lift == cycle::LandLift::kTable) {
-    files.add(
-        "film.land_law", c.film.land_law_file, +[](const NamedFile& file, const Units&) { return read_land_law(file); },
-        [](LandLawFile& law, Case& to) { to.film.land_law = std::move(law.law); });
+    files.add("film.land_law", c.film.land_law_file, read_land_law,
+              [](LandLawFile& law, Case& to) { to.film.land_law = std::move(law.law); });
   }
   if (c.contact.friction_pair) files.add_pair(*c.contact.friction_pair);
 }

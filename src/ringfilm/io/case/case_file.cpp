@@ -173,7 +173,7 @@ void append_ring_faults(const std::vector<std::vector<KeyFault>>& of_rings, std:
       Fault fault = of_key.fault;
       const bool of_ring = key.rfind("ring.", 0) == 0;
       const bool of_all = std::ranges::all_of(of_rings, [&](const auto& ring) { return has(ring, fault); });
-      const bool may_be_common = key.rfind("contact.", 0) == 0 && of_all;
+      const bool may_be_common = cycle::may_be_of_ring(key) && of_all;
       if (fault.mark.line == 0 && cycle::is_of_ring(key) && (of_ring || !may_be_common)) {
         fault.message = "ring " + std::to_string(i + 1) + ": " + fault.message;
       }

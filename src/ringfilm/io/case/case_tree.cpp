@@ -88,10 +88,12 @@ bool is_ring_zero(const std::string& key) {
 
 const cycle::Field* field_of(const std::string& key) { return cycle::find_field(plain_key(key)); }
 
-/// The section of the table behind a section of a case: `ring.2` and `ring.2.contact` belong to a ring of a pack.
+/// The section of the table behind a section of a case: `ring.2`, `ring.2.contact` and `ring.2.film` belong to a ring
+/// of a pack.
 std::string plain_section(const std::string& section) {
-  const std::string key = plain_key(section + ".x");
-  return key.substr(0, key.size() - 2);
+  const std::string one = ".land_lift";  // the last part of a key that each of these may have
+  const std::string key = plain_key(section + one);
+  return key.substr(0, key.size() - one.size());
 }
 
 /// [[ring]] sections as the sections ring.1, ring.2, ...

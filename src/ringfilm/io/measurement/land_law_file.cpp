@@ -1,6 +1,9 @@
 #include "ringfilm/io/measurement/land_law_file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <numeric>
 
@@ -9,6 +12,7 @@
 #include "ringfilm/io/result/result_file_reader.hpp"
 #include "ringfilm/io/storage/digest.hpp"
 #include "ringfilm/io/storage/digest_trailer.hpp"
+#include "ringfilm/io/table/csv_quantity.hpp"
 #include "ringfilm/models/land/land_lift.hpp"
 
 namespace ringfilm::io {
@@ -92,9 +96,63 @@ LandNumbers land_numbers_of(const Measurement& law) {
   return numbers;
 }
 
+struct LandCsvColumn {
+  const char *name, *unit, *example;
+  bool is_needed;
+};
+
+constexpr LandCsvColumn kLandCsvRows[] = {{"separation", "m", "separation [um]", true},
+                                          {"lift", "Pa", "lift [kPa]", true},
+                                          {"friction_factor", "1", "friction_factor [-]", true},
+                                          {"lowest_gap", "m", "lowest_gap [um]", true},
+                                          {"lift_scatter", "Pa", "lift_scatter [kPa]", false}};
+constexpr LandCsvColumn kLandCsvValues[] = {{"land_width", "m", "land_width [mm]", true},
+                                            {"speed", "m/s", "speed [m/s]", true},
+                                            {"viscosity", "Pa s", "viscosity [mPa s]", true},
+                                            {"roughness", "m", "roughness [um]", true},
+                                            {"speed_exponent", "1", "speed_exponent [-]", true}};
+
+/// A table of the same columns, in which what is one value of the land has it in each row.
+LandLawFile read_land_csv(const NamedFile& named, const Units& units) {
+  const CsvFile csv = read_csv(named);
+  std::vector<Fault> faults;
+  LandNumbers numbers;
+  const auto column = [&](const LandCsvColumn& of) {
+    if (!of.is_needed && !csv.find(of.name)) return std::vector<double>();
+    return quantity_column(csv, of.name, of.unit, of.example, units, faults);
+  };
+  for (const LandCsvColumn& of : kLandCsvRows) numbers.columns[of.name] = column(of);
+  for (const LandCsvColumn& of : kLandCsvValues) {
+    const std::vector<double> rows = column(of);
+    if (rows.empty()) continue;
+    numbers.values[of.name] = rows.front();
+    const auto other = std::adjacent_find(rows.begin(), rows.end(), std::not_equal_to<>());
+    if (other == rows.end()) continue;
+    faults.push_back({csv.cell_mark(static_cast<std::size_t>(other - rows.begin()) + 1, *csv.find(of.name)),
+                      std::string(of.name) + " is another one than in the row before",
+                      "a table is that of one land at one speed and one viscosity: write a file for each"});
+  }
+  if (!faults.empty()) throw InputError(faults);
+  const std::vector<double>&scatter = numbers.columns["lift_scatter"], &lift = numbers.columns["lift"];
+  if (!scatter.empty()) {
+    double squares = 0;
+    for (std::size_t k = 0; k < scatter.size(); ++k) squares += std::pow(scatter[k] / lift[k], 2);
+    numbers.values[kLogLiftDeviation] = std::sqrt(squares / static_cast<double>(scatter.size()));
+  }
+  try {
+    LandLawFile of = land_law_of(numbers);
+    of.sha256 = csv.source.sha256;
+    of.notes.insert(of.notes.begin(), csv.notes.begin(), csv.notes.end());
+    return of;
+  } catch (const InputError& fault) {
+    refuse_land(named, fault.faults().front().message, fault.faults().front().remedy);
+  }
+}
+
 }  // namespace
 
-LandLawFile read_land_law(const NamedFile& named) {
+LandLawFile read_land_law(const NamedFile& named, const Units& units) {
+  if (std::filesystem::path(named.path).extension() == ".csv") return read_land_csv(named, units);
   const std::string bytes = read_source_bytes(named.path, named.shown, kMaxLandFile);
   const char* remedy = "write one with ringfilm land --surface ... --output land.nc";
   LandNumbers numbers;

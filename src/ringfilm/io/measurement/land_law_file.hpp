@@ -5,6 +5,7 @@
 #include "ringfilm/case/case.hpp"
 #include "ringfilm/io/measurement/measurement.hpp"
 #include "ringfilm/io/text/source_text.hpp"
+#include "ringfilm/io/text/units.hpp"
 
 namespace ringfilm::io {
 
@@ -20,9 +21,9 @@ struct LandLawFile {
   std::vector<std::string> notes;
 };
 
-/// Reads what `ringfilm land --output` wrote; rows without lift are omitted. Throws InputError: not such a file,
-/// altered, fewer than three separations with lift, a lift that does not fall.
-LandLawFile read_land_law(const NamedFile& file);
+/// Reads what `ringfilm land --output` wrote, or a .csv with the same columns; rows without lift are omitted. Throws
+/// InputError: not such a file, altered, fewer than three separations with lift, a lift that does not fall.
+LandLawFile read_land_law(const NamedFile& file, const Units& units);
 
 /// Is the document of a land one that read_land_law() takes? Throws InputError with what it would refuse.
 void check_land_law(const Measurement& law);

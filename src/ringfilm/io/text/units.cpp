@@ -273,7 +273,7 @@ Units::Units()
 
 Scale Units::scale(const std::string& written, const std::string& si_unit) const {
   const std::string named = without_crank(in_ascii(trimmed(with_plain_spaces(written))));
-  if (named == si_unit) return {};
+  if (named == si_unit || (named == "-" && si_unit == "1")) return {};
   const std::string unit = with_pound_force(without_test_load(named), si_unit);
   if (is_empirical_unit(unit)) {
     throw UnitError("has the unit \"" + unit + "\", which no factor converts",
