@@ -2,8 +2,9 @@
 import { element } from '../dom.js';
 import { converted, number } from '../units.js';
 
-/** Usual friction mean effective pressure in the engine of a car [kPa], by the kind of ring and of the pack; `diesel`:
- * of a diesel engine, where it is not that of a car times kDieselFactor, as gas loads are. An oil ring has none. */
+/** Usual friction mean effective pressure in the engine of a car [kPa], by the kind of ring and of the pack. Those of a
+ * diesel engine are kDieselFactor times as high, as gas loads are; an oil ring has none, and its range goes with the
+ * bore (`diesel`). */
 export const kUsualFmep = {
   top: { low: 1, high: 20, words: 'a top ring' },
   second: { low: 0.5, high: 8, words: 'a second compression ring' },
@@ -45,7 +46,7 @@ export function fmepRange(model, c, kind) {
   const peak = converted(c.values.peak_gas_pressure ?? 0, 'bar');
   const reasons = [
     bore > kLargestCarBore ? `a bore of ${number(bore, 3)} mm` : null,
-    peak > kHighestCarPeak ? `a peak pressure of ${number(peak, 3)} bar` : null,
+    peak > kHighestCarPeak && !diesel ? `a peak pressure of ${number(peak, 3)} bar` : null,
   ].filter(Boolean);
   return reasons.length
     ? {
