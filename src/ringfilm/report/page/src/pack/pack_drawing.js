@@ -1,8 +1,9 @@
 // Rings, grooves and liner of a pack, drawn from the numbers of the case, with the gas pressures at one crank angle.
-import { kFaint, kInk, rectangle, rule, text } from '../plot/svg_shapes.js';
+import { kFaint, kInk, px, rectangle, rule, text } from '../plot/svg_shapes.js';
 import { caseColour } from '../plot/palette.js';
 import { converted, number } from '../units.js';
 import { inputOf, regionWords } from './pack_model.js';
+import { kTiltFactor, sectionCorners, twistAt } from './ring_outline.js';
 
 export const kPackWidth = 470;
 const kMargin = { top: 54, bottom: 34 };
@@ -74,6 +75,19 @@ export function pressuresAt(packed, angle) {
   });
 }
 
+/** A section in a rectangle, turned about its middle. */
+function outline(corners, { x, y, width, height }, tilt, stroke) {
+  const most = (k) => Math.max(...corners.map((corner) => corner[k]));
+  const [tall, thick] = [most(0), most(1)];
+  const [xc, yc] = [x - width / 2, y + height / 2];
+  const points = corners.map(([axial, radial]) => {
+    const [px0, py0] = [x - (width * radial) / thick, y + (height * axial) / tall];
+    return [px0 + tilt * (py0 - yc), py0 - tilt * (px0 - xc)];
+  });
+  const path = points.map(([px0, py0], k) => `${k ? 'L' : 'M'}${px(px0)} ${px(py0)}`).join('');
+  return `<path d="${path}Z" fill="#f4f6f8" stroke="${stroke}" stroke-width="1.6"/>`;
+}
+
 function ringShapes(packed, i, at, scale, colour) {
   const c = packed.cases[i];
   const { top, width, isRailAbove } = at.heights[i];
@@ -88,6 +102,21 @@ function ringShapes(packed, i, at, scale, colour) {
   const stroke = caseColour(packed.cases[i].series);
   const isRail = packed.pack.ring_numbers.filter((n) => n === packed.pack.ring_numbers[i]).length > 1;
   const room = isRailAbove ? scale * at.heights[i].land : 0;
+  const corners = isRail ? null : sectionCorners(c);
+  const tilt = kTiltFactor * (corners ? (twistAt(c, at.angle) ?? 0) : 0);
+  const ring = corners
+    ? [outline(corners, { x: kLiner, y: y - lift, width: depth, height }, tilt, stroke)]
+    : [
+        box(
+          kLiner - (isRail ? 0.6 * kDepth : depth),
+          y - lift,
+          isRail ? 0.6 * kDepth : depth,
+          height,
+          '#f4f6f8',
+          stroke,
+        ),
+        box(kLiner - 3, y - lift, 3, height, stroke),
+      ];
   return [
     box(
       kLiner - kLandGap - kDepth - 18,
@@ -96,15 +125,7 @@ function ringShapes(packed, i, at, scale, colour) {
       height + kClearance + room,
       colour(groove),
     ),
-    box(
-      kLiner - (isRail ? 0.6 * kDepth : depth),
-      y - lift,
-      isRail ? 0.6 * kDepth : depth,
-      height,
-      '#f4f6f8',
-      stroke,
-    ),
-    box(kLiner - 3, y - lift, 3, height, stroke),
+    ...ring,
   ];
 }
 

@@ -8,6 +8,7 @@ import { axisTitle } from '../plot/scales.js';
 import { display, number, withUnit } from '../units.js';
 import { blowByWords, withoutRounding } from './gas_words.js';
 import { kPackWidth, packDrawing } from './pack_drawing.js';
+import { kTiltFactor, sectionCorners } from './ring_outline.js';
 
 /** All crank angles of the slider. */
 const kAngles = Array.from({ length: 720 }, (_, k) => k - 359);
@@ -39,7 +40,8 @@ export function packView(packed, context) {
     caption: () =>
       'Widths of the rings and heights of the piston lands to scale, from the keys of the case; side clearances ' +
       'and the gap to the liner enlarged, thicknesses not to scale. The darker a space, the higher its pressure ' +
-      '(logarithmic). Rings are drawn where they are in their grooves at this crank angle.',
+      '(logarithmic). Rings are drawn where they are in their grooves at this crank angle' +
+      (packed.cases.some(sectionCorners) ? `, stated sections with ${kTiltFactor} times their twist.` : '.'),
   };
   const view = new DrawingView(figure, context, [slider.node]);
   return view;
