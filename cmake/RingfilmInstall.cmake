@@ -14,6 +14,8 @@ function(ringfilm_install_shared_data component)
           PATTERN "__pycache__" EXCLUDE)
   install(FILES "${CMAKE_SOURCE_DIR}/matlab/ringfilm_read.m"
           DESTINATION "${CMAKE_INSTALL_DATADIR}/ringfilm/matlab" COMPONENT ${component} ${ARGN})
+  install(FILES "${CMAKE_SOURCE_DIR}/docs/references.bib"
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/ringfilm/docs" COMPONENT ${component} ${ARGN})
 endfunction()
 
 # ringfilm_install_library(): the static libraries, the headers that ringfilm/ringfilm.hpp leads to, and what finds

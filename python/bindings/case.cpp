@@ -418,11 +418,11 @@ case.copy(operating__speed="2000 rpm"). Raises as update() does.)");
       "new",
       [](const py::object& engine, const py::object& load, const py::object& state, const py::object& pack,
          const py::object& trace) { return in_notebook("new_case")(engine, load, state, pack, trace); },
-      py::arg("engine") = io::start_engines().front(), py::arg("load") = "full", py::arg("state") = "run-in",
+      py::arg("engine") = std::string(io::kDefaultEngine), py::arg("load") = "full", py::arg("state") = "run-in",
       py::arg("pack") = false, py::arg("trace") = py::none(),
       R"(The case that `ringfilm new` writes, as a Case.
 
-engine: "passenger-car", "heavy-duty" or "hydrogen". load: "part" or "full". state: "new", "run-in" or "worn", of the
+engine: one of the files in data/engines ("passenger-car", "heavy-duty", ...), or a file of that form. load: "part" or "full". state: "new", "run-in" or "worn", of the
 surfaces. pack: all rings in place of the top ring. trace: a file of the cylinder pressure.
 Raises InputError, also where the trace does not show what must be stated.)");
   type.def(
@@ -457,11 +457,11 @@ Raises InputError, also where the trace does not show what must be stated.)");
          const std::string& state, bool pack, bool all_keys) {
         return io::start_case({engine, load, state, pack, trace, "", {}, all_keys}).text;
       },
-      py::arg("engine") = io::start_engines().front(), py::arg("trace") = py::none(), py::arg("load") = "full",
+      py::arg("engine") = std::string(io::kDefaultEngine), py::arg("trace") = py::none(), py::arg("load") = "full",
       py::arg("state") = "run-in", py::arg("pack") = false, py::arg("all_keys") = false,
       R"(A commented case file to start from, a str, as `ringfilm new` writes it.
 
-engine: "passenger-car", "heavy-duty" or "hydrogen". load: "part" or "full". state: "new", "run-in" or "worn", of the
+engine: one of the files in data/engines ("passenger-car", "heavy-duty", ...), or a file of that form. load: "part" or "full". state: "new", "run-in" or "worn", of the
 surfaces. pack: all rings of the engine in place of the top ring alone. trace: a file of the cylinder pressure, whose
 columns and units are read; what the file does not show is marked MISSING in the text. all_keys: every other key of a
 ring as a comment.)");

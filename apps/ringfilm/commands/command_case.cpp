@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
 #include "commands/commands.hpp"
@@ -18,8 +17,6 @@
 #include "ringfilm/io/case/shipped_oils.hpp"
 #include "ringfilm/io/data/shipped_pairs.hpp"
 #include "ringfilm/io/result/result_json.hpp"
-#include "ringfilm/io/start/start_case.hpp"
-#include "ringfilm/io/storage/atomic_file.hpp"
 #include "ringfilm/pad/pad_setup.hpp"
 #include "ringfilm/run/assumed_inputs.hpp"
 #include "ringfilm/study/ensemble/assumed_inputs.hpp"
@@ -236,75 +233,6 @@ void pairs(const OilsOptions& options) {
                                                       : io::pairs_table(shipped) + "\n" + io::surfaces_table(surfaces));
 }
 
-struct NewOptions {
-  std::string path;
-  std::optional<std::string> engine, pack;  ///< one of io::start_engines(); the first of them if both are absent
-  std::optional<std::string> load, state;   ///< one of io::start_loads(), one of io::start_states()
-  std::optional<std::string> trace;         ///< file of the cylinder pressure
-  io::TableReading table;                   ///< how the trace is read
-  std::optional<std::string> points;        ///< file of a study of operating points, written as well
-  bool has_all_keys = false;                ///< every key of a ring, those without need as comments
-};
-
-io::StartOptions start_options(const NewOptions& options) {
-  if (options.engine && options.pack) {
-    throw InputError("--engine and --pack both name an engine", "name it once; --pack has all its rings");
-  }
-  if (options.has_all_keys && options.pack) {
-    throw InputError("--all is for the case of one ring", "remove it; `ringfilm fields` shows the keys of a pack");
-  }
-  io::StartOptions start;
-  start.engine = options.engine.value_or(options.pack.value_or(start.engine));
-  start.is_pack = options.pack.has_value();
-  start.load = options.load.value_or(start.load);
-  start.state = options.state.value_or(start.state);
-  start.trace = options.trace;
-  start.trace_table = options.table;
-  start.has_all_keys = options.has_all_keys;
-  start.case_folder = std::filesystem::path(options.path).parent_path().string();
-  return start;
-}
-
-/// Refuses to replace a file.
-void check_is_new(const std::string& path) {
-  io::check_can_write(path, io::Sink::kFile);
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return;
-  throw InputError(path + ": this file exists already", "name one that does not, nothing is replaced here");
-}
-
-/// Writes a commented case to start from, and a study of its operating points.
-void start_case(const NewOptions& options) {
-  const std::string& path = options.path;
-  check_is_new(path);
-  const io::OutputClaim claimed(path);
-  std::optional<io::OutputClaim> claimed_points;
-  if (options.points) {
-    check_is_new(*options.points);
-    claimed_points.emplace(*options.points);
-  }
-  const io::StartOptions start = start_options(options);
-  const io::StartCase made = io::start_case(start);
-  io::write_atomically(path, made.text);
-  if (options.points) {
-    const auto folder = std::filesystem::absolute(*options.points).parent_path();
-    const std::string base = std::filesystem::absolute(path).lexically_relative(folder).string();
-    io::write_atomically(*options.points, io::start_points(start, base));
-    std::cout << "wrote " << *options.points << "\n";
-  }
-  std::cout << "wrote " << path << "\n";
-  for (const std::string& one : made.found) std::cout << "found in " << *options.trace << ": " << one << "\n";
-  for (const std::string& one : made.missing) std::cout << "missing: " << one << "\n";
-  for (const std::string& one : made.notes) std::cout << "note: " << one << "\n";
-  if (made.missing.empty()) {
-    std::cout << "next: ringfilm run " << path << "\n";
-    if (options.points) std::cout << "next: ringfilm study " << *options.points << "\n";
-  } else {
-    std::cout << "next: state what is missing in " << path << " (lines with MISSING), then ringfilm check " << path
-              << "\n";
-  }
-}
-
 constexpr const char* kCheckFooter = R"(Examples:
   ringfilm check case.toml
   ringfilm check case.toml --set operating.speed='3000 rpm'
@@ -334,19 +262,6 @@ constexpr const char* kPairsFooter = R"(Examples:
   ringfilm run case.toml --set contact.friction_pair=crn-on-grey-iron --set contact.boundary_shear_strength_coefficient=
 )";
 
-constexpr const char* kNewFooter = R"(Examples:
-  ringfilm new my_engine.toml
-  ringfilm new truck.toml --engine heavy-duty
-  ringfilm new truck.toml --engine heavy-duty --trace pressure.csv
-  ringfilm new pack.toml --pack hydrogen
-  ringfilm new pack.toml --pack passenger-car --load part --points points.toml
-  ringfilm new first_hour.toml --state new
-  ringfilm new all_keys.toml --all
-
-Numbers marked "typical, assumed" are guesses at the size. Of a trace the columns, their units and the dead centre at
-angle 0 are read; what the file does not show is printed as missing.
-)";
-
 void declare_check(CommandOptions& add, CheckOptions& options) {
   add_case(add, options);
   add.flag("--assumptions", options.assumptions,
@@ -364,19 +279,6 @@ void declare_list(CommandOptions& add, OilsOptions& options) {
   add.json(options.summary, "print the list as JSON, SI units");
 }
 
-void declare_new(CommandOptions& add, NewOptions& options) {
-  add.text("CASE.toml", options.path, "", "the file to write; must not exist yet")->required();
-  add.text("--engine", options.engine, "ENGINE", "typical numbers: passenger-car (default), heavy-duty or hydrogen");
-  add.text("--pack", options.pack, "ENGINE", "the same engines with all their rings, their gas and their oil");
-  add.text("--load", options.load, "LOAD", "part or full (default)");
-  add.text("--state", options.state, "STATE", "of the surfaces: new, run-in (default) or worn");
-  add.text("--points", options.points, "POINTS.toml",
-           "a study of the case at weighted operating points, written as well; must not exist yet");
-  add.flag("--all", options.has_all_keys, "write every key of a ring, those that need no decision as comments");
-  add.text("--trace", options.trace, "X.csv", "file of the cylinder pressure, whose columns and units are read");
-  add_table(add, options.table);
-}
-
 }  // namespace
 
 void add_check_command(Program& program) {
@@ -391,7 +293,6 @@ void add_data_commands(Program& program) {
   program.add("pairs",
               "List the shipped pairs of coating and liner with their boundary friction, and classes of surfaces",
               kPairsFooter, declare_list, pairs);
-  program.add("new", "Write a commented case to start from", kNewFooter, declare_new, start_case);
 }
 
 }  // namespace ringfilm::app

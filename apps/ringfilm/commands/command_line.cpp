@@ -81,6 +81,8 @@ void add_commands(Program& program) {
   add_lateral_force_command(program);
   add_synthetic_command(program);
   add_data_commands(program);
+  add_new_command(program);
+  add_cite_command(program);
   add_completion_command(program);
 }
 

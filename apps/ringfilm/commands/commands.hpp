@@ -15,16 +15,18 @@ class Program;
 
 // Each adds a command with its options, or several.
 void add_check_command(Program& program);
+void add_cite_command(Program& program);
 void add_completion_command(Program& program);
 void add_conform_command(Program& program);
 void add_contact_command(Program& program);
-void add_data_commands(Program& program);  ///< fields, oils, pairs, new
+void add_data_commands(Program& program);  ///< fields, oils, pairs
 void add_face_command(Program& program);
 void add_fit_command(Program& program);
 void add_gas_command(Program& program);
 void add_land_command(Program& program);
 void add_lateral_force_command(Program& program);
 void add_life_command(Program& program);
+void add_new_command(Program& program);
 void add_optimise_command(Program& program);
 void add_report_command(Program& program);
 void add_reproduce_command(Program& program);

@@ -20,23 +20,12 @@
 namespace ringfilm::io {
 namespace {
 
-template <typename Row>
-std::vector<std::string> names_of(const std::vector<Row>& table) {
-  std::vector<std::string> names;
-  for (const Row& row : table) names.emplace_back(row.name);
-  return names;
-}
-
 /// The place of a name. Throws InputError that lists the names.
 std::size_t place_of(const std::string& what, const std::string& name, const std::vector<std::string>& names) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   throw InputError("there is no start case for the " + what + " " + quoted(name) + did_you_mean(name, names),
                    "one of: " + joined(names, ", "));
-}
-
-const StartEngine& engine_of(const StartOptions& options) {
-  return start_engine_table()[place_of("engine", options.engine, start_engines())];
 }
 
 /// Part load is the first point of an engine, full load the one after it.
@@ -60,8 +49,7 @@ cycle::Engine dimensions(const StartEngine& engine, const Units& units) {
 
 std::string title_of(const StartEngine& engine, const StartOptions& options) {
   const std::string state = options.state == "run-in" ? "" : ", " + options.state;
-  return std::string(engine.title) + (options.is_pack ? ", ring pack" : ", top ring") + state + ", " + options.load +
-         " load";
+  return engine.title + (options.is_pack ? ", ring pack" : ", top ring") + state + ", " + options.load + " load";
 }
 
 std::string head(const std::string& title, bool has_all_keys) {
@@ -143,7 +131,7 @@ std::string stated_case(const std::string& head, const std::vector<StartValue>& 
 
 /// The [[ring]] sections of the shipped pack of that name.
 std::string rings_of(const StartEngine& engine) {
-  const NamedFile file = locate(std::string("data/packs/") + engine.pack + ".toml", "");
+  const NamedFile file = locate("data/packs/" + engine.pack + ".toml", "");
   const std::string text = read_source_text(file.path, file.shown, kMaxToml).text;
   return "\n# All numbers of the rings are typical, assumed; their faces are run in.\n" +
          text.substr(text.find("[[ring]]"));
@@ -151,12 +139,11 @@ std::string rings_of(const StartEngine& engine) {
 
 }  // namespace
 
-std::vector<std::string> start_engines() { return names_of(start_engine_table()); }
 std::vector<std::string> start_loads() { return {"part", "full"}; }
 std::vector<std::string> start_states() { return {"new", "run-in", "worn"}; }
 
 StartCase start_case(const StartOptions& options) {
-  const StartEngine& engine = engine_of(options);
+  const StartEngine engine = start_engine(options.engine);
   const StartPoint& point = point_of(engine, options);
   const std::size_t state = place_of("state", options.state, start_states());
   const std::string title = title_of(engine, options);
@@ -212,12 +199,12 @@ StartCase start_case(const StartOptions& options) {
 }
 
 std::string start_points(const StartOptions& options, const std::string& case_path) {
-  const StartEngine& engine = engine_of(options);
+  const StartEngine engine = start_engine(options.engine);
   std::string text = fmt::format(
       "# Operating points of {} with their shares of the time: typical, assumed.\n"
       "title = {}\nkind = \"compare\"\n\n[[base]]\nname = \"case\"\ncase = {}\n\n"
       "[plan]\nmethod = \"operating-points\"\n",
-      case_path, quoted(std::string(engine.title) + ", operating points"), quoted(case_path));
+      case_path, quoted(engine.title + ", operating points"), quoted(case_path));
   for (const StartPoint& point : engine.points) {
     std::vector<StartValue> values;
     append(point.operation, values);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ringfilm/io/start/start_engine.hpp"
 #include "ringfilm/io/table/text_table.hpp"
 
 /// Cases to start from (`ringfilm new`).
@@ -10,11 +11,11 @@ namespace ringfilm::io {
 
 /// What a case to start from is made of.
 struct StartOptions {
-  std::string engine = "passenger-car";  ///< one of start_engines()
-  std::string load = "full";             ///< one of start_loads()
-  std::string state = "run-in";          ///< state of surfaces and top ring's face, one of start_states()
-  bool is_pack = false;                  ///< all rings of the engine, in place of the top ring alone
-  std::optional<std::string> trace{};    ///< file of the cylinder pressure, as named in the working folder
+  std::string engine = kDefaultEngine;  ///< one of start_engines(), or a file of an own one (.toml)
+  std::string load = "full";            ///< one of start_loads()
+  std::string state = "run-in";         ///< state of surfaces and top ring's face, one of start_states()
+  bool is_pack = false;                 ///< all rings of the engine, in place of the top ring alone
+  std::optional<std::string> trace{};   ///< file of the cylinder pressure, as named in the working folder
   /// Folder of the case, to which its path of the trace is relative; empty: the working folder.
   std::string case_folder{};
   TableReading trace_table{};  ///< how the trace is read
@@ -29,9 +30,8 @@ struct StartCase {
   std::vector<std::string> notes;    ///< why the pressures of the trace are improbable, sentences
 };
 
-std::vector<std::string> start_engines();  ///< engines for which there are typical numbers
-std::vector<std::string> start_loads();    ///< part and full load
-std::vector<std::string> start_states();   ///< new, run-in and worn
+std::vector<std::string> start_loads();   ///< part and full load
+std::vector<std::string> start_states();  ///< new, run-in and worn
 
 /// A case that states what a person must decide, in typical numbers, each with its source or marked as assumed; that of
 /// a pack with the shipped rings. Without a trace it runs unchanged. Throws InputError for an unknown engine, load or

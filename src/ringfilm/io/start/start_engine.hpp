@@ -36,8 +36,8 @@ struct StartEngine {
 /// Names of the shipped engines, kDefaultEngine first. Throws InputError where the shipped folder is not found.
 std::vector<std::string> start_engines();
 
-/// A shipped engine, or that of a file whose name ends with .toml. Throws InputError for an unknown name, which it lists
-/// with the others, and for a file that is not an engine.
+/// A shipped engine, or that of a file whose name ends with .toml. Throws InputError for an unknown name, which it
+/// lists with the others, and for a file that is not an engine.
 StartEngine start_engine(const std::string& name);
 
 /// Throws InputError with every place that is wrong. @param name what the engine is called

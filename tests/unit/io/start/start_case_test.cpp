@@ -71,7 +71,8 @@ TEST(StartCase, OfAnUnknownEngineListsThoseThatAreKnown) {
     start_case({.engine = "moped"});
     FAIL() << "there is a moped";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("one of: passenger-car, heavy-duty, hydrogen"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("one of: passenger-car, heavy-duty, hydrogen, light-duty-diesel, turbo-gasoline"));
   }
 }
 
