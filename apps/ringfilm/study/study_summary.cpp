@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ringfilm/io/text/units.hpp"
+#include "ringfilm/report/payload/study_groups.hpp"
 #include "ringfilm/study/sampling/morris.hpp"
 #include "ringfilm/study/statistics/sobol_indices.hpp"
 #include "ringfilm/study/statistics/statistics.hpp"
@@ -29,6 +30,7 @@ class Summary {
       append_base(b);
       print_notes(b);
     }
+    append_comparison();
     append_error();
     append_unsolved();
     return text_;
@@ -40,13 +42,17 @@ class Summary {
     const study::Among among = is_sample ? study::Among::kSample : study::Among::kAll;
     text_ += fmt::format("\nbase {}, {} scenarios\n", plan_.study().bases[base].name, plan_.n_points(base));
     text_ += is_sample ? fmt::format("  {:<24}{:>16}{:>16}{:>16}{:>16}\n", "", "mean", "5 %", "50 %", "95 %")
-                       : fmt::format("  {:<24}{:>16}{:>16}{:>16}\n", "", "lowest", "median", "highest");
+                       : fmt::format("  {:<24}{:>14}  {:<34}{:>14}  where\n", "", "lowest", "where", "highest");
     const auto& quantities = plan_.values().quantities;
     const std::vector<std::string>& main = plan_.values().main;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
       if (std::ranges::find(main, quantities[i].name) == main.end()) continue;
       const std::vector<double> all = rows_.values(i);
-      append_value(quantities[i], study::values_of_base(plan_, all, base, among), is_sample);
+      if (is_sample) {
+        append_quantiles(quantities[i], study::values_of_base(plan_, all, base, among));
+      } else {
+        append_extremes(quantities[i], all, base);
+      }
       if (plan_.study().sampling.indices != study::Indices::kNone && quantities[i].name == main.front())
         indices_ = indices_text(study::values_of_base(plan_, all, base, study::Among::kAll), quantities[i].name, base);
       if (plan_.study().sampling.method == study::Method::kMorris && quantities[i].name == main.front())
@@ -95,19 +101,65 @@ class Summary {
     }
   }
 
-  void append_value(const cycle::Quantity& quantity, const std::vector<double>& values, bool is_sample) {
+  void append_quantiles(const cycle::Quantity& quantity, const std::vector<double>& values) {
     const std::vector<double> sorted = study::sorted_values(values);
     if (sorted.empty()) return;
     const auto padded = [&](double x) { return fmt::format("{:>16}", shown(quantity, x)); };
     text_ += fmt::format("  {:<24}", quantity.name);
     const auto mean = study::mean_of(values);
-    if (is_sample) {
-      text_ += mean ? padded(mean->value) : fmt::format("{:>16}", "");
-      for (const double share : {0.05, 0.5, 0.95}) text_ += padded(study::quantile_of(sorted, share).value);
-    } else {
-      text_ += padded(sorted.front()) + padded(study::quantile_of(sorted, 0.5).value) + padded(sorted.back());
-    }
+    text_ += mean ? padded(mean->value) : fmt::format("{:>16}", "");
+    for (const double share : {0.05, 0.5, 0.95}) text_ += padded(study::quantile_of(sorted, share).value);
     text_ += "\n";
+  }
+
+  /// Where on a grid, a list or among operating points a value is lowest and highest: a median of them means nothing.
+  void append_extremes(const cycle::Quantity& quantity, const std::vector<double>& all, std::size_t base) {
+    std::optional<std::uint64_t> lowest, highest;
+    for (std::uint64_t p = 0; p < plan_.n_points(base); ++p) {
+      const std::uint64_t i = plan_.scenario(base, p);
+      if (!std::isfinite(all[i])) continue;
+      if (!lowest || all[i] < all[*lowest]) lowest = i;
+      if (!highest || all[i] > all[*highest]) highest = i;
+    }
+    if (!lowest) return;
+    text_ += fmt::format("  {:<24}{:>14}  {:<34}{:>14}  {}\n", quantity.name, shown(quantity, all[*lowest]),
+                         report::scenario_name(plan_, *lowest, units_), shown(quantity, all[*highest]),
+                         report::scenario_name(plan_, *highest, units_));
+  }
+
+  /// Which choice or base is best, point by point against the first one.
+  void append_comparison() {
+    const std::vector<report::ComparisonGroup> groups = report::comparison_groups(plan_, units_);
+    const bool are_pairs = groups.size() > 1 && std::all_of(groups.begin() + 1, groups.end(), [&](const auto& group) {
+                             return group.pairs_with_first && group.scenarios.size() > 1;
+                           });
+    if (!are_pairs) return;
+    const std::string& main = plan_.values().main.front();
+    for (const std::string& name : {main, std::string("fmep"), std::string("min_film_thickness")}) {
+      const auto index = plan_.values().index(name);
+      if (!index || (name == "fmep" && main == "fmep")) continue;
+      const std::vector<double> all = rows_.values(*index);
+      text_ += fmt::format("\n{} against \"{}\", at the same values of all other factors\n", name, groups.front().name);
+      for (auto group = groups.begin() + 1; group != groups.end(); ++group) append_pairs(groups.front(), *group, all);
+    }
+  }
+
+  void append_pairs(const report::ComparisonGroup& first, const report::ComparisonGroup& other,
+                    const std::vector<double>& all) {
+    double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
+    int n = 0, lower = 0;
+    for (std::size_t k = 0; k < std::min(first.scenarios.size(), other.scenarios.size()); ++k) {
+      const double change = all[other.scenarios[k]] / all[first.scenarios[k]] - 1;
+      if (!std::isfinite(change)) continue;
+      sum += change;
+      least = std::min(least, change);
+      most = std::max(most, change);
+      lower += change < 0 ? 1 : 0;
+      ++n;
+    }
+    if (n == 0) return;
+    text_ += fmt::format("  {:<32} {:+.1f} % in the mean ({:+.1f} to {:+.1f} %), lower in {} of {}\n", other.name,
+                         100 * sum / n, 100 * least, 100 * most, lower, n);
   }
 
   std::string indices_text(const std::vector<double>& values, const std::string& of, std::size_t base) const {
@@ -125,7 +177,7 @@ class Summary {
   }
 
   std::string shown(const cycle::Quantity& quantity, double value) const {
-    constexpr int kDigits = 5;
+    constexpr int kDigits = 4;  // values are computed to some 0.5 %
     return units_.shown(value, quantity.unit, quantity.display_unit, kDigits);
   }
 
