@@ -5,8 +5,8 @@
 /// What to cite for the laws and the data of a case.
 namespace ringfilm::io {
 
-/// Keys of docs/references.bib, each once: those of data/citations.csv for the choices of the case, in the order of that
-/// table, and those that `texts` name, a source of an oil or a pair.
+/// Keys of docs/references.bib, each once: those of data/citations.csv for the choices of the case, in the order of
+/// that table, and those that `texts` name, a source of an oil or a pair.
 /// @param resolved_case every value in use, as a result holds it
 /// @param texts of the files that the case was read from
 /// Throws InputError where the shipped folder is not found.
