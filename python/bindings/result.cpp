@@ -326,9 +326,15 @@ void bind_outputs(py::class_<ResultObject>& type) {
       "A result from a NetCDF file that this module or `ringfilm run` wrote; of a ring pack a PackResult. Raises "
       "InputError.");
   type.def(
-      "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "result_to_pandas")(self); },
-      "The curves as a pandas.DataFrame, one column a quantity in SI, indexed by crank angle [degree]; units in "
-      "attrs.");
+      "to_pandas",
+      [](const py::object& self, const GivenText& units) {
+        return plain_layer("ringfilm._frames", "result_to_pandas")(self, units.value);
+      },
+      py::arg("units") = "attrs",
+      R"(The curves as a pandas.DataFrame, one column a quantity in SI, indexed by crank angle [degree].
+
+units: "attrs", the units in frame.attrs["units"] alone, or "columns", also in the names of the columns as in the CSV
+    file: "gas_pressure [Pa]". Raises ValueError for another word.)");
   type.def(
       "plot", &plot<ResultObject>, py::arg("what") = "overview", py::arg("axes") = py::none(),
       py::arg("label") = py::none(),
@@ -399,11 +405,14 @@ void bind_pack(py::module_& module) {
       "by_ring", [](const PackObject& self) { return py::list(json_of(self)["by_ring"]); },
       "The same of each ring, the rails of an oil ring added up, a list of dicts with its number as ring.");
   type.def_property_readonly(
-      "gas", [](const PackObject& self) { return part_of_json(self, "gas"); },
-      "The gas between the rings of one cylinder, a dict in SI as `ringfilm run --json` and `ringfilm gas --json` "
-      "print it: blow-by, regions, ring_events, ring_motion, paths; None where the pressures are given. Its curves are "
-      "variables of the result: gas_region_pressure, gas_path_flow, "
-      "ring_position.");
+      "gas",
+      [](const py::object& self) -> py::object {
+        const std::optional<py::dict> gas = part_of_json(self.cast<const PackObject&>(), "gas");
+        return gas ? plain_layer("ringfilm._documents", "gas_of_pack")(self, *gas) : py::none();
+      },
+      "The gas between the rings of one cylinder, a GasPathResult, with what `ringfilm run --json` and `ringfilm gas "
+      "--json` print as items: blow-by, regions, ring_events, ring_motion, paths; None where the pressures are given. "
+      "Its curves are variables of the result, too: gas_region_pressure, gas_path_flow, ring_position.");
   type.def_property_readonly(
       "oil", [](const PackObject& self) { return part_of_json(self, "oil"); },
       "Film on the liner above the pack and all oil that the first ring leaves there, a dict in SI; None where the oil "
@@ -435,8 +444,12 @@ Returns the matplotlib.figure.Figure. Raises ValueError for what cannot be drawn
                                documented(quantity, " of all rings, a float; NaN where one stopped.").c_str());
   }
   type.def(
-      "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._notebook", "pack_to_pandas")(self); },
-      "The values of the cycle as a pandas.DataFrame in SI, a row each ring; units in attrs.");
+      "to_pandas",
+      [](const py::object& self, const GivenText& units) {
+        return plain_layer("ringfilm._notebook", "pack_to_pandas")(self, units.value);
+      },
+      py::arg("units") = "attrs",
+      "The values of the cycle as a pandas.DataFrame in SI, a row each ring. units: as in Result.to_pandas.");
   type.def(
       "_repr_html_", [](const py::object& self) { return plain_layer("ringfilm._notebook", "pack_html")(self); },
       "The rings side by side, as a notebook shows them.");
@@ -497,6 +510,10 @@ void bind_result(py::module_& module) {
   bind_words(type);
   bind_outputs(type);
   bind_pack(module);
+  module.def(
+      "_write_text",
+      [](const py::object& path, const std::string& text) { io::write_atomically(path_of("path", path), text); },
+      py::arg("path"), py::arg("text"), "Writes a text file aside, then renames it. Raises OutputError.");
 }
 
 }  // namespace ringfilm::python

@@ -324,19 +324,33 @@ py::dict study_dataset(const py::object& object) {
   return variables;
 }
 
+StudyObject read_study(const std::string& path) {
+  return StudyObject{std::make_shared<const Loaded>(io::read_study(path))};
+}
+
 void bind_plan(py::module_& module) {
   py::class_<StudyObject>(module, "Study",
                           R"(Many scenarios of one or several cases: what varies, and how it is sampled.
 
-A study is read from a file (docs/manual/study.md). len(study) is the number of its scenarios.
+A study is read from a file or a dict (docs/manual/study.md). len(study) is the number of its scenarios.
 Source: docs/theory/study.md.)")
+      .def(py::init([](const py::object& given) {
+             if (!py::isinstance<py::dict>(given)) return read_study(path_of("study, if it is not a dict,", given));
+             return plain_layer("ringfilm._notebook", "study_of")(given).cast<StudyObject>();
+           }),
+           py::arg("study"),
+           R"(A study from the path of its file, or from a dict with the tables and keys of that file.
+
+File names in a dict are relative to the working folder. Raises InputError with every fault.)")
       .def_static(
-          "read",
-          [](const py::object& path) {
-            const auto name = path_of("path", path);
-            return StudyObject{std::make_shared<const Loaded>(io::read_study(name))};
+          "_read_in",
+          [](const py::object& path, const py::object& folder) {
+            const std::string name = path_of("path", path), of_names = path_of("folder", folder);
+            return StudyObject{std::make_shared<const Loaded>(io::read_study(name, of_names))};
           },
-          py::arg("path"),
+          py::arg("path"), py::arg("folder"), "A study whose file names are relative to another folder.")
+      .def_static(
+          "read", [](const py::object& path) { return read_study(path_of("path", path)); }, py::arg("path"),
           "A study with its bases and all that they name. Raises InputError with every fault, as the program "
           "prints them.")
       .def(
@@ -368,8 +382,13 @@ Source: docs/theory/study.md.)")
           "base_of", [](const StudyObject& self) { return base_of_scenarios(*self.loaded); },
           "Name of the base case of each scenario, a list.")
       .def(
-          "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "study_to_pandas")(self); },
-          "The plan as a pandas.DataFrame: one row a scenario, one column a factor, and the base.")
+          "to_pandas",
+          [](const py::object& self, const GivenText& units) {
+            return plain_layer("ringfilm._frames", "study_to_pandas")(self, units.value);
+          },
+          py::arg("units") = "attrs",
+          "The plan as a pandas.DataFrame: one row a scenario, one column a factor, and the base. units: as in "
+          "Result.to_pandas.")
       .def(
           "run",
           [](const py::object& self, const py::object& threads, const py::object& progress) {
@@ -460,8 +479,12 @@ Raises InputError where the plan has no points for indices. Source: docs/theory/
           "scenario, crank_angle and ring.")
       .def(
           "to_pandas",
-          [](const py::object& self) { return plain_layer("ringfilm._frames", "study_result_to_pandas")(self); },
-          "A pandas.DataFrame: one row a scenario, columns base, factors, values of the cycle in SI, reason.")
+          [](const py::object& self, const GivenText& units) {
+            return plain_layer("ringfilm._frames", "study_result_to_pandas")(self, units.value);
+          },
+          py::arg("units") = "attrs",
+          "A pandas.DataFrame: one row a scenario, columns base, factors, values of the cycle in SI, reason. units: as "
+          "in Result.to_pandas.")
       .def(
           "_repr_html_", [](const py::object& self) { return plain_layer("ringfilm._notebook", "table_html")(self); },
           "The table of to_pandas(), as a notebook shows it.")

@@ -13,6 +13,7 @@ and of the C++ library; docs/manual/python.md has examples.
 
 from . import face, lateral_force, laws, surface
 from ._batch import BatchResult, simulate_many
+from ._documents import GasPathResult, LifeResult, gas_path, run_life
 from ._ringfilm import (
     Case,
     Field,
@@ -26,13 +27,11 @@ from ._ringfilm import (
     conform,
     fields,
     fit,
-    gas_path,
     note_topics,
     oils,
     optimise,
     pairs,
     quantities,
-    run_life,
     starting_case,
     surface_classes,
     version,
@@ -48,7 +47,9 @@ __all__ = [
     "ConvergenceError",
     "Fault",
     "Field",
+    "GasPathResult",
     "InputError",
+    "LifeResult",
     "OutputError",
     "PackResult",
     "PadResult",

@@ -75,14 +75,15 @@ class BatchResult(Sequence):
         rank = {topic: i for i, topic in enumerate(note_topics())}
         return dict(sorted(notes.items(), key=lambda item: (rank.get(item[0], len(rank)), item[0])))
 
-    def to_pandas(self):
+    def to_pandas(self, units: str = "attrs"):
         """Values of the cycle as a pandas.DataFrame: one row a case, one column a value in SI, and `reason`.
 
-        NaN where a case was not solved. `attrs["units"]` has the unit of each column.
+        NaN where a case was not solved. `attrs["units"]` has the unit of each column; units="columns" writes it into
+        the name of the column as well.
         """
         from ._frames import batch_to_pandas
 
-        return batch_to_pandas(self)
+        return batch_to_pandas(self, units)
 
     def to_xarray(self, curves: Optional[Iterable[str]] = None):
         """An xarray.Dataset in SI: values over `case`, and the curves that were kept over `case` and `crank_angle`.

@@ -31,11 +31,33 @@ def _dataset(variables, attributes):
     return xarray.Dataset(data, coordinates, attributes)
 
 
-def result_to_xarray(result, angles):
-    """The dataset that xarray reads from the file of a result, with firing TDC at its begin or in its middle."""
+def with_units(frame, units, index_unit="degree"):
+    """The frame, with the units in the names of its columns where `units` is "columns", as in CSV files."""
+    if units not in ("attrs", "columns"):
+        raise ValueError(f'units: {units!r} is neither "attrs" nor "columns"')
+    if units == "attrs":
+        return frame
+    named = {name: f"{name} [{unit}]" for name, unit in frame.attrs["units"].items() if unit not in ("", "1")}
+    has_unit = frame.index.name in ("crank_angle", "time", "hours")
+    return frame.rename(columns=named).rename_axis(
+        f"{frame.index.name} [{index_unit}]" if has_unit else frame.index.name
+    )
+
+
+def check_angles(angles):
+    """Throws for a word that is not an axis."""
     if angles not in ("cycle", "firing"):
         raise ValueError(f'angles: "{angles}" is neither "cycle" nor "firing"')
-    dataset = _dataset(*result._dataset())
+
+
+def result_to_xarray(result, angles):
+    """The dataset that xarray reads from the file of a result, with firing TDC at its begin or in its middle."""
+    check_angles(angles)
+    return around_firing(_dataset(*result._dataset()), angles)
+
+
+def around_firing(dataset, angles):
+    """The dataset with firing TDC at the begin of its crank angles ("cycle") or in their middle ("firing")."""
     if angles == "cycle":
         return dataset
     for name in ("crank_angle", "field_crank_angle"):
@@ -45,7 +67,7 @@ def result_to_xarray(result, angles):
     return dataset
 
 
-def result_to_pandas(result):
+def result_to_pandas(result, units="attrs"):
     """Curves as columns, crank angle as index."""
     import pandas
 
@@ -57,7 +79,7 @@ def result_to_pandas(result):
         {name: result[name] for name in curves}, index=pandas.Index(result.crank_angle, name="crank_angle")
     )
     frame.attrs.update(title=result.title, units={name: curves[name].unit for name in curves})
-    return frame
+    return with_units(frame, units)
 
 
 def _values_by_attribute(tables):
@@ -82,20 +104,20 @@ def batch_column(batch, name):
     return numpy.array([getattr(result, attributes[name]) for result in batch], dtype=float)
 
 
-def batch_to_pandas(batch):
+def batch_to_pandas(batch, units="attrs"):
     """Values of the cycle as columns, cases as rows."""
     import pandas
 
     tables = quantities()
-    units = {quantity.name: quantity.unit for quantity in (*tables["cycle"], *tables["unrolled_cycle"])}
+    unit_of = {quantity.name: quantity.unit for quantity in (*tables["cycle"], *tables["unrolled_cycle"])}
     rows = [result.values for result in batch]
     there = {quantity.name for quantity in tables["cycle"]}.union(*rows)
-    units = {name: unit for name, unit in units.items() if name in there}
-    frame = pandas.DataFrame(rows, columns=list(units), dtype=float)
+    unit_of = {name: unit for name, unit in unit_of.items() if name in there}
+    frame = pandas.DataFrame(rows, columns=list(unit_of), dtype=float)
     frame["reason"] = _texts(result.reason for result in batch)
     frame.index.name = "case"
-    frame.attrs["units"] = units
-    return frame
+    frame.attrs["units"] = unit_of
+    return with_units(frame, units)
 
 
 def _over_all_angles(results, name, angles, places):
@@ -151,15 +173,16 @@ def pad_to_xarray(result):
     return _dataset(*result._dataset())
 
 
-def pad_to_pandas(result):
+def pad_to_pandas(result, units="attrs"):
     """Numbers of all instants, time as index."""
     import pandas
 
     names = list(result.values)
     frame = pandas.DataFrame({name: getattr(result, name) for name in names})
-    units = {quantity.name: quantity.unit for table in ("pad", "pad_width") for quantity in quantities()[table]}
-    frame.attrs.update(title=result.title, units={name: units[name] for name in names})
-    return frame.set_index("time") if "time" in frame else frame
+    unit_of = {quantity.name: quantity.unit for table in ("pad", "pad_width") for quantity in quantities()[table]}
+    frame = frame.set_index("time") if "time" in frame else frame
+    frame.attrs.update(title=result.title, units={name: unit_of[name] for name in names})
+    return with_units(frame, units, index_unit="s")
 
 
 def _columns(study):
@@ -173,7 +196,7 @@ def _columns(study):
             yield factor, numbers
 
 
-def study_to_pandas(study):
+def study_to_pandas(study, units="attrs"):
     """Factors as columns, scenarios as rows."""
     import pandas
 
@@ -181,7 +204,7 @@ def study_to_pandas(study):
     frame = pandas.DataFrame({"base": study.base_of, **columns})
     frame.index.name = "scenario"
     frame.attrs.update(title=study.title, units={factor["variable"]: factor["unit"] for factor in study.factors})
-    return frame
+    return with_units(frame, units)
 
 
 def _kept_curves(result):
@@ -245,18 +268,18 @@ def study_result_to_xarray(result):
     return xarray.Dataset(data, coordinates, {"title": study.title, "program": program, "commit": commit})
 
 
-def study_result_to_pandas(result):
+def study_result_to_pandas(result, units="attrs"):
     """Factors and values as columns, scenarios as rows."""
     import pandas
 
     plan = study_to_pandas(result.study)
-    units = {quantity.name: quantity.unit for quantity in result.study.values}
-    frame = pandas.concat([plan, pandas.DataFrame({name: result[name] for name in units}, index=plan.index)], axis=1)
+    unit_of = {quantity.name: quantity.unit for quantity in result.study.values}
+    frame = pandas.concat([plan, pandas.DataFrame({name: result[name] for name in unit_of}, index=plan.index)], axis=1)
     frame["reason"] = _reasons(result)
     topics = [[] for _ in range(len(result))]
     for topic, (_, scenarios) in result.notes.items():
         for i in scenarios:
             topics[i].append(topic)
     frame["notes"] = ["; ".join(of_row) for of_row in topics]
-    frame.attrs.update(title=result.study.title, units={**plan.attrs["units"], **units})
-    return frame
+    frame.attrs.update(title=result.study.title, units={**plan.attrs["units"], **unit_of})
+    return with_units(frame, units)

@@ -1,10 +1,12 @@
-"""What a notebook shows of cases and results, and cases that begin without a file."""
+"""What a notebook shows of cases and results, and cases and studies that begin without a file."""
 
 import html
+import json
+import os
 import pathlib
 import tempfile
 
-from ._ringfilm import Case, quantities, starting_case
+from ._ringfilm import Case, Study, quantities, starting_case
 
 SHOWN = (
     "fmep",
@@ -39,6 +41,36 @@ def new_case(engine, load, state, pack, trace):
     if trace is not None:
         trace = str(pathlib.Path(trace).resolve())
     return _read(starting_case(engine, trace=trace, load=load, state=state, pack=pack))
+
+
+def _toml(where, value):
+    """A value as TOML has it. Throws TypeError for what is not one."""
+    value = value.tolist() if hasattr(value, "tolist") else value  # of numpy
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (int, float)):
+        return repr(value)
+    if isinstance(value, (str, os.PathLike)):
+        return json.dumps(os.fspath(value), ensure_ascii=False)
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(where, one) for one in value) + "]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(_assigned(where, name, one) for name, one in value.items()) + "}"
+    raise TypeError(f"{where} must be a text, a number, a list or a dict, not of type {type(value).__name__}")
+
+
+def _assigned(where, name, value):
+    if not isinstance(name, str):
+        raise TypeError(f"a key of {where} must be a text, not of type {type(name).__name__}")
+    return f"{json.dumps(name, ensure_ascii=False)} = {_toml(f'{where}[{name!r}]', value)}"
+
+
+def study_of(values):
+    """A study of a dict with the tables and keys of its file; files relative to the working folder."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "study.toml"
+        path.write_text("".join(_assigned("study", *item) + "\n" for item in values.items()), encoding="utf-8")
+        return Study._read_in(path, "")
 
 
 def changed(case, changes, named):
@@ -90,6 +122,32 @@ def result_html(result):
     return _table(result.title, None, rows) + _notes_html(result.notes)
 
 
+def gas_html(gas):
+    """The first values of the gas, the pressures of its regions, and the first notes."""
+    tables = quantities()
+    values, regions = gas.values, tables["gas_region"][:3]  # highest pressure with its crank angle, mean pressure
+    rows = [(_name(one), _shown(one, values[one.name])) for one in tables["gas"][:4] if one.name in values]
+    head = ("region", *(_name(one) for one in regions))
+    by_region = [(row["name"], *(_shown(one, row[one.name]) for one in regions)) for row in gas["regions"]]
+    return _table(gas._of("title"), None, rows) + _table("", head, by_region) + _notes_html(gas._html_notes())
+
+
+LIFE_SHOWN = ("mean_power_loss", "fmep", "mean_absolute_oil_flow", "min_film_thickness", "largest_worn_depth")
+
+
+def life_html(life):
+    """The values of each state that decide, and the first notes."""
+    table = {quantity.name: quantity for name in ("worn", "cycle") for quantity in quantities()[name]}
+    shown = [table[name] for name in LIFE_SHOWN if any(state.get(name) is not None for state in life["states"])]
+    rows = [
+        (f"{state['hours']:g}", state["state_origin"])
+        + tuple("" if state.get(one.name) is None else _shown(one, state[one.name]) for one in shown)
+        for state in life["states"]
+    ]
+    head = ("running time [h]", "state", *(_name(one) for one in shown))
+    return _table(life["title"], head, rows) + _notes_html(life._html_notes())
+
+
 def pack_html(pack):
     """The same of each ring side by side."""
     rings = [ring.values for ring in pack.rings]
@@ -105,12 +163,14 @@ def table_html(scenarios):
     return scenarios.to_pandas()._repr_html_()
 
 
-def pack_to_pandas(pack):
+def pack_to_pandas(pack, units="attrs"):
     """Values of the cycle in SI, a row each ring."""
     import pandas
+
+    from ._frames import with_units
 
     rows = {ring.title.rpartition(": ")[2]: ring.values for ring in pack.rings}
     frame = pandas.DataFrame.from_dict(rows, orient="index")
     frame.index.name = "ring"
     frame.attrs.update(title=pack.title, units=dict(pack.units))
-    return frame
+    return with_units(frame, units)

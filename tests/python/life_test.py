@@ -1,5 +1,9 @@
-"""Lives of rings from Python: what `ringfilm life --json` prints, as dicts."""
+"""Lives of rings from Python: what `ringfilm life --json` prints, as an object."""
 
+import json
+import pickle
+
+import numpy
 import pytest
 
 import ringfilm
@@ -15,6 +19,66 @@ def test_a_life_is_a_dict_over_its_hours():
     assert (first["hours"], last["hours"]) == (0, 150)
     assert last["mean_power_loss"] == alone.mean_power_loss
     assert len(last["face_height"]) == len(life["x"])
+
+
+@pytest.fixture(scope="module")
+def life():
+    return ringfilm.run_life(str(CASES / "life" / "styles2014.toml"))
+
+
+def test_values_over_the_hours_are_arrays(life):
+    assert isinstance(life, ringfilm.LifeResult) and json.loads(json.dumps(life)) == life
+    assert list(life.hours) == [state["hours"] for state in life["states"]] and life.title == life["title"]
+    assert list(life.fmep) == [state["fmep"] for state in life["states"]] == list(life.values["fmep"])
+    assert life.face_height.shape == (life.hours.size, life.x.size)
+    assert numpy.isnan(life.worn_area).all() and "worn_area" not in life.values
+    assert life.state_origin[1] == "interpolated" and "fmep" in dir(life)
+    with pytest.raises(AttributeError, match="did you mean fmep"):
+        life.fmpe
+    assert "7 states from 0 to 150 h" in repr(life) and "\n" not in repr(life)
+
+
+def test_a_life_in_a_notebook_has_its_states_with_units(life):
+    shown = life._repr_html_()
+    assert "minimum film thickness [um]" in shown and f"{1e6 * life.min_film_thickness[0]:.4g}" in shown
+    assert shown.count("interpolated") == 4 and "SYNTHETIC" in shown
+
+
+def test_a_life_as_tables(life, run_program, folder):
+    xarray = pytest.importorskip("xarray")
+    frame = life.to_pandas()
+    assert list(frame.index) == list(life.hours) and list(frame["fmep"]) == list(life.fmep)
+    named = life.to_pandas(units="columns")
+    assert named.index.name == "hours [h]" and {"fmep [Pa]", "min_lambda_ratio"} <= set(named.columns)
+    assert run_program("life", str(CASES / "life" / "styles2014.toml"), "-o", "life.nc").returncode == 0
+    made = life.to_xarray()
+    with xarray.open_dataset(folder / "life.nc") as stored:
+        missing = set(stored.data_vars) - set(made.data_vars)
+        assert missing == {"note_text"}
+        for name in set(stored.data_vars) - missing:
+            numpy.testing.assert_array_equal(made[name].values, stored[name].values, name)
+    assert made.fmep.attrs["units"] == "Pa" and made.running_time.attrs["units"] == "h"
+
+
+def test_a_life_is_pickled_with_its_page(life, tmp_path):
+    life.write_report(tmp_path / "life.html")
+    pickle.loads(pickle.dumps(life)).write_report(tmp_path / "again.html")
+    page = (tmp_path / "life.html").read_text()
+    assert page == (tmp_path / "again.html").read_text() and page.lstrip().lower().startswith("<!doctype html>")
+
+
+def test_a_life_is_drawn_in_the_units_of_engineers(life):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    figure = life.plot()
+    assert [axes.get_ylabel().replace("\n", " ") for axes in figure.axes][1] == "minimum film thickness [um]"
+    line, dots = figure.axes[1].lines
+    assert list(line.get_ydata()) == pytest.approx(list(1e6 * life.min_film_thickness))
+    assert list(dots.get_xdata()) == [0, 10, 150], "the measured states"
+    assert len(life.plot("face_height").axes[0].lines) == life.hours.size
+    assert life.plot("fmep", axes=matplotlib.figure.Figure().subplots()).axes[0].lines
+    with pytest.raises(ValueError, match="cannot be drawn"):
+        life.plot("nothing")
 
 
 def test_a_roughness_that_runs_in_is_in_each_state():

@@ -148,6 +148,12 @@ def test_coupled_pack_has_its_gas_and_its_oil(tmp_path):
     for path, forward in zip(result.gas["paths"], result["gas_path_mass_forward_per_cycle"], strict=True):
         assert path["mass_forward_per_cycle"] == forward
     assert result["gas_region_pressure"].shape == (720, len(result.gas["regions"]))
+    gas = result.gas
+    assert isinstance(gas, ringfilm.GasPathResult) and gas.values["blow_by_flow"] == result["blow_by_flow"]
+    numpy.testing.assert_array_equal(gas.pressure["land 2"], result["gas_region_pressure"][:, 2])
+    assert gas.to_pandas()["flow_end_gap_1"].size == 720 and "land 2" in gas._repr_html_()
+    with pytest.raises(ValueError, match="write_report of the PackResult"):
+        gas.write_report(tmp_path / "gas.html")
     assert len(result.rings) == 4
     assert len(result.by_ring) == 3
     # Written out, the rails are rings of their own, with the same bits.

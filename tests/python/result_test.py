@@ -141,6 +141,11 @@ def test_pandas(result):
     assert frame.index.name == "crank_angle" and len(frame) == 720
     numpy.testing.assert_array_equal(frame["total_friction"], result.total_friction)
     assert frame.attrs["units"]["total_friction"] == "N"
+    named = result.to_pandas(units="columns")
+    assert named.index.name == "crank_angle [degree]" and "total_friction [N]" in named.columns
+    assert "lambda_ratio" in named.columns
+    with pytest.raises(ValueError, match="neither"):
+        result.to_pandas(units="rows")
 
 
 def test_a_report_is_a_page(result, folder):

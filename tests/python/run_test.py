@@ -1,6 +1,7 @@
 """Runs: progress, Ctrl-C, other threads, other processes, many cases at once."""
 
 import concurrent.futures
+import operator
 import os
 import pathlib
 import signal
@@ -140,14 +141,11 @@ def test_threads_give_the_same_bits(case):
             numpy.testing.assert_array_equal(result.min_film_thickness, expected)
 
 
-def _run(case):
-    return case.run()
-
-
-def test_processes_give_the_same_bits(case):
+@pytest.mark.parametrize("executor", ["ThreadPoolExecutor", "ProcessPoolExecutor"])
+def test_executors_give_the_same_bits(case, executor):
     expected = case.run()
-    with concurrent.futures.ProcessPoolExecutor(2) as pool:
-        for result in pool.map(_run, [case] * 3):
+    with getattr(concurrent.futures, executor)(2) as pool:
+        for result in pool.map(operator.methodcaller("run"), [case] * 3):
             numpy.testing.assert_array_equal(result.min_film_thickness, expected.min_film_thickness)
             assert result.fmep == expected.fmep
 

@@ -127,6 +127,47 @@ def test_a_bad_study_is_refused(folder):
         ringfilm.Study.read("study.toml")
 
 
+def test_a_study_of_a_dict_is_that_of_the_file(study, folder):
+    factors = [
+        {"name": "speed", "key": "operating.speed", "range": ["1000 rpm", "3000 rpm"]},
+        {"name": "roughness", "key": "contact.roughness", "how": "scale", "distribution": "normal"},
+    ]
+    factors[1].update(mean=1.0, deviation=0.1, truncate=numpy.array([0.5, 1.5]))
+    same = ringfilm.Study(
+        {
+            "title": "a small study",
+            "kind": "uncertainty",
+            "seed": 5,
+            "base": [{"name": "new", "case": folder / "case.toml"}],
+            "factor": factors,
+            "plan": {"method": "sobol", "scenarios": 16},
+        }
+    )
+    assert repr(same) == repr(study) == repr(ringfilm.Study("study.toml"))
+    numpy.testing.assert_array_equal(same.points, study.points)
+    assert list(same.run()["fmep"]) == list(study.run()["fmep"])
+
+
+def test_files_of_a_dict_are_relative_to_the_working_folder(folder, monkeypatch):
+    values = {"operating.speed": "1000 rpm"}
+    plan = {"plan": {"method": "operating-points"}, "point": [{"name": "idle", "weight": 1, "values": values}]}
+    study = ringfilm.Study({"kind": "compare", "base": [{"case": "case.toml"}], **plan})
+    assert study.bases == ["case"] and len(study) == 1
+    assert sorted(path.name for path in folder.iterdir()) == ["case.toml", "trace.csv"]
+    with pytest.raises(ringfilm.InputError, match="there is no such file"):
+        ringfilm.Study({"base": [{"case": "nothing.toml"}], **plan})
+    with pytest.raises(TypeError, match="must be a text, a number, a list or a dict"):
+        ringfilm.Study({"base": [{"case": ringfilm.Case.read("case.toml")}], **plan})
+
+
+def test_a_study_in_a_notebook_and_with_units_in_its_columns(study):
+    pytest.importorskip("pandas")
+    result = study.run()
+    assert "factor_speed" in study._repr_html_() and "fmep" in result._repr_html_()
+    assert "factor_speed [rad/s]" in study.to_pandas(units="columns").columns
+    assert {"factor_speed [rad/s]", "factor_roughness", "fmep [Pa]"} <= set(result.to_pandas(units="columns").columns)
+
+
 def test_a_plan_with_until_continues_as_in_the_program(folder, run_program):
     until = 'scenarios = 8\nuntil = { value = "fmep", width = "2.5 kPa", most = 64 }\n'
     (folder / "until.toml").write_text(STUDY.replace("scenarios = 16\n", until))
@@ -227,6 +268,8 @@ def test_a_batch_without_curves_and_one_without_cases(case):
     assert len(frame) == 0 and set(frame.drop(columns="reason").dtypes) == {numpy.dtype(float)}
     assert list(frame.columns) == list(ringfilm.simulate_many([case]).to_pandas().columns)
     assert pandas.api.types.is_object_dtype(frame["reason"])
+    named = ringfilm.simulate_many([case]).to_pandas(units="columns")
+    assert "fmep [Pa]" in named.columns and "min_lambda_ratio" in named.columns
 
 
 def test_the_notes_of_results_are_kept_with_their_scenarios(study, folder, run_program):

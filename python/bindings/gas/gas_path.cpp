@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "arguments.hpp"
 #include "array_view.hpp"
 #include "case_object.hpp"
@@ -5,6 +7,7 @@
 #include "ringfilm/cycle/checks/case_rules.hpp"
 #include "ringfilm/io/case/case_file.hpp"
 #include "ringfilm/io/gas_path/gas_path_output.hpp"
+#include "ringfilm/report/gas_page.hpp"
 #include "ringfilm/run/run.hpp"
 
 namespace ringfilm::python {
@@ -44,13 +47,15 @@ py::array_t<double> column(const std::vector<std::vector<double>>& rows, std::si
   return values;
 }
 
-py::dict gas_record(const py::object& given, const Given<kinds::MaybeTexts>& overrides) {
+/// The record of the gas, and a function of its web page.
+py::tuple gas_with_page(const py::object& given, const Given<kinds::MaybeTexts>& overrides) {
   const cycle::Case c = case_for_gas(given, overrides.value);
-  io::GasPathDocument document;
+  const auto computed = std::make_shared<io::GasPathDocument>();
   {
     const py::gil_scoped_release others_go_on;
-    document = std::get<io::GasPathDocument>(run::run_case(c).result);
+    *computed = std::get<io::GasPathDocument>(run::run_case(c).result);
   }
+  const io::GasPathDocument& document = *computed;
   py::dict record = from_json(io::gas_path_json(document));
   const gas_path::GasPathResult& result = document.result;
   py::dict pressure, flow, position;
@@ -81,19 +86,18 @@ py::dict gas_record(const py::object& given, const Given<kinds::MaybeTexts>& ove
   }
   record["curves"] = py::dict(py::arg("crank_angle") = angle, py::arg("pressure") = pressure, py::arg("flow") = flow,
                               py::arg("position") = position, py::arg("share") = share);
-  return record;
+  const py::cpp_function page([computed] {
+    const io::GasPathDocument& of = *computed;
+    return report::gas_page({of.title, of.provenance, of.inputs, of.files, of.input_notes, of.notes, of.gas});
+  });
+  return py::make_tuple(record, page);
 }
 
 }  // namespace
 
 void bind_gas_path(py::module_& module) {
-  module.def("gas_path", &gas_record, py::arg("case"), py::arg("overrides") = py::none(),
-             R"(The gas between the rings of a pack over a cycle, a dict in SI as `ringfilm gas --json` prints it.
-
-`case` is a ringfilm.Case, or the path of a case file, in which keys of oil, contact and film may be missing; with a
-path `overrides` replace keys as --set does, {key: text}. The key `curves` of the record holds arrays over
-`crank_angle` [degree]: `pressure` by region [Pa], `flow` by path [kg/s], `position` of each ring above its lower flank
-by its number [m], `share` by gas and region [-] where the case states gas.composition.fuel.)");
+  module.def("_gas_path", &gas_with_page, py::arg("case"), py::arg("overrides") = py::none(),
+             "Record and page for ringfilm.gas_path: a dict, and a function of the text of the page.");
 }
 
 }  // namespace ringfilm::python

@@ -1,23 +1,28 @@
+#include <memory>
+
 #include "arguments.hpp"
 #include "errors.hpp"
 #include "interpreter.hpp"
 #include "ringfilm/io/life/face_comparison.hpp"
 #include "ringfilm/io/life/life_output.hpp"
+#include "ringfilm/report/life_page.hpp"
 #include "ringfilm/study/ensemble/cycle_integrators.hpp"
 
 namespace ringfilm::python {
 namespace {
 
-py::object run_life(const Given<kinds::Path>& path, const Given<kinds::Integer>& given_threads) {
+/// The record of a life, and a function of its web page.
+py::tuple run_life(const Given<kinds::Path>& path, const Given<kinds::Integer>& given_threads) {
   const std::string name = path_of("path", path.value);
   const bool takes_all = given_threads.value.is_none() || integer_of("threads", given_threads.value) == 0;
   Interruptible all;
   study::BatchOptions options;
   options.threads = takes_all ? 0 : threads_of(given_threads.value);
-  io::LifeDocument document{io::read_life(name), {}, io::this_run()};
+  const auto document = std::make_shared<io::LifeDocument>(io::LifeDocument{io::read_life(name), {}, io::this_run()});
   options.pulse = [&all] { all.pulse(); };
-  all.run([&] { document.result = life::run_life(document.file.life, study::cycle_integrators(options)); });
-  return from_json(io::life_json(document));
+  all.run([&] { document->result = life::run_life(document->file.life, study::cycle_integrators(options)); });
+  return py::make_tuple(from_json(io::life_json(*document)),
+                        py::cpp_function([document] { return report::life_page(*document); }));
 }
 
 py::object compare_faces(const Given<kinds::Paths>& paths) {
@@ -27,13 +32,8 @@ py::object compare_faces(const Given<kinds::Paths>& paths) {
 }  // namespace
 
 void bind_life(py::module_& module) {
-  module.def("run_life", &run_life, py::arg("path"), py::kw_only(), py::arg("threads") = 0,
-             R"(Friction, oil and film of a ring over its running hours, from a life's file.
-
-Returns what `ringfilm life --json` prints as a dict: a list `states` with a dict for each reported running time, SI,
-running times in hours. Ctrl-C ends the run with KeyboardInterrupt. Throws InputError for a file that is not a life and
-ConvergenceError for a cycle without a solution. threads: 1 to 1024; 0 or None for as many as the machine runs at
-once.)");
+  module.def("_run_life", &run_life, py::arg("path"), py::kw_only(), py::arg("threads") = 0,
+             "Record and page for ringfilm.run_life: a dict, and a function of the text of the page.");
   module.def("compare_faces", &compare_faces, py::arg("paths"),
              R"(Lower bounds of the wear between the faces of cases, in the order of their running hours.
 

@@ -108,8 +108,12 @@ Source: docs/theory/pad.md.)");
       "The result as an xarray.Dataset over time, x and, with a width, y, as xarray reads it from the file of write(); "
       "SI.");
   type.def(
-      "to_pandas", [](const py::object& self) { return plain_layer("ringfilm._frames", "pad_to_pandas")(self); },
-      "The numbers of all instants as a pandas.DataFrame, indexed by time [s]; units in attrs.");
+      "to_pandas",
+      [](const py::object& self, const GivenText& units) {
+        return plain_layer("ringfilm._frames", "pad_to_pandas")(self, units.value);
+      },
+      py::arg("units") = "attrs",
+      "The numbers of all instants as a pandas.DataFrame, indexed by time [s]. units: as in Result.to_pandas.");
   type.def(
       "plot",
       [](const py::object& self, const GivenText& what, const py::object& axes, const py::object& label,

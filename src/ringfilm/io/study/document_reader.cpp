@@ -16,7 +16,9 @@ void append_case_faults(const InputError& error, const SourceMark& mark, std::ve
 }
 
 DocumentReader::DocumentReader(const std::string& path)
-    : path_(path), folder_(std::filesystem::path(path).parent_path().string()) {}
+    : DocumentReader(path, std::filesystem::path(path).parent_path().string()) {}
+
+DocumentReader::DocumentReader(const std::string& path, const std::string& folder) : path_(path), folder_(folder) {}
 
 TomlValue DocumentReader::read_document(DocumentKind kind, const std::string& role) {
   const SourceText source = read_source_text(path_, path_, kMaxToml);

@@ -18,6 +18,7 @@ void append_case_faults(const InputError& error, const SourceMark& mark, std::ve
 class DocumentReader {
  protected:
   explicit DocumentReader(const std::string& path);
+  DocumentReader(const std::string& path, const std::string& folder);
 
   /// The file itself as a tree; throws InputError for a file of another kind. @param role role of the cycle::InputFile
   TomlValue read_document(DocumentKind kind, const std::string& role);
@@ -32,7 +33,7 @@ class DocumentReader {
   bool is_one_ring(const cycle::Case& input, const std::string& path, const std::string& document,
                    const SourceMark& mark);
 
-  std::string path_, folder_;  ///< path and folder of the file; file names in it are relative to the folder
+  std::string path_, folder_;  ///< path of the file; folder that file names in it are relative to
   Units units_;
   std::vector<Fault> faults_;
   std::vector<cycle::InputFile> files_;

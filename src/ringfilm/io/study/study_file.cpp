@@ -31,6 +31,7 @@ using study::Method;
 class StudyReader : DocumentReader {
  public:
   explicit StudyReader(const std::string& path) : DocumentReader(path) {}
+  StudyReader(const std::string& path, const std::string& folder) : DocumentReader(path, folder) {}
 
   StudyFile read() {
     const TomlValue root = read_document(DocumentKind::kStudy, "study");
@@ -367,5 +368,7 @@ class StudyReader : DocumentReader {
 }  // namespace
 
 StudyFile read_study(const std::string& path) { return StudyReader(path).read(); }
+
+StudyFile read_study(const std::string& path, const std::string& folder) { return StudyReader(path, folder).read(); }
 
 }  // namespace ringfilm::io

@@ -17,5 +17,7 @@ struct StudyFile {
 /// Reads a study with its bases and all that they name. File names are relative to the study's file. Throws one
 /// InputError with every fault found; what joins factors and plan is checked by study::Plan.
 StudyFile read_study(const std::string& path);
+/// Reads a study whose file names are relative to `folder`; empty for the working folder.
+StudyFile read_study(const std::string& path, const std::string& folder);
 
 }  // namespace ringfilm::io
