@@ -422,7 +422,8 @@ case.copy(operating__speed="2000 rpm"). Raises as update() does.)");
       py::arg("pack") = false, py::arg("trace") = py::none(),
       R"(The case that `ringfilm new` writes, as a Case.
 
-engine: one of the files in data/engines ("passenger-car", "heavy-duty", ...), or a file of that form. load: "part" or "full". state: "new", "run-in" or "worn", of the
+engine: a file in data/engines ("passenger-car", "heavy-duty", ...), or one of that form.
+load: "part" or "full". state: "new", "run-in" or "worn", of the
 surfaces. pack: all rings in place of the top ring. trace: a file of the cylinder pressure.
 Raises InputError, also where the trace does not show what must be stated.)");
   type.def(
@@ -461,7 +462,8 @@ Raises InputError, also where the trace does not show what must be stated.)");
       py::arg("state") = "run-in", py::arg("pack") = false, py::arg("all_keys") = false,
       R"(A commented case file to start from, a str, as `ringfilm new` writes it.
 
-engine: one of the files in data/engines ("passenger-car", "heavy-duty", ...), or a file of that form. load: "part" or "full". state: "new", "run-in" or "worn", of the
+engine: a file in data/engines ("passenger-car", "heavy-duty", ...), or one of that form.
+load: "part" or "full". state: "new", "run-in" or "worn", of the
 surfaces. pack: all rings of the engine in place of the top ring alone. trace: a file of the cylinder pressure, whose
 columns and units are read; what the file does not show is marked MISSING in the text. all_keys: every other key of a
 ring as a comment.)");

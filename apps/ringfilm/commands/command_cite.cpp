@@ -5,12 +5,15 @@
 #include "command_options.hpp"
 #include "commands/commands.hpp"
 #include "ringfilm/io/case/case_file.hpp"
-#include "ringfilm/io/data/citations.hpp"
+#include "ringfilm/io/case/citations.hpp"
+#include "ringfilm/io/data/shipped_pairs.hpp"
 #include "ringfilm/io/result/result_file.hpp"
 #include "ringfilm/io/text/source_text.hpp"
 
 namespace ringfilm::app {
 namespace {
+
+constexpr const char* kPairRole = "contact.friction_pair";
 
 struct CiteOptions {
   std::string path;  ///< a case, or a result
@@ -30,20 +33,27 @@ void declare_cite(CommandOptions& add, CiteOptions& options) {
 
 void cite(const CiteOptions& options) {
   std::vector<std::string> texts;
-  std::string resolved, program = io::this_program().program;
+  std::vector<io::CaseEntry> inputs;
+  std::string program = io::this_program().program;
   if (std::filesystem::path(options.path).extension() == ".nc") {
     const io::ResultDocument result = io::read_result(options.path);
-    resolved = result.resolved_case;
+    inputs = result.inputs;
     program = result.provenance.program;
   } else {
     const cycle::Case c = io::read_case(options.path, {});
-    resolved = io::resolved_case(c);
+    inputs = io::case_entries(c);
     for (const auto& file : c.files) {
-      if (std::filesystem::path(file.path).extension() != ".toml") continue;
-      texts.push_back(io::read_source_text(file.path, file.path, io::kMaxToml).text);
+      if (file.role == kPairRole || std::filesystem::path(file.path).extension() != ".toml") continue;
+      const io::NamedFile named = io::locate(file.path, "");
+      texts.push_back(io::read_source_text(named.path, named.shown, io::kMaxToml).text);
+    }
+    const io::Units units;
+    for (const io::CaseEntry& entry : inputs) {
+      if (!entry.key.ends_with(kPairRole)) continue;  // of the file of all pairs the source of this one
+      texts.push_back(io::pair_of_name(io::shipped_pairs(units), entry.shown).source);
     }
   }
-  std::cout << io::citations_bibtex(io::citation_keys(resolved, texts), program);
+  std::cout << io::citations_bibtex(io::citation_keys(inputs, texts), program);
 }
 
 }  // namespace

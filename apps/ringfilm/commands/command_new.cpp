@@ -18,6 +18,8 @@
 namespace ringfilm::app {
 namespace {
 
+constexpr const char* kOperatingPoints = "operating-points";
+
 struct NewOptions {
   std::vector<std::string> words;           ///< [study KIND | life] and the file
   std::string path;                         ///< the last of them
@@ -60,7 +62,7 @@ void check_is_new(const std::string& path) {
 /// A path as a file in the folder of `document` names it.
 std::string seen_from(const std::string& document, const std::string& path) {
   const auto folder = std::filesystem::absolute(document).parent_path();
-  return std::filesystem::absolute(path).lexically_relative(folder).string();
+  return std::filesystem::relative(path, folder).generic_string();
 }
 
 /// Writes a study or a life of a case.
@@ -76,23 +78,44 @@ void start_document(const NewOptions& options) {
     throw InputError("ringfilm new " + command + " requires a case",
                      "name it with --case my.toml; ringfilm new my.toml writes one");
   }
+  const bool has_points = !is_life && options.words[1] == kOperatingPoints;
+  const std::pair<const char*, bool> stated[] = {{"--engine", options.engine && !has_points},
+                                                 {"--pack", options.pack.has_value()},
+                                                 {"--load", options.load.has_value()},
+                                                 {"--state", options.state.has_value()},
+                                                 {"--trace", options.trace.has_value()},
+                                                 {"--points", options.points.has_value()},
+                                                 {"--all", options.has_all_keys}};
+  for (const auto& [option, is_stated] : stated) {
+    if (is_stated)
+      throw InputError(std::string(option) + " is for a case, and a " + command + " is written", "remove it");
+  }
   check_is_new(path);
   const io::OutputClaim claimed(path);
   const std::string seen = seen_from(path, *options.case_path);
+  const cycle::Case c = io::read_case(*options.case_path, {});
+  if (c.problem != cycle::Problem::kCycle) {
+    throw InputError(*options.case_path + " is not the case of a ring or a pack", "name one with --case");
+  }
   std::string text;
   if (is_life) {
-    text = io::start_life(io::read_case(*options.case_path, {}), seen);
+    text = io::start_life(c, seen);
   } else {
     const std::string& kind = options.words[1];
     std::vector<std::string> kinds = io::start_study_kinds();
-    kinds.emplace_back("operating-points");
+    kinds.emplace_back(kOperatingPoints);
     if (std::ranges::find(kinds, kind) == kinds.end()) {
       throw InputError(
           "there is no study of the kind " + io::quoted(kind) + " to start from" + io::did_you_mean(kind, kinds),
           "one of: " + joined(kinds, ", "));
     }
-    const cycle::Case c = io::read_case(*options.case_path, {});  // a case that cannot be read has no study
-    text = kind == kinds.back() ? io::start_points(start_options(options), seen) : io::start_study(kind, c, seen);
+    if (has_points && !options.engine) {
+      throw InputError("operating points are those of an engine, and none is named",
+                       "--engine with one of " + joined(io::start_engines(), ", ") + ", or a file of your own");
+    }
+    io::StartOptions points = start_options(options);
+    if (c.gas.model == cycle::GasModel::kTrace) points.trace = c.gas.cylinder_pressure_file;  // pressures are its own
+    text = has_points ? io::start_points(points, seen) : io::start_study(kind, c, seen);
   }
   io::write_atomically(path, text);
   std::cout << "wrote " << path << "\nnext: ringfilm " << command << " " << path << "\n";

@@ -133,7 +133,8 @@ class Summary {
     const bool are_pairs = groups.size() > 1 && std::all_of(groups.begin() + 1, groups.end(), [&](const auto& group) {
                              return group.pairs_with_first && group.scenarios.size() > 1;
                            });
-    if (!are_pairs) return;
+    const bool has_weights = plan_.study().sampling.method == study::Method::kOperatingPoints;  // their mean is above
+    if (!are_pairs || has_weights) return;
     const std::string& main = plan_.values().main.front();
     for (const std::string& name : {main, std::string("fmep"), std::string("min_film_thickness")}) {
       const auto index = plan_.values().index(name);
@@ -144,8 +145,23 @@ class Summary {
     }
   }
 
+  void append_sampled_pairs(const report::ComparisonGroup& first, const report::ComparisonGroup& other,
+                            const std::vector<double>& all) {
+    const auto picked = [&](const report::ComparisonGroup& group) {
+      std::vector<double> values;
+      for (const std::uint64_t i : group.scenarios) values.push_back(all[i]);
+      return values;
+    };
+    const auto difference = study::relative_difference(picked(first), picked(other));
+    if (!difference) return;
+    const double half = study::mean_half_width(difference->count) * difference->standard_error;
+    text_ += fmt::format("  {:<32} {:+.1f} % in the mean ({:+.1f} to {:+.1f} %, 95 % interval)\n", other.name,
+                         100 * difference->value, 100 * (difference->value - half), 100 * (difference->value + half));
+  }
+
   void append_pairs(const report::ComparisonGroup& first, const report::ComparisonGroup& other,
                     const std::vector<double>& all) {
+    if (study::has_sample(plan_)) return append_sampled_pairs(first, other, all);
     double sum = 0, least = std::numeric_limits<double>::infinity(), most = -least;
     int n = 0, lower = 0;
     for (std::size_t k = 0; k < std::min(first.scenarios.size(), other.scenarios.size()); ++k) {

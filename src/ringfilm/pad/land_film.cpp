@@ -182,8 +182,8 @@ class Patch {
       } else if (tried < kMaxGaps && gaps.back() < kClosest * reached) {
         gaps.push_back(std::sqrt(reached * gaps.back()));
       } else {
-        throw ConvergenceError("no steady film of the land was found at a lowest gap of " +
-                               surface::length_text(gaps.back()) + "; larger separations, or a coarser map, have one");
+        throw ConvergenceError("no steady film of the land was found at a lowest gap of " + surface::length_text(h_m) +
+                               "; larger separations, or a coarser map, have one");
       }
     }
     return film;

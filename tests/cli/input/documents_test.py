@@ -16,10 +16,11 @@ class NewDocumentTest(program.ProgramTest):
     def test_studies_and_lives_of_a_ring_and_of_a_pack_are_read_unchanged(self):
         self.run_well("new", "ring.toml")
         self.run_well("new", "pack.toml", "--pack", "turbo-gasoline")
+        engine = {"operating-points": ["--engine", "turbo-gasoline"]}
         for case in ("ring", "pack"):
             for kind in ("map", "uncertainty", "compare", "operating-points"):
                 name = f"{kind}_{case}.toml"
-                printed = self.run_well("new", "study", kind, name, "--case", f"{case}.toml")
+                printed = self.run_well("new", "study", kind, name, "--case", f"{case}.toml", *engine.get(kind, []))
                 self.assertIn(f"next: ringfilm study {name}", printed)
                 self.assertLessEqual((self.folder / name).read_text().count("\n"), 60)
                 status = self.run_well("study", "status", name, "-o", "none")
@@ -33,6 +34,8 @@ class NewDocumentTest(program.ProgramTest):
         self.assertIn("--case my.toml", refuse("new", "study", "map", "map.toml"))
         self.assertIn("did you mean map?", refuse("new", "study", "mop", "map.toml", "--case", "ring.toml"))
         self.assertIn("a kind and a file", refuse("new", "study", "map.toml", "--case", "ring.toml"))
+        self.assertIn("those of an engine", refuse("new", "study", "operating-points", "m.toml", "--case", "ring.toml"))
+        self.assertIn("remove it", refuse("new", "study", "map", "m.toml", "--case", "ring.toml", "--load", "part"))
         self.assertIn("no such file", refuse("new", "life", "life.toml", "--case", "none.toml"))
         self.assertIn("remove it", refuse("new", "mine.toml", "--case", "ring.toml"))
         self.assertIn("one file is written", refuse("new", "a.toml", "b.toml"))

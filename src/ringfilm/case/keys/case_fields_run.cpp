@@ -176,7 +176,7 @@ void append_run_fields(std::vector<Field>& fields) {
                  .kind = FileKind{member<&Case::film, &Film::land_law_file>},
                  .need = Need::kRequired,
                  .when = kLandTable,
-                 .help = "lift of a land that ringfilm land --output wrote",
+                 .help = "lift of a land that ringfilm land --output wrote, or a CSV with its columns",
                  .example = "\"land.nc\""}),
           field({.key = "film.land_factor",
                  .kind = NumberKind{member<&Case::film, &Film::land_factor>},

@@ -1,6 +1,7 @@
 #include "ringfilm/io/measurement/land_law_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -135,9 +136,13 @@ LandLawFile read_land_csv(const NamedFile& named, const Units& units) {
   if (!faults.empty()) throw InputError(faults);
   const std::vector<double>&scatter = numbers.columns["lift_scatter"], &lift = numbers.columns["lift"];
   if (!scatter.empty()) {
-    double squares = 0;
-    for (std::size_t k = 0; k < scatter.size(); ++k) squares += std::pow(scatter[k] / lift[k], 2);
-    numbers.values[kLogLiftDeviation] = std::sqrt(squares / static_cast<double>(scatter.size()));
+    double squares = 0, n = 0;
+    for (std::size_t k = 0; k < scatter.size(); ++k) {
+      if (!(lift[k] > 0)) continue;
+      squares += std::pow(scatter[k] / lift[k], 2);
+      n += 1;
+    }
+    if (n > 0) numbers.values[kLogLiftDeviation] = std::sqrt(squares / n);
   }
   try {
     LandLawFile of = land_law_of(numbers);
@@ -152,7 +157,9 @@ LandLawFile read_land_csv(const NamedFile& named, const Units& units) {
 }  // namespace
 
 LandLawFile read_land_law(const NamedFile& named, const Units& units) {
-  if (std::filesystem::path(named.path).extension() == ".csv") return read_land_csv(named, units);
+  std::string ending = std::filesystem::path(named.path).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (ending == ".csv") return read_land_csv(named, units);
   const std::string bytes = read_source_bytes(named.path, named.shown, kMaxLandFile);
   const char* remedy = "write one with ringfilm land --surface ... --output land.nc";
   LandNumbers numbers;

@@ -8,6 +8,7 @@
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
+#include "ringfilm/base/number_text.hpp"
 #include "ringfilm/case/keys/case_fields.hpp"
 #include "ringfilm/io/case/case_text.hpp"
 #include "ringfilm/io/start/start_values.hpp"
@@ -131,8 +132,12 @@ std::string stated_case(const std::string& head, const std::vector<StartValue>& 
 
 /// The [[ring]] sections of the shipped pack of that name.
 std::string rings_of(const StartEngine& engine) {
-  const NamedFile file = locate("data/packs/" + engine.pack + ".toml", "");
-  const std::string text = read_source_text(file.path, file.shown, kMaxToml).text;
+  const NamedFile file = engine.pack.ends_with(".toml") ? NamedFile{engine.pack, engine.pack}
+                                                        : locate("data/packs/" + engine.pack + ".toml", "");
+  std::string text = read_source_text(file.path, file.shown, kMaxToml).text;
+  // The shipped packs name tables by their own folder, a case by that of the shipped data.
+  for (std::size_t at = 0; (at = text.find("\"../lands/", at)) != std::string::npos;)
+    text.replace(at, 10, "\"data/lands/");
   return "\n# All numbers of the rings are typical, assumed; their faces are run in.\n" +
          text.substr(text.find("[[ring]]"));
 }
@@ -210,8 +215,8 @@ std::string start_points(const StartOptions& options, const std::string& case_pa
     append(point.operation, values);
     append(start_walls(point), values);
     if (!options.trace) append(point.gas, values);
-    text +=
-        fmt::format("\n[[point]]\nname = {}\nweight = {:.2g}\n\n[point.values]\n", quoted(point.name), point.weight);
+    text += fmt::format("\n[[point]]\nname = {}\nweight = {}\n\n[point.values]\n", quoted(point.name),
+                        number_text(point.weight));
     for (const StartValue& value : values) {
       text += fmt::format("\"{}\" = {}  # {}\n", value.key, value.value, value.remark);
     }

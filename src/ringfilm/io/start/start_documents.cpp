@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "ringfilm/base/display.hpp"
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
@@ -14,7 +12,10 @@ namespace {
 
 using cycle::Case;
 
-double rpm_of(const Case& c) { return c.operating.speed * 30 / std::numbers::pi; }
+/// "1500 rpm", times a factor.
+std::string speed_text(const Case& c, double factor = 1) {
+  return quoted(text_in(factor * c.operating.speed, kRpm, 4));
+}
 
 /// `key = "contact.hardness"`; of a pack the keys of all rings, which have one number.
 std::string key_of_rings(const Case& c, const std::string& key) {
@@ -35,25 +36,22 @@ std::string head(const std::string& title, const std::string& kind, const std::s
 }
 
 std::string speed_factor(const Case& c, int points) {
-  const double speed = rpm_of(c);
-  return fmt::format(
-      "\n[[factor]]\nname = \"speed\"\nkey = \"operating.speed\"\nrange = [\"{:.0f} rpm\", \"{:.0f} rpm\"]\npoints = "
-      "{}\n",
-      0.5 * speed, 2 * speed, points);
+  return fmt::format("\n[[factor]]\nname = \"speed\"\nkey = \"operating.speed\"\nrange = [{}, {}]\npoints = {}\n",
+                     speed_text(c, 0.5), speed_text(c, 2), points);
 }
 
 std::string map(const Case& c, const std::string& case_path) {
   const bool is_wiebe = c.gas.model == cycle::GasModel::kWiebe;
-  const double bar = c.gas.peak_pressure / 1e5;
+  const auto peak = [&](double factor) { return quoted(text_in(factor * c.gas.peak_pressure, kBar, 3)); };
   const std::string load =
-      is_wiebe ? fmt::format(
-                     "\n[[factor]]\nname = \"peak pressure\"\nkey = \"gas.peak_pressure\"\nrange = [\"{:.0f} "
-                     "bar\", \"{:.0f} bar\"]\npoints = 7\n",
-                     0.5 * bar, 1.2 * bar)
-               : fmt::format(
-                     "\n[[factor]]                         # typical, assumed: additive or coating\nname = "
-                     "\"boundary coefficient\"\n{}\nrange = [0.06, 0.14]\npoints = 5\n",
-                     key_of_rings(c, "contact.boundary_shear_strength_coefficient"));
+      is_wiebe
+          ? fmt::format(
+                "\n[[factor]]\nname = \"peak pressure\"\nkey = \"gas.peak_pressure\"\nrange = [{}, {}]\npoints = 7\n",
+                peak(0.7), peak(1.2))
+          : fmt::format(
+                "\n[[factor]]                         # typical, assumed: additive or coating\nname = "
+                "\"boundary coefficient\"\n{}\nrange = [0.06, 0.14]\npoints = 5\n",
+                key_of_rings(c, "contact.boundary_shear_strength_coefficient"));
   return head("Map over speed and " + std::string(is_wiebe ? "load" : "boundary coefficient"), "map", case_path) +
          speed_factor(c, 9) + load + "\n[plan]\nmethod = \"grid\"\n";
 }
@@ -81,9 +79,15 @@ std::string uncertainty(const Case& c, const std::string& case_path) {
 }
 
 std::string compare(const Case& c, const std::string& case_path) {
-  return head("Which oil, over speed?", "compare", case_path) +
-         "\n[[factor]]\nname = \"oil\"\nkey = \"lubricant.grade\"\nvalues = [\"SAE 5W-30\", \"SAE 0W-20\"]\n"
-         "source = \"typical oils of their grades (ringfilm oils)\"\n" +
+  const bool has_grade = !c.is_pack() && c.lubricant.grade.has_value();
+  const std::string factor =
+      has_grade ? "\n[[factor]]\nname = \"oil\"\nkey = \"lubricant.grade\"\nvalues = [\"SAE 5W-30\", \"SAE 0W-20\"]\n"
+                  "source = \"typical oils of their grades (ringfilm oils)\"\n"
+                : fmt::format(
+                      "\n[[factor]]\nname = \"boundary coefficient\"\n{}\nvalues = [0.12, 0.08]\n"
+                      "source = \"typical, assumed: without and with a friction modifier\"\n",
+                      key_of_rings(c, "contact.boundary_shear_strength_coefficient"));
+  return head(has_grade ? "Which oil, over speed?" : "A friction modifier, over speed", "compare", case_path) + factor +
          speed_factor(c, 4) + "\n[plan]\nmethod = \"grid\"\n";
 }
 
@@ -109,8 +113,8 @@ std::string start_life(const Case& c, const std::string& case_path) {
       "[wear]\ncoefficient = \"1e-19 m2/N\"         # typical, assumed: a hard coating; or \"fit\" from measured "
       "faces\n\n"
       "[duty]\n\n[[duty.point]]                     # one for each operating point, with its share of the cycles\n"
-      "name = \"of the case\"\nweight = 1\nspeed = \"{:.0f} rpm\"\n",
-      quoted(case_path), rpm_of(c));
+      "name = \"of the case\"\nweight = 1\nspeed = {}\n",
+      quoted(case_path), speed_text(c));
 }
 
 }  // namespace ringfilm::io

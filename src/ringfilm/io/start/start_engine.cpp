@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <variant>
 
 #include "ringfilm/base/error.hpp"
 #include "ringfilm/base/joined.hpp"
@@ -46,12 +47,18 @@ class EngineReader {
     engine.grade = table.needed_text("grade", "\"SAE 5W-30\"");
     engine.pack = table.needed_text("pack", "\"passenger-car\"");
     engine.crown_height = table.texts("crown_heights");
+    for (const TomlValue& height : table.items("crown_heights")) check("ring.face.crown_height", height);
     if (engine.crown_height.size() != kStates) {
       table.refuse(table.mark(), "crown_heights states " + std::to_string(engine.crown_height.size()) + " heights",
                    "state those of a new, a run-in and a worn face, for example [\"10 um\", \"6 um\", \"3 um\"]");
     }
     if (const TomlValue* remarks = root_.find("remarks")) {
-      for (const TomlEntry& one : flatten(*remarks, folder_).entries) remarks_[one.key] = one.value.text;
+      for (const TomlEntry& one : flatten(*remarks, folder_).entries) {
+        remarks_[one.key] = one.value.text;
+        if (cycle::find_field(one.key) == nullptr) {
+          faults_.push_back({one.value.key_mark, "a case has no key " + one.key, "`ringfilm fields` lists all keys"});
+        }
+      }
     }
     engine.engine = section("engine", "engine.");
     engine.ring = section("ring", "ring.");
@@ -78,13 +85,26 @@ class EngineReader {
     std::vector<StartValue> all;
     for (const TomlEntry& entry : flatten(table, folder_).entries) {
       const std::string key = prefix + entry.key;
-      if (cycle::find_field(key) == nullptr) {
-        faults_.push_back({entry.value.key_mark, "a case has no key " + key, "`ringfilm fields` lists all keys"});
-      }
+      check(key, entry.value);
       const auto remark = remarks_.find(key);
       all.push_back({key, toml_text(entry.value), remark == remarks_.end() ? "" : remark->second});
     }
     return all;
+  }
+
+  void check(const std::string& key, const TomlValue& value) {
+    const cycle::Field* field = cycle::find_field(key);
+    if (field == nullptr) {
+      faults_.push_back({value.key_mark, "a case has no key " + key, "`ringfilm fields` lists all keys"});
+    } else if (value.kind != TomlValue::Kind::kList &&
+               (std::holds_alternative<cycle::NumberKind>(field->kind) ||
+                std::holds_alternative<cycle::OptionalNumberKind>(field->kind))) {
+      try {
+        quantity_of(value, field->unit, field->example, units_);
+      } catch (const UnitError& problem) {
+        faults_.push_back({value.mark, key + " " + problem.what(), "for example " + field->example});
+      }
+    }
   }
 
   StartPoint point(const TomlValue& item) {
@@ -112,6 +132,7 @@ class EngineReader {
   std::string folder_;
   std::map<std::string, std::string> remarks_;
   std::vector<Fault> faults_;
+  Units units_;
 };
 
 }  // namespace
@@ -141,6 +162,7 @@ StartEngine read_start_engine(const NamedFile& file, const std::string& name) {
   const TomlValue root = parse_toml(read_source_text(file.path, file.shown, kMaxToml));
   StartEngine engine = EngineReader(root, "").read();
   engine.name = name;
+  if (engine.pack.ends_with(kToml)) engine.pack = (fs::path(file.path).parent_path() / engine.pack).string();
   return engine;
 }
 

@@ -28,7 +28,7 @@ struct StartEngine {
   std::vector<std::string> crown_height;  ///< heights of its face, for each of start_states()
   std::vector<StartValue> gas;            ///< where no trace is given
   std::string grade;                      ///< viscosity grade of its oil
-  std::string pack;                       ///< name of the file of its rings in data/packs
+  std::string pack;                       ///< name of the file of its rings in data/packs, or a file (.toml)
   std::vector<StartValue> composition;    ///< composition of the gas of a pack; empty: none
   std::vector<StartPoint> points;         ///< part load, full load at low speed and at high speed
 };

@@ -40,7 +40,8 @@ export function heights(packed) {
   const { cases, pack } = packed;
   let top = 0;
   return cases.map((c, i) => {
-    const width = inputOf(c, 'ring.face_width') ?? 1e-3;
+    const corners = sectionCorners(c);
+    const width = corners ? extent(corners, 0) : (inputOf(c, 'ring.face_width') ?? 1e-3);
     const isRailAbove = pack.ring_numbers[i] === pack.ring_numbers[i + 1];
     const rail = isRailAbove ? (inputOf(c, 'ring.land_below') ?? width) : null;
     const land = rail ?? inputOf(c, 'ring.land_below') ?? width;
@@ -75,13 +76,19 @@ export function pressuresAt(packed, angle) {
   });
 }
 
+/** Axial (0) or radial (1) extent of a section [m]. */
+function extent(corners, k) {
+  const list = corners.map((corner) => corner[k]);
+  return Math.max(...list) - Math.min(...list);
+}
+
 /** A section in a rectangle, turned about its middle. */
 function outline(corners, { x, y, width, height }, tilt, stroke) {
-  const most = (k) => Math.max(...corners.map((corner) => corner[k]));
-  const [tall, thick] = [most(0), most(1)];
+  const [tall, thick] = [0, 1].map((k) => extent(corners, k));
+  const [first, front] = [0, 1].map((k) => Math.min(...corners.map((corner) => corner[k])));
   const [xc, yc] = [x - width / 2, y + height / 2];
   const points = corners.map(([axial, radial]) => {
-    const [px0, py0] = [x - (width * radial) / thick, y + (height * axial) / tall];
+    const [px0, py0] = [x - (width * (radial - front)) / thick, y + (height * (axial - first)) / tall];
     return [px0 + tilt * (py0 - yc), py0 - tilt * (px0 - xc)];
   });
   const path = points.map(([px0, py0], k) => `${k ? 'L' : 'M'}${px(px0)} ${px(py0)}`).join('');

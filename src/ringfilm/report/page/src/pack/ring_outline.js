@@ -9,7 +9,7 @@ const kMetres = { m: 1, mm: 1e-3, um: 1e-6 };
 
 /** Corners that a case states: [["0 mm", "0 mm"], ...]. */
 function statedCorners(shown) {
-  const lengths = [...shown.matchAll(/"(-?[\d.eE+-]+) (m|mm|um)"/g)].map(([, v, unit]) => v * kMetres[unit]);
+  const lengths = [...shown.matchAll(/(-?[\d.eE+-]+) (m|mm|um)\b/g)].map(([, v, unit]) => v * kMetres[unit]);
   return lengths.flatMap((axial, k) => (k % 2 === 0 ? [[axial, lengths[k + 1]]] : []));
 }
 
@@ -70,7 +70,10 @@ function corneredForms({ height, thickness, length, side }) {
 /** Corners of the section, axial from the chamber side and radial from the face inwards [m]; null without a section. */
 export function sectionCorners(c) {
   const shown = (key) => c.inputs.find((entry) => entry.key === key)?.shown;
-  if (shown('ring.section')) return statedCorners(shown('ring.section'));
+  if (shown('ring.section')) {
+    const corners = statedCorners(shown('ring.section'));
+    return corners.length > 2 ? corners : null;
+  }
   const form = shown('ring.section_form');
   const thickness = inputOf(c, 'ring.radial_thickness');
   const width = inputOf(c, 'ring.face_width');

@@ -1,4 +1,4 @@
-#include "ringfilm/io/data/citations.hpp"
+#include "ringfilm/io/case/citations.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "ringfilm/case/keys/case_fields.hpp"
+#include "ringfilm/io/storage/shipped.hpp"
 #include "ringfilm/io/text/source_text.hpp"
-#include "ringfilm/io/text/toml_tree.hpp"
 
 namespace ringfilm::io {
 namespace {
@@ -19,8 +20,7 @@ constexpr const char* kBibliography = "docs/references.bib";
 constexpr const char* kAnyValue = "*";
 
 std::string shipped_text(const char* name) {
-  const NamedFile file = locate(name, "");
-  return read_source_text(file.path, file.shown, kMaxToml).text;
+  return read_source_text(shipped_folder() + "/" + name, name, kMaxToml).text;
 }
 
 /// The entries of the bibliography by key, in its order.
@@ -60,40 +60,14 @@ std::vector<CitedChoice> cited_choices() {
   return all;
 }
 
-void add_values(const TomlValue& table, std::multimap<std::string, std::string>& values) {
-  for (const TomlEntry& entry : flatten(table, "").entries) {
-    if (entry.key == "ring" && entry.value.kind == TomlValue::Kind::kList) {
-      for (const TomlValue& ring : entry.value.items) {
-        TomlValue one;
-        one.kind = TomlValue::Kind::kTable;
-        // Keys of a ring are those of [ring], but for those of sections that a ring replaces: contact and film.
-        for (const TomlMember& member : ring.members) {
-          const bool is_section = member.key == "contact" || member.key == "film";
-          if (is_section) {
-            one.members.push_back(member);
-          } else {
-            TomlValue section;
-            section.kind = TomlValue::Kind::kTable;
-            section.members.push_back(member);
-            one.members.push_back({"ring", std::move(section)});
-          }
-        }
-        add_values(one, values);
-      }
-      continue;
-    }
-    values.emplace(entry.key, entry.value.text);
-  }
-}
-
 }  // namespace
 
-std::vector<std::string> citation_keys(const std::string& resolved_case, const std::vector<std::string>& texts) {
-  SourceText source;
-  source.path = "the case of the result";
-  source.text = resolved_case;
+std::vector<std::string> citation_keys(const std::vector<CaseEntry>& inputs, const std::vector<std::string>& texts) {
   std::multimap<std::string, std::string> values;
-  add_values(parse_toml(source), values);
+  for (const CaseEntry& entry : inputs) {
+    const auto of_ring = cycle::ring_key(entry.key);
+    values.emplace(of_ring ? of_ring->key : entry.key, entry.shown);
+  }
   std::vector<std::string> keys;
   const auto add = [&](const std::string& key) {
     if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
