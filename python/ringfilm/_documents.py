@@ -38,7 +38,7 @@ class _Document(dict):
         return list(self)
 
     def _of(self, name):
-        """What the record says of itself, or of the document that it is a part of."""
+        """The attributes of the record, or of the document that it is a part of."""
         return (self if self._about is None else self._about).get(name, "")
 
     def _html_notes(self):

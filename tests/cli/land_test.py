@@ -34,9 +34,9 @@ class LandTest(program.ProgramTest):
         self.assertGreater(lifted["min_film_thickness"], plain["min_film_thickness"])
 
     def test_close_to_contact_the_film_is_found_from_that_of_a_wider_gap(self):
-        highest = self.land("--separations", "1 um")["highest_point"]
+        highest = self.land("--separations", "2 um")["highest_point"]
         nearest = f"{1e6 * highest + 0.021:.4f} um"
-        of = self.land("--separations", f"{nearest}, 1 um", "--cavitation-pressure", "1 bar")
+        of = self.land("--separations", f"{nearest}, 2 um", "--cavitation-pressure", "1 bar")
         self.assertGreater(of["lift"][0], of["lift"][1])
         self.assertLess(of["lowest_gap"][0], 0.03e-6)
 

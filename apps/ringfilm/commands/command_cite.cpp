@@ -49,7 +49,8 @@ void cite(const CiteOptions& options) {
     }
     const io::Units units;
     for (const io::CaseEntry& entry : inputs) {
-      if (!entry.key.ends_with(kPairRole)) continue;  // of the file of all pairs the source of this one
+      // The file has all pairs: the source of this one counts.
+      if (!entry.key.ends_with(kPairRole)) continue;
       texts.push_back(io::pair_of_name(io::shipped_pairs(units), entry.shown).source);
     }
   }

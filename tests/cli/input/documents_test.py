@@ -26,7 +26,7 @@ class NewDocumentTest(program.ProgramTest):
                 status = self.run_well("study", "status", name, "-o", "none")
                 self.assertIn("scenarios", status)
         self.run_well("new", "life", "life.toml", "--case", "ring.toml")
-        self.assertEqual(len(json.loads(self.run_well("life", "life.toml", "--json"))["hours"]), 4)
+        self.assertEqual(len(json.loads(self.run_well("life", "life.toml", "--json"))["states"]), 4)
 
     def test_what_is_refused(self):
         self.run_well("new", "ring.toml")

@@ -69,6 +69,12 @@ class EngineReader {
       table.refuse(table.mark(), "there are " + std::to_string(engine.points.size()) + " operating points",
                    "state part load in the first [[point]] and full load in the second");
     }
+    for (const StartPoint& one : engine.points) {
+      const auto& first = engine.points.front().gas;
+      if (std::ranges::equal(one.gas, first, {}, &StartValue::key, &StartValue::key)) continue;
+      table.refuse(table.mark(), "the point " + quoted(one.name) + " states other keys of gas than the first one",
+                   "state the same keys of gas at each [[point]], in one order");
+    }
     for (const char* key : {"engine.bore", "engine.stroke", "engine.connecting_rod_length"}) need(engine.engine, key);
     for (const char* key : {"ring.face_width", "ring.elastic_pressure"}) need(engine.ring, key);
     if (!faults_.empty()) throw InputError(std::move(faults_));
