@@ -10,6 +10,8 @@ const { byFace, comparisonFigures } = await load('pack/pack_comparison.js');
 const { PackModel, packOfGas } = await load('pack/pack_model.js');
 const { pressuresAt } = await load('pack/pack_drawing.js');
 
+const { sectionCorners, twistAt } = await load('pack/ring_outline.js');
+
 const kAngles = [0, 180, 360, 540];
 const constant = (p) => kAngles.map(() => p);
 
@@ -212,4 +214,24 @@ const packOf = (cases, numbers, gas = null) =>
     ],
   );
   assert.equal(alone.model.peakAngle(alone.cases[0]), -20);
+}
+
+// Sections by their corners, by their form, and none; the twist at the nearest angle.
+{
+  const numbers = { 'ring.radial_thickness': 3e-3, 'ring.face_width': 1.2e-3, 'ring.step_height': 0.5e-3 };
+  const inputs = Object.entries({ ...numbers, 'ring.step_depth': 0.4e-3 }).map(([key, value_si]) => ({
+    key,
+    value_si,
+  }));
+  const ring = (key, shown) => ({ inputs: [...inputs, { key, shown }], curves: {} });
+  const stated = sectionCorners(ring('ring.section', '[[0 mm, 0 mm], [1.2 mm, 0 mm], [600 um, 3 mm]]'));
+  assert.equal(stated.length, 3);
+  assert.ok(Math.abs(stated[2][0] - 0.6e-3) < 1e-12 && Math.abs(stated[2][1] - 3e-3) < 1e-12);
+  const napier = sectionCorners(ring('ring.section_form', 'napier'));
+  assert.equal(Math.max(...napier.map(([axial]) => axial)), 1.7e-3);
+  assert.deepEqual(napier[2], [1.2e-3, 0.4e-3]);
+  assert.equal(sectionCorners(ring('ring.section_form', 'none')), null);
+  assert.equal(sectionCorners({ inputs: [], curves: {} }), null);
+  assert.equal(twistAt({ curves: { crank_angle: kAngles, twist: [1, 2, 3, 4] } }, 190), 2);
+  assert.equal(twistAt({ curves: { crank_angle: kAngles } }, 190), null);
 }

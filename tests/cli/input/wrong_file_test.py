@@ -175,7 +175,7 @@ class ShippedDataTest(program.ProgramTest):
             [copy, "new", "mine.toml"], cwd=self.folder, capture_output=True, text=True, env=environment
         )
         self.assertEqual(written.returncode, 2, written.stdout)
-        self.assertIn("the shipped cases and data are not found: set the environment variable", written.stderr)
+        self.assertIn("the shipped cases and data are not found\n    set the environment variable", written.stderr)
         self.assertFalse((self.folder / "mine.toml").exists())
         self.assertTrue(self.run_well("new", "other.toml").endswith("next: ringfilm run other.toml\n"))
 

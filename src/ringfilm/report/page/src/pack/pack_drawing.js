@@ -132,6 +132,7 @@ function ringShapes(packed, i, at, scale, colour) {
       height + kClearance + room,
       colour(groove),
     ),
+    box(kLiner - kLandGap, y, kLandGap, height, colour(at.pressures[i].below)),
     ...ring,
   ];
 }
