@@ -42,7 +42,8 @@ class Summary {
     const study::Among among = is_sample ? study::Among::kSample : study::Among::kAll;
     text_ += fmt::format("\nbase {}, {} scenarios\n", plan_.study().bases[base].name, plan_.n_points(base));
     text_ += is_sample ? fmt::format("  {:<24}{:>16}{:>16}{:>16}{:>16}\n", "", "mean", "5 %", "50 %", "95 %")
-                       : fmt::format("  {:<24}{:>14}  {:<34}{:>14}  where\n", "", "lowest", "where", "highest");
+                       : fmt::format("  {:<26}{:>12}  {:<{}}{:>12}  where\n", "", "lowest", "where", widest_name(base),
+                                     "highest");
     const auto& quantities = plan_.values().quantities;
     const std::vector<std::string>& main = plan_.values().main;
     for (std::size_t i = 0; i < quantities.size(); ++i) {
@@ -112,6 +113,16 @@ class Summary {
     text_ += "\n";
   }
 
+  /// Letters of the longest name of the first scenarios of a base.
+  std::size_t widest_name(std::size_t base) const {
+    constexpr std::uint64_t kSeen = 200;
+    std::size_t most = 0;
+    for (std::uint64_t p = 0; p < std::min(plan_.n_points(base), kSeen); ++p) {
+      most = std::max(most, report::scenario_name(plan_, plan_.scenario(base, p), units_).size());
+    }
+    return most;
+  }
+
   /// Where on a grid, a list or among operating points a value is lowest and highest: a median of them means nothing.
   void append_extremes(const cycle::Quantity& quantity, const std::vector<double>& all, std::size_t base) {
     std::optional<std::uint64_t> lowest, highest;
@@ -122,9 +133,9 @@ class Summary {
       if (!highest || all[i] > all[*highest]) highest = i;
     }
     if (!lowest) return;
-    text_ += fmt::format("  {:<24}{:>14}  {:<34}{:>14}  {}\n", quantity.name, shown(quantity, all[*lowest]),
-                         report::scenario_name(plan_, *lowest, units_), shown(quantity, all[*highest]),
-                         report::scenario_name(plan_, *highest, units_));
+    text_ += fmt::format("  {:<26}{:>12}  {:<{}}{:>12}  {}\n", quantity.name, shown(quantity, all[*lowest]),
+                         report::scenario_name(plan_, *lowest, units_), widest_name(base),
+                         shown(quantity, all[*highest]), report::scenario_name(plan_, *highest, units_));
   }
 
   /// Which choice or base is best, point by point against the first one.
@@ -136,9 +147,9 @@ class Summary {
     const bool has_weights = plan_.study().sampling.method == study::Method::kOperatingPoints;  // their mean is above
     if (!are_pairs || has_weights) return;
     const std::string& main = plan_.values().main.front();
-    for (const std::string& name : {main, std::string("fmep"), std::string("min_film_thickness")}) {
+    for (const std::string& name : {main, std::string("min_film_thickness")}) {
       const auto index = plan_.values().index(name);
-      if (!index || (name == "fmep" && main == "fmep")) continue;
+      if (!index) continue;
       const std::vector<double> all = rows_.values(*index);
       text_ += fmt::format("\n{} against \"{}\", at the same values of all other factors\n", name, groups.front().name);
       for (auto group = groups.begin() + 1; group != groups.end(); ++group) append_pairs(groups.front(), *group, all);

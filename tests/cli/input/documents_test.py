@@ -25,6 +25,9 @@ class NewDocumentTest(program.ProgramTest):
                 self.assertLessEqual((self.folder / name).read_text().count("\n"), 60)
                 status = self.run_well("study", "status", name, "-o", "none")
                 self.assertIn("scenarios", status)
+        printed = self.run_well("study", "compare_ring.toml", "-o", "compared")
+        self.assertRegex(printed, r"  fmep  +[\d.]+ kPa  oil SAE .* rpm +[\d.]+ kPa  oil SAE .* rpm\n")
+        self.assertRegex(printed, r'fmep against "SAE 5W-30".*\n  SAE 0W-20 .* % in the mean .* lower in \d of 4\n')
         self.run_well("new", "life", "life.toml", "--case", "ring.toml")
         self.assertEqual(len(json.loads(self.run_well("life", "life.toml", "--json"))["states"]), 4)
 
