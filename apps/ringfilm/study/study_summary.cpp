@@ -125,17 +125,12 @@ class Summary {
 
   /// Where on a grid, a list or among operating points a value is lowest and highest: a median of them means nothing.
   void append_extremes(const cycle::Quantity& quantity, const std::vector<double>& all, std::size_t base) {
-    std::optional<std::uint64_t> lowest, highest;
-    for (std::uint64_t p = 0; p < plan_.n_points(base); ++p) {
-      const std::uint64_t i = plan_.scenario(base, p);
-      if (!std::isfinite(all[i])) continue;
-      if (!lowest || all[i] < all[*lowest]) lowest = i;
-      if (!highest || all[i] > all[*highest]) highest = i;
-    }
-    if (!lowest) return;
-    text_ += fmt::format("  {:<26}{:>12}  {:<{}}{:>12}  {}\n", quantity.name, shown(quantity, all[*lowest]),
-                         report::scenario_name(plan_, *lowest, units_), widest_name(base),
-                         shown(quantity, all[*highest]), report::scenario_name(plan_, *highest, units_));
+    const auto extremes = report::extreme_scenarios(plan_, all, base);
+    if (!extremes) return;
+    const auto& [lowest, highest] = *extremes;
+    text_ += fmt::format("  {:<26}{:>12}  {:<{}}{:>12}  {}\n", quantity.name, shown(quantity, all[lowest]),
+                         report::scenario_name(plan_, lowest, units_), widest_name(base), shown(quantity, all[highest]),
+                         report::scenario_name(plan_, highest, units_));
   }
 
   /// Which choice or base is best, point by point against the first one.

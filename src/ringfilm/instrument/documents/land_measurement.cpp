@@ -65,15 +65,13 @@ double speed_exponent(const pad::LandFilm& film) {
   return n > 0 ? std::clamp(sum / n, kMin, kMax) : 1;
 }
 
-/// Standard deviation of ln lift over patches, rms over the rows with lift.
 double log_lift_deviation(const pad::LandFilm& film) {
-  double squares = 0, n = 0;
+  std::vector<double> lift, scatter;
   for (const LandPoint& point : film.points) {
-    if (!(point.lift > 0)) continue;
-    squares += std::pow(point.lift_scatter / point.lift, 2);
-    n += 1;
+    lift.push_back(point.lift);
+    scatter.push_back(point.lift_scatter);
   }
-  return n > 0 ? std::sqrt(squares / n) : std::nan("");
+  return io::log_lift_deviation(lift, scatter);
 }
 
 io::MeasuredGroup land_group(const pad::LandFilm& film, const LandAnalysis& analysis) {

@@ -25,8 +25,21 @@ constexpr std::size_t kMaxLandFile = std::size_t{1} << 28;  // [byte]
   throw InputError(std::vector<Fault>{{{file.shown, 0, 0, ""}, what, remedy}});
 }
 
-constexpr const char* kLandColumns[] = {"separation", "lift", "friction_factor", "lowest_gap"};
-constexpr const char* kLandValues[] = {"land_width", "speed", "viscosity", "roughness", "speed_exponent"};
+/// What a case reads of a land, in NetCDF in SI under these names, in CSV in any unit of the kind.
+struct LandColumn {
+  const char *name, *unit, *example;
+};
+
+constexpr LandColumn kLandColumns[] = {{"separation", "m", "separation [um]"},
+                                       {"lift", "Pa", "lift [kPa]"},
+                                       {"friction_factor", "1", "friction_factor [-]"},
+                                       {"lowest_gap", "m", "lowest_gap [um]"}};
+constexpr LandColumn kLandValues[] = {{"land_width", "m", "land_width [mm]"},
+                                      {"speed", "m/s", "speed [m/s]"},
+                                      {"viscosity", "Pa s", "viscosity [mPa s]"},
+                                      {"roughness", "m", "roughness [um]"},
+                                      {"speed_exponent", "1", "speed_exponent [-]"}};
+constexpr LandColumn kLandScatter = {"lift_scatter", "Pa", "lift_scatter [kPa]"};
 
 /// The numbers of a land as its document holds them, in the order of its rows.
 struct LandNumbers {
@@ -75,10 +88,10 @@ LandLawFile land_law_of(const LandNumbers& numbers) {
 LandNumbers land_numbers_of(const ResultFileReader& file) {
   LandNumbers numbers;
   const std::string prefix = std::string(kLandLawTable) + "_", row = prefix + "row";
-  for (const char* name : kLandColumns) {
-    file.numbers({row.c_str()}, {prefix + name, "", "", "", "", ""}, numbers.columns[name]);
+  for (const LandColumn& of : kLandColumns) {
+    file.numbers({row.c_str()}, {prefix + of.name, "", "", "", "", ""}, numbers.columns[of.name]);
   }
-  for (const char* name : kLandValues) file.scalar({name, "", "", "", "", ""}, numbers.values[name]);
+  for (const LandColumn& of : kLandValues) file.scalar({of.name, "", "", "", "", ""}, numbers.values[of.name]);
   if (file.has_variable(kLogLiftDeviation)) {
     file.scalar({kLogLiftDeviation, "", "", "", "", ""}, numbers.values[kLogLiftDeviation]);
   }
@@ -97,33 +110,28 @@ LandNumbers land_numbers_of(const Measurement& law) {
   return numbers;
 }
 
-struct LandCsvColumn {
-  const char *name, *unit, *example;
-  bool is_needed;
-};
-
-constexpr LandCsvColumn kLandCsvRows[] = {{"separation", "m", "separation [um]", true},
-                                          {"lift", "Pa", "lift [kPa]", true},
-                                          {"friction_factor", "1", "friction_factor [-]", true},
-                                          {"lowest_gap", "m", "lowest_gap [um]", true},
-                                          {"lift_scatter", "Pa", "lift_scatter [kPa]", false}};
-constexpr LandCsvColumn kLandCsvValues[] = {{"land_width", "m", "land_width [mm]", true},
-                                            {"speed", "m/s", "speed [m/s]", true},
-                                            {"viscosity", "Pa s", "viscosity [mPa s]", true},
-                                            {"roughness", "m", "roughness [um]", true},
-                                            {"speed_exponent", "1", "speed_exponent [-]", true}};
+/// The law of the numbers, with their file in what is refused.
+LandLawFile land_law_of(const LandNumbers& numbers, const NamedFile& named, const std::string& digest) {
+  try {
+    LandLawFile of = land_law_of(numbers);
+    of.sha256 = digest;
+    return of;
+  } catch (const InputError& fault) {
+    refuse_land(named, fault.faults().front().message, fault.faults().front().remedy);
+  }
+}
 
 /// A table of the same columns, in which what is one value of the land has it in each row.
 LandLawFile read_land_csv(const NamedFile& named, const Units& units) {
   const CsvFile csv = read_csv(named);
   std::vector<Fault> faults;
   LandNumbers numbers;
-  const auto column = [&](const LandCsvColumn& of) {
-    if (!of.is_needed && !csv.find(of.name)) return std::vector<double>();
+  const auto column = [&](const LandColumn& of) {
     return quantity_column(csv, of.name, of.unit, of.example, units, faults);
   };
-  for (const LandCsvColumn& of : kLandCsvRows) numbers.columns[of.name] = column(of);
-  for (const LandCsvColumn& of : kLandCsvValues) {
+  for (const LandColumn& of : kLandColumns) numbers.columns[of.name] = column(of);
+  const std::vector<double> scatter = csv.find(kLandScatter.name) ? column(kLandScatter) : std::vector<double>();
+  for (const LandColumn& of : kLandValues) {
     const std::vector<double> rows = column(of);
     if (rows.empty()) continue;
     numbers.values[of.name] = rows.front();
@@ -134,27 +142,24 @@ LandLawFile read_land_csv(const NamedFile& named, const Units& units) {
                       "a table is that of one land at one speed and one viscosity: write a file for each"});
   }
   if (!faults.empty()) throw InputError(faults);
-  const std::vector<double>&scatter = numbers.columns["lift_scatter"], &lift = numbers.columns["lift"];
-  if (!scatter.empty()) {
-    double squares = 0, n = 0;
-    for (std::size_t k = 0; k < scatter.size(); ++k) {
-      if (!(lift[k] > 0)) continue;
-      squares += std::pow(scatter[k] / lift[k], 2);
-      n += 1;
-    }
-    if (n > 0) numbers.values[kLogLiftDeviation] = std::sqrt(squares / n);
-  }
-  try {
-    LandLawFile of = land_law_of(numbers);
-    of.sha256 = csv.source.sha256;
-    of.notes.insert(of.notes.begin(), csv.notes.begin(), csv.notes.end());
-    return of;
-  } catch (const InputError& fault) {
-    refuse_land(named, fault.faults().front().message, fault.faults().front().remedy);
-  }
+  const double deviation = log_lift_deviation(numbers.columns["lift"], scatter);
+  if (std::isfinite(deviation)) numbers.values[kLogLiftDeviation] = deviation;
+  LandLawFile of = land_law_of(numbers, named, csv.source.sha256);
+  of.notes.insert(of.notes.begin(), csv.notes.begin(), csv.notes.end());
+  return of;
 }
 
 }  // namespace
+
+double log_lift_deviation(const std::vector<double>& lift, const std::vector<double>& scatter) {
+  double squares = 0, n = 0;
+  for (std::size_t k = 0; k < scatter.size(); ++k) {
+    if (!(lift[k] > 0)) continue;
+    squares += std::pow(scatter[k] / lift[k], 2);
+    n += 1;
+  }
+  return n > 0 ? std::sqrt(squares / n) : std::nan("");
+}
 
 LandLawFile read_land_law(const NamedFile& named, const Units& units) {
   std::string ending = std::filesystem::path(named.path).extension().string();
@@ -171,13 +176,7 @@ LandLawFile read_land_law(const NamedFile& named, const Units& units) {
     if (kind != kLandLawKind) refuse_land(named, "is the measurement of a " + kind + ", not of a land", remedy);
     numbers = land_numbers_of(file);
   }
-  try {
-    LandLawFile of = land_law_of(numbers);
-    of.sha256 = sha256(bytes);
-    return of;
-  } catch (const InputError& fault) {
-    refuse_land(named, fault.faults().front().message, fault.faults().front().remedy);
-  }
+  return land_law_of(numbers, named, sha256(bytes));
 }
 
 void check_land_law(const Measurement& law) {

@@ -21,6 +21,10 @@ struct LandLawFile {
   std::vector<std::string> notes;
 };
 
+/// Standard deviation of ln lift over patches, rms over the rows with lift; NaN without one.
+/// @param scatter standard deviation of the lift, a number for each row [Pa], or none
+double log_lift_deviation(const std::vector<double>& lift, const std::vector<double>& scatter);
+
 /// Reads what `ringfilm land --output` wrote, or a .csv with the same columns; rows without lift are omitted. Throws
 /// InputError: not such a file, altered, fewer than three separations with lift, a lift that does not fall.
 LandLawFile read_land_law(const NamedFile& file, const Units& units);

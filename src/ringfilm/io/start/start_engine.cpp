@@ -36,7 +36,7 @@ std::string toml_text(const TomlValue& value) {
 
 class EngineReader {
  public:
-  EngineReader(const TomlValue& root, std::string folder) : root_(root), folder_(std::move(folder)) {}
+  explicit EngineReader(const TomlValue& root) : root_(root) {}
 
   StartEngine read() {
     StartEngine engine;
@@ -53,11 +53,9 @@ class EngineReader {
                    "state those of a new, a run-in and a worn face, for example [\"10 um\", \"6 um\", \"3 um\"]");
     }
     if (const TomlValue* remarks = root_.find("remarks")) {
-      for (const TomlEntry& one : flatten(*remarks, folder_).entries) {
+      for (const TomlEntry& one : flatten(*remarks, "").entries) {
         remarks_[one.key] = one.value.text;
-        if (cycle::find_field(one.key) == nullptr) {
-          faults_.push_back({one.value.key_mark, "a case has no key " + one.key, "`ringfilm fields` lists all keys"});
-        }
+        known_field(one.key, one.value);
       }
     }
     engine.engine = section("engine", "engine.");
@@ -89,7 +87,7 @@ class EngineReader {
 
   std::vector<StartValue> values(const TomlValue& table, const std::string& prefix) {
     std::vector<StartValue> all;
-    for (const TomlEntry& entry : flatten(table, folder_).entries) {
+    for (const TomlEntry& entry : flatten(table, "").entries) {
       const std::string key = prefix + entry.key;
       check(key, entry.value);
       const auto remark = remarks_.find(key);
@@ -98,13 +96,20 @@ class EngineReader {
     return all;
   }
 
-  void check(const std::string& key, const TomlValue& value) {
+  /// The field of a key; nullptr, with a fault reported, for one that no case has.
+  const cycle::Field* known_field(const std::string& key, const TomlValue& value) {
     const cycle::Field* field = cycle::find_field(key);
     if (field == nullptr) {
       faults_.push_back({value.key_mark, "a case has no key " + key, "`ringfilm fields` lists all keys"});
-    } else if (value.kind != TomlValue::Kind::kList &&
-               (std::holds_alternative<cycle::NumberKind>(field->kind) ||
-                std::holds_alternative<cycle::OptionalNumberKind>(field->kind))) {
+    }
+    return field;
+  }
+
+  void check(const std::string& key, const TomlValue& value) {
+    const cycle::Field* field = known_field(key, value);
+    if (field == nullptr) return;
+    if (value.kind != TomlValue::Kind::kList && (std::holds_alternative<cycle::NumberKind>(field->kind) ||
+                                                 std::holds_alternative<cycle::OptionalNumberKind>(field->kind))) {
       try {
         quantity_of(value, field->unit, field->example, units_);
       } catch (const UnitError& problem) {
@@ -135,7 +140,6 @@ class EngineReader {
   }
 
   const TomlValue& root_;
-  std::string folder_;
   std::map<std::string, std::string> remarks_;
   std::vector<Fault> faults_;
   Units units_;
@@ -166,7 +170,7 @@ StartEngine start_engine(const std::string& name) {
 
 StartEngine read_start_engine(const NamedFile& file, const std::string& name) {
   const TomlValue root = parse_toml(read_source_text(file.path, file.shown, kMaxToml));
-  StartEngine engine = EngineReader(root, "").read();
+  StartEngine engine = EngineReader(root).read();
   engine.name = name;
   if (engine.pack.ends_with(kToml)) engine.pack = (fs::path(file.path).parent_path() / engine.pack).string();
   return engine;

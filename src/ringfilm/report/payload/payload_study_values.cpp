@@ -264,15 +264,10 @@ class MainValues {
 
   /// Where a value is lowest and highest in a base; null where no scenario was solved.
   ordered_json extremes_object(const std::vector<double>& all, std::size_t base) const {
-    std::optional<std::uint64_t> lowest, highest;
-    for (std::uint64_t p = 0; p < plan_.n_points(base); ++p) {
-      const std::uint64_t i = plan_.scenario(base, p);
-      if (!std::isfinite(all[i])) continue;
-      if (!lowest || all[i] < all[*lowest]) lowest = i;
-      if (!highest || all[i] > all[*highest]) highest = i;
-    }
-    if (!lowest) return nullptr;
-    return {{"lowest", scenario_name(plan_, *lowest, units_)}, {"highest", scenario_name(plan_, *highest, units_)}};
+    const auto extremes = extreme_scenarios(plan_, all, base);
+    if (!extremes) return nullptr;
+    return {{"lowest", scenario_name(plan_, extremes->first, units_)},
+            {"highest", scenario_name(plan_, extremes->second, units_)}};
   }
 
   const study::Plan& plan_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -68,6 +69,20 @@ bool is_paired(const study::Plan& plan, const ComparisonGroup& first, const Comp
 }
 
 }  // namespace
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> extreme_scenarios(const study::Plan& plan,
+                                                                         const std::vector<double>& all,
+                                                                         std::size_t base) {
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> extremes;
+  for (std::uint64_t p = 0; p < plan.n_points(base); ++p) {
+    const std::uint64_t i = plan.scenario(base, p);
+    if (!std::isfinite(all[i])) continue;
+    if (!extremes) extremes.emplace(i, i);
+    if (all[i] < all[extremes->first]) extremes->first = i;
+    if (all[i] > all[extremes->second]) extremes->second = i;
+  }
+  return extremes;
+}
 
 std::vector<ComparisonGroup> comparison_groups(const study::Plan& plan, const io::Units& units) {
   const study::Study& study = plan.study();

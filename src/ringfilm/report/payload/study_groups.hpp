@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ringfilm/io/text/units.hpp"
@@ -21,6 +23,12 @@ struct ComparisonGroup {
 /// What a scenario is within its base: the name of its operating point, or its factors with their numbers; of one at a
 /// time the factor that moves; its number where these are too many to read.
 std::string scenario_name(const study::Plan& plan, std::uint64_t scenario, const io::Units& units);
+
+/// Scenarios of a base with the lowest and the highest of these values; nothing where none was solved.
+/// @param all a value of each scenario, NaN where it was not solved
+std::optional<std::pair<std::uint64_t, std::uint64_t>> extreme_scenarios(const study::Plan& plan,
+                                                                         const std::vector<double>& all,
+                                                                         std::size_t base);
 
 /// In the order in which the plan comes to them; of a sample its points alone. Where nothing but numbers varies in few
 /// scenarios that are not a sample, each of these is a group. Empty where there is nothing to compare, or more than a
